@@ -1,0 +1,19 @@
+package org.dronemap.core.command;
+
+import java.util.regex.Pattern;
+
+/** Names one command for ever; the same id twice acts once. */
+public record CommandId(String value) {
+    private static final Pattern FORM = Pattern.compile("[A-Za-z0-9_-]{8,64}");
+
+    public CommandId {
+        if (!FORM.matcher(value).matches()) {
+            throw new IllegalArgumentException("a command id is 8 to 64 of A-Z, a-z, 0-9, '_' and '-': " + value);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return value;
+    }
+}

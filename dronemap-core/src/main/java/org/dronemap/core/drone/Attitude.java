@@ -1,0 +1,4 @@
+package org.dronemap.core.drone;
+
+/** Roll, pitch and yaw in degrees. */
+public record Attitude(double rollDegrees, double pitchDegrees, double yawDegrees) {}

@@ -1,0 +1,28 @@
+package org.dronemap.core.drone;
+
+/** What a vehicle may be able to do; each command needs exactly one of these. */
+public enum Capability {
+    ARM("arm"),
+    DISARM("disarm"),
+    SET_MODE("change its mode"),
+    TAKE_OFF("take off"),
+    LAND("land"),
+    RETURN_TO_LAUNCH("return to launch"),
+    HOLD("hold its position"),
+    GO_TO("go to a point"),
+    UPLOAD_MISSION("take a mission"),
+    START_MISSION("start a mission"),
+    PAUSE_MISSION("pause a mission"),
+    CLEAR_MISSION("clear its mission");
+
+    private final String phrase;
+
+    Capability(String phrase) {
+        this.phrase = phrase;
+    }
+
+    /** Completes the sentence "this vehicle cannot …". */
+    public String phrase() {
+        return phrase;
+    }
+}

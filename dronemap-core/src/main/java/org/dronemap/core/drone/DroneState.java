@@ -1,0 +1,46 @@
+package org.dronemap.core.drone;
+
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Immutable picture of a drone at one moment; a fact that was not heard is null, never a default.
+ *
+ * @param replay it comes from a recording: shown, never commanded
+ * @param readyToArm what the vehicle's own pre-arm checks say
+ * @param messages newest last, at most {@link #MAX_MESSAGES}
+ * @param version rises with every change of this drone
+ */
+public record DroneState(
+        DroneId id,
+        String name,
+        boolean replay,
+        LinkStatus link,
+        Identification identification,
+        Capabilities capabilities,
+        @Nullable String mode,
+        @Nullable Boolean armed,
+        @Nullable Boolean readyToArm,
+        @Nullable FlightPhase phase,
+        @Nullable Position position,
+        @Nullable Motion motion,
+        @Nullable Attitude attitude,
+        @Nullable Battery battery,
+        @Nullable Gps gps,
+        @Nullable Home home,
+        MissionProgress mission,
+        List<TextMessage> messages,
+        Instant lastUpdate,
+        long version) {
+    public static final int MAX_MESSAGES = 30;
+
+    /** In the air as far as anybody knows: said so, or clearly above its home. */
+    public boolean airborne() {
+        if (phase != null) {
+            return phase != FlightPhase.ON_GROUND;
+        }
+        Double above = position == null ? null : position.altitudeAboveHomeMeters();
+        return Boolean.TRUE.equals(armed) && above != null && above > 1;
+    }
+}

@@ -1,0 +1,11 @@
+package org.dronemap.core.drone;
+
+/** How sure the watchdog is that the vehicle is still there. */
+public enum LinkState {
+    /** Heard within its link's normal silence. */
+    LIVE,
+    /** Silent for longer than normal; being probed. */
+    SUSPECT,
+    /** Silent for the declared time; may still be flying. */
+    LOST
+}

@@ -1,0 +1,21 @@
+package org.dronemap.core.drone;
+
+import java.util.List;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The mission that is on the vehicle and how far it is.
+ *
+ * @param items what was read back from the vehicle; null as long as it was not read
+ * @param current index into the items that the vehicle heads for; null when it said none
+ * @param reached indices of the items that it said it reached since the mission changed or was started, in order
+ * @param notice a sentence when the mission is not the one that the cloud knew; null otherwise
+ */
+public record MissionProgress(
+        @Nullable List<MissionItem> items,
+        @Nullable Integer current,
+        List<Integer> reached,
+        @Nullable String notice) {
+    public static final MissionProgress UNKNOWN = new MissionProgress(null, null, List.of(), null);
+}

@@ -1,0 +1,10 @@
+package org.dronemap.core.drone;
+
+import org.jspecify.annotations.Nullable;
+
+/** Speeds in m/s (climb positive upwards), heading in degrees clockwise from true north. */
+public record Motion(
+        @Nullable Double groundSpeed,
+        @Nullable Double airSpeed,
+        @Nullable Double climbRate,
+        @Nullable Double headingDegrees) {}

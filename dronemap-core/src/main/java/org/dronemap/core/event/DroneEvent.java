@@ -1,0 +1,55 @@
+package org.dronemap.core.event;
+
+import java.util.List;
+import org.dronemap.core.drone.Attitude;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Gps;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/** One thing heard from a vehicle. */
+public sealed interface DroneEvent {
+    /** Who it is and what it can do; again whenever more becomes known. */
+    record Identified(Identification identification, Capabilities capabilities) implements DroneEvent {}
+
+    /** {@code mode} is null when the vehicle's mode has no name here. */
+    record ModeHeard(@Nullable String mode, boolean armed) implements DroneEvent {}
+
+    /** The verdict of the vehicle's own pre-arm checks. */
+    record ReadinessHeard(boolean readyToArm) implements DroneEvent {}
+
+    record PhaseHeard(FlightPhase phase) implements DroneEvent {}
+
+    record PositionHeard(Position position) implements DroneEvent {}
+
+    record MotionHeard(Motion motion) implements DroneEvent {}
+
+    record AttitudeHeard(Attitude attitude) implements DroneEvent {}
+
+    record BatteryHeard(Battery battery) implements DroneEvent {}
+
+    record GpsHeard(Gps gps) implements DroneEvent {}
+
+    record HomeHeard(Home home) implements DroneEvent {}
+
+    /** Index into the mission's items that it heads for; null when it heads for none. */
+    record MissionCurrentHeard(@Nullable Integer index) implements DroneEvent {}
+
+    record MissionItemReached(int index) implements DroneEvent {}
+
+    /** The whole mission was read from the vehicle; {@code asUploaded}: as the end of the cloud's own upload. */
+    record MissionRead(List<MissionItem> items, boolean asUploaded) implements DroneEvent {
+        public MissionRead {
+            items = List.copyOf(items);
+        }
+    }
+
+    record TextHeard(Severity severity, String text) implements DroneEvent {}
+}

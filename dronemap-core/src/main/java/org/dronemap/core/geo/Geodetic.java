@@ -1,0 +1,13 @@
+package org.dronemap.core.geo;
+
+/** A point on WGS-84, degrees; altitudes are carried beside it with their reference. */
+public record Geodetic(double latitudeDegrees, double longitudeDegrees) {
+    public Geodetic {
+        if (!(Math.abs(latitudeDegrees) <= 90)) {
+            throw new IllegalArgumentException("latitude must be -90 to 90 degrees: " + latitudeDegrees);
+        }
+        if (!(Math.abs(longitudeDegrees) <= 180)) {
+            throw new IllegalArgumentException("longitude must be -180 to 180 degrees: " + longitudeDegrees);
+        }
+    }
+}

@@ -1,0 +1,19 @@
+package org.dronemap.core.mission;
+
+import java.util.List;
+
+/** An ordered, flyable list of 1 to 500 items. */
+public record Mission(List<MissionItem> items) {
+    /** Most items of one mission; real autopilots hold some seven hundred. */
+    public static final int MAX_ITEMS = 500;
+
+    public Mission {
+        items = List.copyOf(items);
+        if (items.isEmpty() || items.size() > MAX_ITEMS) {
+            throw new IllegalArgumentException("a mission has 1 to " + MAX_ITEMS + " items, not " + items.size());
+        }
+        if (items.stream().anyMatch(MissionItem.Other.class::isInstance)) {
+            throw new IllegalArgumentException("a mission holds only items that the cloud can plan");
+        }
+    }
+}
