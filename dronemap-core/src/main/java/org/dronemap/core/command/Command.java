@@ -135,7 +135,8 @@ public sealed interface Command {
         }
     }
 
-    record StartMission() implements Command {
+    /** {@code onCloudLoss}: what the vehicle shall do by itself when the cloud falls silent on the way. */
+    record StartMission(CloudLoss onCloudLoss) implements Command {
         @Override
         public Capability needs() {
             return Capability.START_MISSION;

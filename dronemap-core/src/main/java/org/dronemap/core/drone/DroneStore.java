@@ -2,7 +2,6 @@ package org.dronemap.core.drone;
 
 import java.util.List;
 import java.util.Optional;
-import org.dronemap.core.mission.MissionItem;
 
 /** Keeps drones and the mission last known to be on each; every write returns only after it is durable. */
 public interface DroneStore {
@@ -15,7 +14,7 @@ public interface DroneStore {
     void delete(DroneId id);
 
     /** What the cloud last knew to be on the vehicle; empty when nothing is known. */
-    Optional<List<MissionItem>> knownMission(DroneId id);
+    Optional<KnownMission> knownMission(DroneId id);
 
-    void saveKnownMission(DroneId id, List<MissionItem> items);
+    void saveKnownMission(DroneId id, KnownMission mission);
 }
