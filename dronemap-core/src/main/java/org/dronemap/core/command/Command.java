@@ -172,8 +172,22 @@ public sealed interface Command {
         }
     }
 
-    /** True for the transfers of mission items, of which a vehicle takes one at a time. */
-    default boolean transfersMission() {
-        return this instanceof UploadMission || this instanceof ClearMission;
+    /** Which commands compete with each other on one vehicle. */
+    enum Contention {
+        /** Motors on or off; the newer one wins. */
+        ARMING,
+        /** Where to fly; the newer one wins. */
+        FLIGHT,
+        /** Mission items on the wire; the first one goes on. */
+        TRANSFER
+    }
+
+    /** What this command competes for. */
+    default Contention contention() {
+        return switch (needs()) {
+            case ARM, DISARM -> Contention.ARMING;
+            case UPLOAD_MISSION, CLEAR_MISSION -> Contention.TRANSFER;
+            default -> Contention.FLIGHT;
+        };
     }
 }

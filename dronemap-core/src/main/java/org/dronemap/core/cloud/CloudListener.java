@@ -1,0 +1,14 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+
+/** Hears what changes, on a lane or on the journal's thread; must return at once. */
+public interface CloudListener {
+    default void droneChanged(DroneState state) {}
+
+    default void droneRemoved(DroneId id) {}
+
+    default void commandChanged(CommandRecord command) {}
+}

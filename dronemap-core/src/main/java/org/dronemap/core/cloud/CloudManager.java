@@ -1,0 +1,222 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Supplier;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneRecord;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.event.DroneEvent;
+import org.jspecify.annotations.Nullable;
+
+/** The one registry of drones. Links bring vehicles in, faces read states, listeners hear of changes. Any thread. */
+public final class CloudManager {
+    private final Lanes lanes;
+    private final Watchdog watchdog;
+    private final Clock clock;
+    private final DroneStore store;
+    private final Journal journal;
+    private final Supplier<DroneId> newIds;
+    private final DroneRegistry registry = new DroneRegistry();
+    private final CopyOnWriteArrayList<CloudListener> listeners = new CopyOnWriteArrayList<>();
+    private final CloudListener everybody = new Everybody(listeners);
+    private final CommandGate gate;
+
+    /** Where the manager keeps things: the stores, and the thread that writes to them. */
+    public record Keeping(DroneStore drones, CommandStore commands, Journal journal) {}
+
+    public CloudManager(Lanes lanes, Watchdog watchdog, Clock clock, Keeping keeping, Supplier<DroneId> newIds) {
+        this.lanes = lanes;
+        this.watchdog = watchdog;
+        this.clock = clock;
+        this.store = keeping.drones();
+        this.journal = keeping.journal();
+        this.newIds = newIds;
+        this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody);
+        store.drones()
+                .forEach(record ->
+                        manage(record, false, store.knownMission(record.id()).orElse(null)));
+    }
+
+    /** The one door for commands. */
+    public CommandGate gate() {
+        return gate;
+    }
+
+    public void addListener(CloudListener listener) {
+        listeners.add(listener);
+    }
+
+    public void removeListener(CloudListener listener) {
+        listeners.remove(listener);
+    }
+
+    public List<DroneState> drones() {
+        return registry.all().stream().map(managed -> managed.drone().state()).toList();
+    }
+
+    public Optional<DroneState> drone(DroneId id) {
+        return registry.find(id).map(managed -> managed.drone().state());
+    }
+
+    /** Binds a new session to the drone it speaks for, or to a new one. Blocks only for the registry. */
+    public synchronized DroneLink connect(LinkSession session, Identification identification) {
+        Optional<ManagedDrone> recognised =
+                session.replay() ? Optional.empty() : registry.recognise(session.key(), identification);
+        ManagedDrone drone = recognised.orElseGet(() -> enrol(session, identification));
+        drone.lane().execute(() -> {
+            drone.attach(session);
+            registry.liveTwin(drone.id(), identification)
+                    .ifPresent(twin -> drone.say(
+                            Severity.WARNING,
+                            "Another live drone (" + twin.name() + ") says it has the same hardware id; they are kept"
+                                    + " apart."));
+            remember(drone);
+        });
+        return new BoundLink(drone, session);
+    }
+
+    /** False when there is no such drone. */
+    public boolean rename(DroneId id, String name) {
+        Optional<ManagedDrone> found = registry.find(id);
+        found.ifPresent(drone -> {
+            DroneRecord record = drone.drone().record();
+            if (!drone.drone().state().replay()) {
+                store.save(new DroneRecord(
+                        id, name, record.key(), record.transport(), record.identification(), record.lastHeard()));
+            }
+            drone.lane().execute(() -> drone.rename(name));
+        });
+        return found.isPresent();
+    }
+
+    /** Forgets a drone; refused with a sentence while it is in contact. */
+    public Optional<String> forget(DroneId id) {
+        Optional<ManagedDrone> found = registry.find(id);
+        if (found.isEmpty()) {
+            return Optional.of("There is no drone " + id + ".");
+        }
+        ManagedDrone drone = found.get();
+        DroneState state = drone.drone().state();
+        if (!state.replay()) {
+            if (state.link().state() != LinkState.LOST) {
+                return Optional.of("The drone is in contact; only a lost drone can be removed.");
+            }
+            store.delete(id);
+        }
+        drop(drone);
+        return Optional.empty();
+    }
+
+    private void drop(ManagedDrone drone) {
+        if (registry.remove(drone)) {
+            drone.lane().execute(() -> drone.lane().removeTicker(drone));
+            everybody.droneRemoved(drone.id());
+        }
+    }
+
+    private ManagedDrone enrol(LinkSession session, Identification identification) {
+        DroneRecord record = new DroneRecord(
+                newIds.get(), session.label(), session.key(), session.transport(), identification, clock.instant());
+        return manage(record, session.replay(), null);
+    }
+
+    private ManagedDrone manage(DroneRecord record, boolean replay, @Nullable KnownMission known) {
+        MissionTracker mission = new MissionTracker(known, now -> {
+            if (!replay) {
+                journal.write(
+                        "the mission of " + record.name(), () -> store.saveKnownMission(record.id(), now), () -> {});
+            }
+        });
+        Lane lane = lanes.of(record.id());
+        ManagedDrone drone = new ManagedDrone(new Drone(record, replay, mission, clock), lane, watchdog, everybody);
+        registry.add(drone);
+        lane.execute(() -> lane.addTicker(drone));
+        return drone;
+    }
+
+    private void remember(ManagedDrone drone) {
+        if (!drone.drone().state().replay()) {
+            DroneRecord record = drone.drone().record();
+            journal.write("the record of " + record.name(), () -> store.save(record), () -> {});
+        }
+    }
+
+    /** One session's way up to its drone. */
+    private final class BoundLink implements DroneLink {
+        private final ManagedDrone drone;
+        private final LinkSession session;
+
+        BoundLink(ManagedDrone drone, LinkSession session) {
+            this.drone = drone;
+            this.session = session;
+        }
+
+        @Override
+        public DroneId id() {
+            return drone.id();
+        }
+
+        @Override
+        public Lane lane() {
+            return drone.lane();
+        }
+
+        @Override
+        public boolean isGone() {
+            return !registry.contains(drone) || !drone.isAttachedTo(session);
+        }
+
+        @Override
+        public void heard() {
+            if (drone.isAttachedTo(session)) {
+                drone.heard();
+            }
+        }
+
+        @Override
+        public void accept(DroneEvent event) {
+            if (!drone.isAttachedTo(session)) {
+                return;
+            }
+            drone.accept(event);
+            if (event instanceof DroneEvent.Identified) {
+                remember(drone);
+            }
+        }
+
+        @Override
+        public void disconnect() {
+            if (session.replay()) {
+                drop(drone);
+            }
+        }
+    }
+
+    /** Passes each change on to every listener. */
+    private record Everybody(List<CloudListener> listeners) implements CloudListener {
+        @Override
+        public void droneChanged(DroneState state) {
+            listeners.forEach(listener -> listener.droneChanged(state));
+        }
+
+        @Override
+        public void droneRemoved(DroneId id) {
+            listeners.forEach(listener -> listener.droneRemoved(id));
+        }
+
+        @Override
+        public void commandChanged(CommandRecord command) {
+            listeners.forEach(listener -> listener.commandChanged(command));
+        }
+    }
+}

@@ -1,0 +1,283 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.RejectedExecutionException;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The one door for commands, whoever they come from: decides, writes the intent, sends, and sees to it that each one
+ * ends in exactly one outcome. Any thread; what is under way belongs to the drone's lane.
+ */
+public final class CommandGate {
+    private static final Logger LOG = LoggerFactory.getLogger(CommandGate.class);
+    /** No command goes without a sign for longer than this. */
+    private static final long LONGEST_SILENCE_NANOS = Duration.ofSeconds(90).toNanos();
+
+    private static final String GATE = "gate";
+
+    private final DroneRegistry registry;
+    private final CommandStore store;
+    private final Journal journal;
+    private final Clock clock;
+    private final CloudListener listener;
+    private final ConcurrentHashMap<CommandId, Underway> underway = new ConcurrentHashMap<>();
+
+    /** Who asks, through which face. */
+    public record Source(Principal principal, String face) {}
+
+    /** A command on its way, with the promise of its outcome. */
+    private record Underway(OpenCommand open, ManagedDrone drone, CompletableFuture<CommandRecord> end) {}
+
+    CommandGate(DroneRegistry registry, CommandStore store, Journal journal, Clock clock, CloudListener listener) {
+        this.registry = registry;
+        this.store = store;
+        this.journal = journal;
+        this.clock = clock;
+        this.listener = listener;
+    }
+
+    /**
+     * Asks for a command. The answer is its record: refused already, or under way. The same id again answers with the
+     * record it has and acts no second time.
+     *
+     * @throws UnknownDroneException when there is no such drone
+     */
+    public CommandRecord submit(Source source, DroneId drone, CommandId id, Command command) {
+        ManagedDrone managed = registry.find(drone).orElseThrow(() -> new UnknownDroneException(drone));
+        Optional<CommandRecord> same = find(id);
+        if (same.isPresent()) {
+            return same.get();
+        }
+        CommandRecord record = intent(source, drone, id, command);
+        Optional<String> why = whyNot(source.principal(), managed.drone().state(), command);
+        if (why.isPresent()) {
+            return refuse(record, why.get());
+        }
+        Underway entry = new Underway(
+                new OpenCommand(command, record, managed.lane().activeNanos()), managed, new CompletableFuture<>());
+        Underway earlier = underway.putIfAbsent(id, entry);
+        if (earlier != null) {
+            return earlier.open().record();
+        }
+        return send(entry, record);
+    }
+
+    /** Why this principal cannot give that command now; empty when it can. */
+    public Optional<String> whyNot(Principal principal, DroneState drone, Command command) {
+        if (!principal.may(Role.OPERATOR)) {
+            return Optional.of("Your role may look, not command; ask an administrator for the operator role.");
+        }
+        return CommandRules.whyNot(drone, command);
+    }
+
+    public Optional<CommandRecord> find(CommandId id) {
+        Underway now = underway.get(id);
+        return now != null ? Optional.of(now.open().record()) : store.command(id);
+    }
+
+    /** The record once the command has ended; completes at once for one that has. */
+    public CompletableFuture<CommandRecord> end(CommandId id) {
+        Underway now = underway.get(id);
+        if (now != null) {
+            return now.end().copy();
+        }
+        return store.command(id)
+                .map(CompletableFuture::completedFuture)
+                .orElseGet(() ->
+                        CompletableFuture.failedFuture(new IllegalArgumentException("there is no command " + id)));
+    }
+
+    /** Newest first, as written. */
+    public List<CommandRecord> commandsOf(DroneId drone, int limit) {
+        return store.commandsOf(drone, limit).stream()
+                .map(written -> find(written.id()).orElse(written))
+                .toList();
+    }
+
+    private CommandRecord intent(Source source, DroneId drone, CommandId id, Command command) {
+        return new CommandRecord(
+                id,
+                drone,
+                source.principal().name(),
+                source.face(),
+                command.getClass().getSimpleName(),
+                command.summary(),
+                clock.instant(),
+                CommandPhase.SENT,
+                null,
+                null,
+                null);
+    }
+
+    private CommandRecord refuse(CommandRecord record, String why) {
+        CommandRecord refused = record.ended(new Outcome.Refused(GATE, why), clock.instant());
+        if (!store.begin(refused)) {
+            return store.command(record.id()).orElse(refused);
+        }
+        listener.commandChanged(refused);
+        return refused;
+    }
+
+    private CommandRecord send(Underway entry, CommandRecord record) {
+        try {
+            if (!store.begin(record)) {
+                underway.remove(record.id(), entry);
+                return store.command(record.id()).orElse(record);
+            }
+        } catch (RuntimeException e) {
+            if (!bringsToSafety(entry.open().command())) {
+                underway.remove(record.id(), entry);
+                throw e;
+            }
+            LOG.error("The intent of {} could not be written; it is sent all the same", record.summary(), e);
+        }
+        listener.commandChanged(record);
+        try {
+            entry.drone().lane().execute(() -> perform(entry));
+        } catch (RejectedExecutionException e) {
+            end(entry, new Outcome.Failed("The server is overloaded; nothing was sent."));
+        }
+        return entry.open().record();
+    }
+
+    /** What must work even when nothing can be written. */
+    private static boolean bringsToSafety(Command command) {
+        return command instanceof Command.Land
+                || command instanceof Command.ReturnToLaunch
+                || command instanceof Command.Hold;
+    }
+
+    // From here on: the drone's lane.
+
+    private void perform(Underway entry) {
+        Optional<String> why =
+                CommandRules.whyNot(entry.drone().drone().state(), entry.open().command());
+        Optional<VehicleChannel> channel = entry.drone().channel();
+        if (why.isPresent() || channel.isEmpty()) {
+            end(entry, new Outcome.Refused(GATE, why.orElse("There is no link to the drone.")));
+            return;
+        }
+        String busy = makeRoom(entry, channel.get());
+        if (busy != null) {
+            end(entry, new Outcome.Refused(GATE, busy));
+            return;
+        }
+        Lane.Ticker guard = new Overdue(entry, channel.get());
+        entry.drone().lane().addTicker(guard);
+        channel.get().perform(entry.open().record().id(), entry.open().command(), new Reporter(entry, guard));
+    }
+
+    /** Newer flight commands replace older ones; of mission transfers the first one goes on. */
+    private @Nullable String makeRoom(Underway entry, VehicleChannel channel) {
+        Command.Contention contention = entry.open().command().contention();
+        for (Underway other : List.copyOf(underway.values())) {
+            if (other.equals(entry) || other.drone() != entry.drone() || isEarlierThan(entry, other)) {
+                continue;
+            }
+            if (other.open().command().contention() != contention) {
+                continue;
+            }
+            if (contention == Command.Contention.TRANSFER) {
+                return "Another mission transfer with this drone is under way; wait for its end.";
+            }
+            channel.cancel(other.open().record().id());
+            end(
+                    other,
+                    new Outcome.Superseded(
+                            "Replaced by: " + entry.open().record().summary() + "."));
+        }
+        return null;
+    }
+
+    private static boolean isEarlierThan(Underway entry, Underway other) {
+        return entry.open().order() < other.open().order();
+    }
+
+    private void end(Underway entry, Outcome outcome) {
+        CommandRecord before = entry.open().record();
+        if (before.outcome() != null) {
+            return;
+        }
+        CommandRecord done = before.ended(outcome, clock.instant());
+        entry.open().update(done, entry.drone().lane().activeNanos());
+        journal.write("the outcome of " + done.summary(), () -> store.finish(done), () -> {
+            listener.commandChanged(done);
+            underway.remove(done.id(), entry);
+            entry.end().complete(done);
+        });
+    }
+
+    /** What the channel says of one command. */
+    private final class Reporter implements VehicleChannel.Report {
+        private final Underway entry;
+        private final Lane.Ticker guard;
+
+        Reporter(Underway entry, Lane.Ticker guard) {
+            this.entry = entry;
+            this.guard = guard;
+        }
+
+        @Override
+        public void accepted() {
+            update(entry.open().record().withPhase(CommandPhase.ACCEPTED));
+        }
+
+        @Override
+        public void progress(int done, int total) {
+            update(entry.open().record().withProgress(new CommandRecord.Progress(done, total)));
+        }
+
+        @Override
+        public void ended(Outcome outcome) {
+            entry.drone().lane().removeTicker(guard);
+            end(entry, outcome);
+        }
+
+        private void update(CommandRecord newer) {
+            if (entry.open().record().outcome() == null) {
+                entry.open().update(newer, entry.drone().lane().activeNanos());
+                listener.commandChanged(newer);
+            }
+        }
+    }
+
+    /** Ends a command that nobody says anything about any more, so that none is silently lost. */
+    private final class Overdue implements Lane.Ticker {
+        private final Underway entry;
+        private final VehicleChannel channel;
+
+        Overdue(Underway entry, VehicleChannel channel) {
+            this.entry = entry;
+            this.channel = channel;
+        }
+
+        @Override
+        public void tick() {
+            Lane lane = entry.drone().lane();
+            if (entry.open().record().outcome() != null) {
+                lane.removeTicker(this);
+            } else if (entry.open().silentFor(lane.activeNanos(), LONGEST_SILENCE_NANOS)) {
+                lane.removeTicker(this);
+                channel.cancel(entry.open().record().id());
+                end(entry, new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone."));
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package org.dronemap.core.cloud;
+
+import java.util.Optional;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.VehicleKind;
+import org.jspecify.annotations.Nullable;
+
+/** What the state of a drone allows; the same sentences serve the gate and every page that greys a button. */
+public final class CommandRules {
+    private static final String ALREADY_ARMED = "It is already armed.";
+
+    private CommandRules() {}
+
+    /** Why a command of this kind cannot be given now; empty when it can. */
+    public static Optional<String> whyNot(DroneState drone, Capability capability) {
+        if (drone.replay()) {
+            return Optional.of("This is a recording; it cannot be commanded.");
+        }
+        if (drone.link().state() == LinkState.LOST) {
+            return Optional.of("There is no contact with the drone; a command would not reach it.");
+        }
+        if (!drone.capabilities().commands().contains(capability)) {
+            return Optional.of(
+                    "This vehicle (" + drone.identification().vehicle() + ") cannot " + capability.phrase() + ".");
+        }
+        return Optional.ofNullable(stateForbids(drone, capability));
+    }
+
+    /** The same, looking into the command as well. */
+    public static Optional<String> whyNot(DroneState drone, Command command) {
+        if (command instanceof Command.Disarm disarm && disarm.force() && drone.airborne()) {
+            // Deliberate: the one way to stop motors in the air.
+            return whyNot(drone, Capability.ARM).filter(why -> !why.equals(ALREADY_ARMED));
+        }
+        Optional<String> why = whyNot(drone, command.needs());
+        if (why.isEmpty() && command instanceof Command.SetMode setMode) {
+            return modeForbids(drone, setMode.mode());
+        }
+        return why;
+    }
+
+    private static @Nullable String stateForbids(DroneState drone, Capability capability) {
+        boolean armed = Boolean.TRUE.equals(drone.armed());
+        return switch (capability) {
+            case ARM -> armed ? ALREADY_ARMED : null;
+            case DISARM -> armed ? (drone.airborne() ? "It is in the air; land first." : null) : "It is not armed.";
+            case TAKE_OFF -> armed ? (drone.airborne() ? "It is already in the air." : null) : "Arm first.";
+            case LAND, RETURN_TO_LAUNCH, HOLD, PAUSE_MISSION -> armed ? null : "It is not armed.";
+            case GO_TO -> armed ? (needsAir(drone) && !drone.airborne() ? "Take off first." : null) : "Arm first.";
+            case START_MISSION ->
+                hasMission(drone.mission()) ? (armed ? null : "Arm first.") : "Upload a mission first.";
+            case SET_MODE, UPLOAD_MISSION, CLEAR_MISSION -> null;
+        };
+    }
+
+    private static boolean needsAir(DroneState drone) {
+        VehicleKind kind = drone.identification().kind();
+        return kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE;
+    }
+
+    private static boolean hasMission(MissionProgress mission) {
+        return mission.items() != null && !mission.items().isEmpty();
+    }
+
+    private static Optional<String> modeForbids(DroneState drone, String mode) {
+        if (drone.capabilities().modes().contains(mode)) {
+            return Optional.empty();
+        }
+        return Optional.of("This vehicle has no mode " + mode + "; it knows "
+                + String.join(", ", drone.capabilities().modes()) + ".");
+    }
+}

@@ -1,0 +1,190 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.List;
+import org.dronemap.core.drone.Attitude;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneRecord;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Gps;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.TextMessage;
+import org.dronemap.core.event.DroneEvent;
+import org.jspecify.annotations.Nullable;
+
+/** The facts of one drone as they come in. Owned by the drone's lane; {@link #state()} may be read from anywhere. */
+final class Drone {
+    private final Clock clock;
+    private final DroneId id;
+    private final boolean replay;
+    private final MissionTracker mission;
+    private final ArrayDeque<TextMessage> messages = new ArrayDeque<>();
+    private String name;
+    private DroneKey key;
+    private String transport;
+    private LinkState linkState = LinkState.LOST;
+    private @Nullable Instant lastHeard;
+    private Identification identification;
+    private Capabilities capabilities = Capabilities.NONE;
+    private @Nullable String mode;
+    private @Nullable Boolean armed;
+    private @Nullable Boolean readyToArm;
+    private @Nullable FlightPhase phase;
+    private @Nullable Position position;
+    private @Nullable Motion motion;
+    private @Nullable Attitude attitude;
+    private @Nullable Battery battery;
+    private @Nullable Gps gps;
+    private @Nullable Home home;
+    private long version;
+    private volatile DroneState state;
+
+    Drone(DroneRecord record, boolean replay, MissionTracker mission, Clock clock) {
+        this.clock = clock;
+        this.id = record.id();
+        this.name = record.name();
+        this.key = record.key();
+        this.transport = record.transport();
+        this.identification = record.identification();
+        this.lastHeard = record.lastHeard();
+        this.replay = replay;
+        this.mission = mission;
+        this.state = snapshot();
+    }
+
+    DroneState state() {
+        return state;
+    }
+
+    DroneRecord record() {
+        DroneState now = state;
+        Instant heard = now.link().lastHeard();
+        return new DroneRecord(
+                id,
+                now.name(),
+                now.link().key(),
+                now.link().transport(),
+                now.identification(),
+                heard == null ? now.lastUpdate() : heard);
+    }
+
+    MissionTracker mission() {
+        return mission;
+    }
+
+    void rename(String newName) {
+        name = newName;
+        publish();
+    }
+
+    void attach(LinkSession session) {
+        key = session.key();
+        transport = session.transport();
+        publish();
+    }
+
+    void heard() {
+        lastHeard = clock.instant();
+    }
+
+    /** True when that is news. */
+    boolean linkState(LinkState now) {
+        if (now == linkState) {
+            return false;
+        }
+        linkState = now;
+        publish();
+        return true;
+    }
+
+    /** Adds a sentence of the cloud's own about this drone. */
+    void say(Severity severity, String text) {
+        addText(severity, text);
+        publish();
+    }
+
+    void apply(DroneEvent event) {
+        if (event instanceof DroneEvent.PositionHeard e) {
+            position = e.position();
+        } else if (event instanceof DroneEvent.AttitudeHeard e) {
+            attitude = e.attitude();
+        } else if (event instanceof DroneEvent.MotionHeard e) {
+            motion = e.motion();
+        } else if (event instanceof DroneEvent.BatteryHeard e) {
+            battery = e.battery();
+        } else if (event instanceof DroneEvent.GpsHeard e) {
+            gps = e.gps();
+        } else if (event instanceof DroneEvent.TextHeard e) {
+            addText(e.severity(), e.text());
+        } else {
+            applyRare(event);
+        }
+        publish();
+    }
+
+    private void applyRare(DroneEvent event) {
+        if (event instanceof DroneEvent.Identified e) {
+            identification = e.identification();
+            capabilities = e.capabilities();
+        } else if (event instanceof DroneEvent.ModeHeard e) {
+            mode = e.mode();
+            armed = e.armed();
+        } else if (event instanceof DroneEvent.ReadinessHeard e) {
+            readyToArm = e.readyToArm();
+        } else if (event instanceof DroneEvent.PhaseHeard e) {
+            phase = e.phase();
+        } else if (event instanceof DroneEvent.HomeHeard e) {
+            home = e.home();
+        } else {
+            mission.apply(event).ifPresent(sentence -> addText(Severity.WARNING, sentence));
+        }
+    }
+
+    private void addText(Severity severity, String text) {
+        if (messages.size() == DroneState.MAX_MESSAGES) {
+            messages.removeFirst();
+        }
+        messages.addLast(new TextMessage(severity, text, clock.instant()));
+    }
+
+    private void publish() {
+        version++;
+        state = snapshot();
+    }
+
+    private DroneState snapshot() {
+        return new DroneState(
+                id,
+                name,
+                replay,
+                new LinkStatus(key, transport, linkState, lastHeard),
+                identification,
+                capabilities,
+                mode,
+                armed,
+                readyToArm,
+                phase,
+                position,
+                motion,
+                attitude,
+                battery,
+                gps,
+                home,
+                mission.progress(),
+                List.copyOf(messages),
+                clock.instant(),
+                version);
+    }
+}

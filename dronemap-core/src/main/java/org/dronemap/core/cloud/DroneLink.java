@@ -1,0 +1,24 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.event.DroneEvent;
+
+/** What a link session holds of its drone: the way up. Call {@code heard} and {@code accept} on the lane only. */
+public interface DroneLink {
+    DroneId id();
+
+    /** The owner thread of this drone. */
+    Lane lane();
+
+    /** True when the drone was removed, or answers to a newer session: connect again. On the lane only. */
+    boolean isGone();
+
+    /** Any valid message came in. */
+    void heard();
+
+    /** News; counts as heard. */
+    void accept(DroneEvent event);
+
+    /** The session has ended: a drone stays and falls silent, a replayed one goes. Any thread. */
+    void disconnect();
+}

@@ -1,0 +1,132 @@
+package org.dronemap.core.cloud;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.LongAdder;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One thread that owns the state of a share of the drones. Tasks run in order; ticks run between them every 20 ms.
+ * The queue is bounded: telemetry is refused above three quarters (counted), discrete tasks only when it is full.
+ */
+public final class Lane implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Lane.class);
+    private static final long TICK_NANOS = 20_000_000L;
+    /** A gap between ticks longer than this is our own stall, and no silence of anybody else. */
+    private static final long STALL_NANOS = 500_000_000L;
+
+    /** Something that wants to be called at every tick, on the lane's thread. */
+    public interface Ticker {
+        void tick();
+    }
+
+    private final BlockingQueue<Runnable> tasks;
+    private final int telemetryLimit;
+    private final LongAdder dropped = new LongAdder();
+    private final LongAdder failed = new LongAdder();
+    private final Thread thread;
+    private volatile boolean closed;
+    private volatile long stalledNanos;
+    // Owned by the lane's thread.
+    private final List<Ticker> tickers = new ArrayList<>();
+    private long lastTickNanos = System.nanoTime();
+
+    public Lane(String name, int capacity) {
+        tasks = new ArrayBlockingQueue<>(capacity);
+        telemetryLimit = capacity / 4;
+        thread = new Thread(this::run, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /** For what newer news replaces: false, and counted, when the lane is too busy. */
+    public boolean offer(Runnable telemetry) {
+        if (tasks.remainingCapacity() <= telemetryLimit || !tasks.offer(telemetry)) {
+            dropped.increment();
+            return false;
+        }
+        return true;
+    }
+
+    /** For what must not be lost without a word. */
+    public void execute(Runnable discrete) {
+        if (closed || !tasks.offer(discrete)) {
+            throw new RejectedExecutionException("the lane " + thread.getName() + " is full or closed");
+        }
+    }
+
+    /** Adds a ticker; from the lane's thread only. */
+    public void addTicker(Ticker ticker) {
+        tickers.add(ticker);
+    }
+
+    /** Removes a ticker; from the lane's thread only. */
+    public void removeTicker(Ticker ticker) {
+        tickers.remove(ticker);
+    }
+
+    /** Monotonic time in ns that stands still while this process does: for judging the silence of others. */
+    public long activeNanos() {
+        return System.nanoTime() - stalledNanos;
+    }
+
+    /** Telemetry refused since the start. */
+    public long droppedCount() {
+        return dropped.sum();
+    }
+
+    /** Tasks and ticks that threw, each logged. */
+    public long failedCount() {
+        return failed.sum();
+    }
+
+    private void run() {
+        while (!closed) {
+            try {
+                Runnable task = tasks.poll(TICK_NANOS, TimeUnit.NANOSECONDS);
+                if (task != null) {
+                    guard(task);
+                }
+                tickWhenDue();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                return;
+            }
+        }
+    }
+
+    private void tickWhenDue() {
+        long gap = System.nanoTime() - lastTickNanos;
+        if (gap < TICK_NANOS) {
+            return;
+        }
+        if (gap > STALL_NANOS) {
+            stalledNanos += gap;
+            LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", thread.getName(), gap / 1_000_000);
+        }
+        lastTickNanos += gap;
+        for (Ticker ticker : List.copyOf(tickers)) {
+            guard(ticker::tick);
+        }
+    }
+
+    private void guard(Runnable work) {
+        try {
+            work.run();
+        } catch (RuntimeException e) {
+            failed.increment();
+            LOG.error("A task of lane {} failed", thread.getName(), e);
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        thread.interrupt();
+    }
+}

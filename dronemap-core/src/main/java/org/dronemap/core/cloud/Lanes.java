@@ -1,0 +1,39 @@
+package org.dronemap.core.cloud;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.dronemap.core.drone.DroneId;
+
+/** All lanes of this process: a drone's is found by its id; sessions not yet bound to a drone share the registry lane. */
+public final class Lanes implements AutoCloseable {
+    private static final int CAPACITY = 65_536;
+
+    private final List<Lane> lanes;
+    private final Lane registry = new Lane("lane-registry", CAPACITY);
+
+    public Lanes(int count) {
+        lanes = IntStream.range(0, count)
+                .mapToObj(index -> new Lane("lane-" + index, CAPACITY))
+                .toList();
+    }
+
+    public Lane of(DroneId drone) {
+        return lanes.get(Math.floorMod(drone.hashCode(), lanes.size()));
+    }
+
+    public Lane registry() {
+        return registry;
+    }
+
+    /** Telemetry that all lanes refused since the start. */
+    public long droppedCount() {
+        return registry.droppedCount()
+                + lanes.stream().mapToLong(Lane::droppedCount).sum();
+    }
+
+    @Override
+    public void close() {
+        lanes.forEach(Lane::close);
+        registry.close();
+    }
+}

@@ -1,0 +1,11 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.drone.DroneKey;
+
+/**
+ * One vehicle on one link.
+ *
+ * @param transport udp, tcp, … or "replay"
+ * @param replay the bytes come from a recording: nothing is ever sent down
+ */
+public record LinkSession(DroneKey key, String transport, boolean replay, String label, VehicleChannel channel) {}

@@ -1,0 +1,47 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.drone.LinkState;
+
+/** When one drone was last heard, and what silence is normal for it. Owned by the drone's lane. */
+final class Liveness {
+    private static final double SMOOTHING = 0.05;
+
+    private final Watchdog watchdog;
+    private long lastHeardNanos;
+    private long lastProbeNanos;
+    private double normalGapNanos;
+    private boolean everHeard;
+
+    Liveness(Watchdog watchdog) {
+        this.watchdog = watchdog;
+    }
+
+    void heard(long nowNanos) {
+        if (everHeard) {
+            normalGapNanos += SMOOTHING * (nowNanos - lastHeardNanos - normalGapNanos);
+        }
+        everHeard = true;
+        lastHeardNanos = nowNanos;
+        lastProbeNanos = nowNanos;
+    }
+
+    LinkState judge(long nowNanos) {
+        return everHeard ? watchdog.judge(nowNanos - lastHeardNanos, (long) normalGapNanos) : LinkState.LOST;
+    }
+
+    /** Silent for long enough that another link may claim to be this drone. */
+    boolean silentFor(long nowNanos, long nanos) {
+        return !everHeard || nowNanos - lastHeardNanos >= nanos;
+    }
+
+    /** True once a second while the silence wants a probe. */
+    boolean probeDue(long nowNanos) {
+        boolean due = everHeard
+                && nowNanos - lastHeardNanos >= watchdog.probeAfter().toNanos()
+                && nowNanos - lastProbeNanos >= 1_000_000_000L;
+        if (due) {
+            lastProbeNanos = nowNanos;
+        }
+        return due;
+    }
+}

@@ -1,0 +1,29 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+
+/** The way down to one vehicle; every call comes on the drone's lane, returns at once, and is answered there. */
+public interface VehicleChannel {
+    /** Starts to carry a command out; {@code report} hears of it until it ended, exactly once. */
+    void perform(CommandId id, Command command, Report report);
+
+    /** Stops retrying a command; nothing more of it goes out and nothing is reported. No-op when it has ended. */
+    void cancel(CommandId id);
+
+    /** Asks for any sign of life. */
+    void probe();
+
+    /** What becomes of a command. */
+    interface Report {
+        /** The vehicle took it and is at it. */
+        void accepted();
+
+        /** Steps done of steps in all. */
+        void progress(int done, int total);
+
+        /** The end; nothing may follow. */
+        void ended(Outcome outcome);
+    }
+}
