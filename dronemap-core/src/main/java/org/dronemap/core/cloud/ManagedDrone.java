@@ -47,7 +47,7 @@ final class ManagedDrone implements Lane.Ticker {
 
     /** News of an old session are nobody's news. */
     boolean isAttachedTo(LinkSession candidate) {
-        return session == candidate;
+        return candidate.equals(session);
     }
 
     void heard() {
