@@ -6,6 +6,7 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -31,7 +32,7 @@ public final class Lane implements AutoCloseable {
     private final LongAdder failed = new LongAdder();
     private final Thread thread;
     private volatile boolean closed;
-    private volatile long stalledNanos;
+    private final AtomicLong stalledNanos = new AtomicLong();
     // Owned by the lane's thread.
     private final List<Ticker> tickers = new ArrayList<>();
     private long lastTickNanos = System.nanoTime();
@@ -72,7 +73,7 @@ public final class Lane implements AutoCloseable {
 
     /** Monotonic time in ns that stands still while this process does: for judging the silence of others. */
     public long activeNanos() {
-        return System.nanoTime() - stalledNanos;
+        return System.nanoTime() - stalledNanos.get();
     }
 
     /** Telemetry refused since the start. */
@@ -106,7 +107,7 @@ public final class Lane implements AutoCloseable {
             return;
         }
         if (gap > STALL_NANOS) {
-            stalledNanos += gap;
+            stalledNanos.addAndGet(gap);
             LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", thread.getName(), gap / 1_000_000);
         }
         lastTickNanos += gap;
