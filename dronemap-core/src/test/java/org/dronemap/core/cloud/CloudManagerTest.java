@@ -1,0 +1,179 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.TextMessage;
+import org.dronemap.core.event.DroneEvent;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class CloudManagerTest {
+    private static final Watchdog QUICK =
+            new Watchdog(Duration.ofMillis(100), Duration.ofMillis(100), Duration.ofMillis(200));
+
+    private final Lanes lanes = new Lanes(2);
+    private final Journal journal = new Journal();
+    private final Fixtures.HeapDroneStore store = new Fixtures.HeapDroneStore();
+    private final AtomicInteger numbers = new AtomicInteger();
+    private final CloudManager cloud = manager();
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    @Test
+    void keepsTwoVehiclesWithOneSystemIdApart() {
+        DroneLink one = connect(5001, null);
+        DroneLink other = connect(5002, null);
+
+        assertThat(one.id()).isNotEqualTo(other.id());
+        assertThat(cloud.drones()).hasSize(2);
+    }
+
+    @Test
+    void knowsAVehicleAgainByItsAddress() {
+        DroneLink first = connect(5001, null);
+
+        assertThat(connect(5001, null).id()).isEqualTo(first.id());
+    }
+
+    @Test
+    void knowsASilentVehicleAgainByItsHardwareIdAtANewAddress() {
+        DroneLink before = connect(5001, "aa01");
+        hear(before);
+        awaitLink(before.id(), LinkState.LOST);
+
+        DroneLink after = connect(6001, "aa01");
+
+        assertThat(after.id()).isEqualTo(before.id());
+        await().until(() -> cloud.drone(before.id()).orElseThrow().link().key().port() == 6001);
+        assertThat(goneOnLane(before)).isTrue();
+    }
+
+    @Test
+    void keepsALiveTwinWithTheSameHardwareIdApartAndSaysSo() {
+        DroneLink first = connect(5001, "aa01");
+        hear(first);
+        keepAlive(first);
+
+        DroneLink twin = connect(6001, "aa01");
+
+        assertThat(twin.id()).isNotEqualTo(first.id());
+        await().untilAsserted(
+                        () -> assertThat(cloud.drone(twin.id()).orElseThrow().messages())
+                                .extracting(TextMessage::text)
+                                .anySatisfy(text -> assertThat(text).contains("same hardware id")));
+    }
+
+    @Test
+    void takesAnotherBoardAtAnOldAddressForAnotherDrone() {
+        DroneLink first = connect(5001, "aa01");
+
+        assertThat(connect(5001, "bb02").id()).isNotEqualTo(first.id());
+    }
+
+    @Test
+    void losesASilentDroneTellsItAndTakesItBack() {
+        List<LinkState> seen = new CopyOnWriteArrayList<>();
+        cloud.addListener(new CloudListener() {
+            @Override
+            public void droneChanged(DroneState state) {
+                seen.add(state.link().state());
+            }
+        });
+        DroneLink link = connect(5001, null);
+        hear(link);
+        awaitLink(link.id(), LinkState.LOST);
+        hear(link);
+        await().untilAsserted(() -> assertThat(seen)
+                .containsSubsequence(LinkState.LIVE, LinkState.SUSPECT, LinkState.LOST, LinkState.LIVE));
+    }
+
+    @Test
+    void remembersDronesOverARestart() {
+        DroneLink link = connect(5001, "aa01");
+        cloud.rename(link.id(), "Rescue 7");
+        await().until(() -> store.records.containsKey(link.id()));
+
+        CloudManager restarted = manager();
+
+        assertThat(restarted.drones()).singleElement().satisfies(drone -> {
+            assertThat(drone.id()).isEqualTo(link.id());
+            assertThat(drone.name()).isEqualTo("Rescue 7");
+            assertThat(drone.link().state()).isEqualTo(LinkState.LOST);
+            assertThat(drone.position()).isNull();
+        });
+    }
+
+    @Test
+    void forgetsOnlyADroneThatIsLost() {
+        DroneLink link = connect(5001, null);
+        hear(link);
+        assertThat(cloud.forget(link.id())).contains("The drone is in contact; only a lost drone can be removed.");
+
+        awaitLink(link.id(), LinkState.LOST);
+
+        assertThat(cloud.forget(link.id())).isEmpty();
+        assertThat(cloud.drones()).isEmpty();
+        assertThat(goneOnLane(link)).isTrue();
+    }
+
+    private CloudManager manager() {
+        return new CloudManager(
+                lanes,
+                QUICK,
+                Clock.systemUTC(),
+                new CloudManager.Keeping(store, new Fixtures.HeapCommandStore(), journal),
+                () -> new DroneId("drone-" + numbers.incrementAndGet()));
+    }
+
+    private DroneLink connect(int port, @Nullable String uid) {
+        LinkSession session = new LinkSession(
+                new DroneKey("127.0.0.1", port, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
+        DroneLink link = cloud.connect(session, Fixtures.copter(uid));
+        onLane(link, () -> {});
+        return link;
+    }
+
+    private static void hear(DroneLink link) {
+        onLane(link, () -> link.accept(new DroneEvent.ModeHeard("GUIDED", false)));
+    }
+
+    private static void keepAlive(DroneLink link) {
+        onLane(link, () -> link.lane().addTicker(link::heard));
+    }
+
+    private static boolean goneOnLane(DroneLink link) {
+        CompletableFuture<Boolean> gone = new CompletableFuture<>();
+        onLane(link, () -> gone.complete(link.isGone()));
+        return gone.join();
+    }
+
+    private static void onLane(DroneLink link, Runnable work) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        link.lane().execute(() -> {
+            work.run();
+            done.complete(null);
+        });
+        assertThat(done).succeedsWithin(5, TimeUnit.SECONDS);
+    }
+
+    private void awaitLink(DroneId id, LinkState state) {
+        await().until(() -> cloud.drone(id).orElseThrow().link().state() == state);
+    }
+}

@@ -1,0 +1,227 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Clock;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class CommandGateTest {
+    private static final CommandGate.Source OPERATOR =
+            new CommandGate.Source(new Principal("ann", Role.OPERATOR), "rest");
+    private static final CommandGate.Source VIEWER = new CommandGate.Source(new Principal("vic", Role.VIEWER), "rest");
+    private static final Command UPLOAD = new Command.UploadMission(new Mission(List.of(new MissionItem.Land())));
+
+    private final Lanes lanes = new Lanes(2);
+    private final Journal journal = new Journal();
+    private final Fixtures.HeapCommandStore store = new Fixtures.HeapCommandStore();
+    private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    private final AtomicInteger numbers = new AtomicInteger();
+    private final CloudManager cloud = new CloudManager(
+            lanes,
+            Watchdog.DEFAULT,
+            Clock.systemUTC(),
+            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, journal),
+            () -> new DroneId("drone-" + numbers.incrementAndGet()));
+    private final CommandGate gate = cloud.gate();
+    private DroneLink link;
+
+    @BeforeEach
+    void connect() {
+        link = cloud.connect(session(false), Fixtures.copter(null));
+        hear(new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
+        hear(new DroneEvent.ModeHeard("GUIDED", false));
+    }
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    @Test
+    void carriesACommandToItsEndAndWritesBothEnds() {
+        CommandRecord sent = gate.submit(OPERATOR, link.id(), id("arm-00001"), new Command.Arm());
+        CompletableFuture<CommandRecord> end = gate.end(sent.id());
+        assertThat(sent.phase()).isEqualTo(CommandPhase.SENT);
+        assertThat(store.records).containsKey(sent.id());
+
+        report(sent).accepted();
+        assertThat(gate.find(sent.id())).map(CommandRecord::phase).contains(CommandPhase.ACCEPTED);
+        report(sent).ended(new Outcome.Succeeded());
+
+        assertThat(end)
+                .succeedsWithin(5, TimeUnit.SECONDS)
+                .satisfies(done -> assertThat(done.outcome()).isEqualTo(new Outcome.Succeeded()));
+        assertThat(store.records.get(sent.id()).outcome()).isEqualTo(new Outcome.Succeeded());
+    }
+
+    @Test
+    void actsOnceForTheSameIdTwice() {
+        gate.submit(OPERATOR, link.id(), id("twice-001"), new Command.Arm());
+        CommandRecord again = gate.submit(OPERATOR, link.id(), id("twice-001"), new Command.Arm());
+        report(again).ended(new Outcome.Succeeded());
+        await().until(() -> store.records.get(again.id()).outcome() != null);
+        gate.submit(OPERATOR, link.id(), id("twice-001"), new Command.Arm());
+
+        assertThat(vehicle.performed).hasSize(1);
+    }
+
+    @Test
+    void refusesAViewerAndSendsNothing() {
+        CommandRecord refused = gate.submit(VIEWER, link.id(), id("viewer-01"), new Command.Arm());
+
+        assertThat(refused.outcome())
+                .isEqualTo(new Outcome.Refused(
+                        "gate", "Your role may look, not command; ask an administrator for the operator role."));
+        assertNothingSent();
+    }
+
+    @Test
+    void saysWhatIsMissingBeforeTakeOff() {
+        CommandRecord refused = gate.submit(OPERATOR, link.id(), id("takeoff-1"), new Command.TakeOff(20));
+
+        assertThat(refused.outcome()).isEqualTo(new Outcome.Refused("gate", "Arm first."));
+        assertThat(store.records.get(refused.id()).outcome()).isEqualTo(refused.outcome());
+        assertNothingSent();
+    }
+
+    @Test
+    void refusesWhatTheVehicleCannotDo() {
+        hear(new DroneEvent.Identified(Fixtures.copter(null), Capabilities.NONE));
+
+        CommandRecord refused = gate.submit(OPERATOR, link.id(), id("cannot-01"), new Command.Arm());
+
+        assertThat(refused.outcome()).isEqualTo(new Outcome.Refused("gate", "This vehicle (ArduCopter) cannot arm."));
+        assertNothingSent();
+    }
+
+    @Test
+    void refusesAModeThatTheVehicleDoesNotHave() {
+        CommandRecord refused = gate.submit(OPERATOR, link.id(), id("mode-0001"), new Command.SetMode("WARP"));
+
+        assertThat(refused.outcome())
+                .isEqualTo(new Outcome.Refused("gate", "This vehicle has no mode WARP; it knows GUIDED, LOITER."));
+    }
+
+    @Test
+    void neverCommandsARecording() {
+        DroneLink recording = cloud.connect(session(true), Fixtures.copter(null));
+        on(recording, new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
+
+        CommandRecord refused = gate.submit(OPERATOR, recording.id(), id("replay-01"), new Command.Arm());
+
+        assertThat(refused.outcome())
+                .isEqualTo(new Outcome.Refused("gate", "This is a recording; it cannot be commanded."));
+        assertNothingSent();
+    }
+
+    @Test
+    void letsANewerFlightCommandReplaceTheOlder() {
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        CommandRecord mode = gate.submit(OPERATOR, link.id(), id("older-001"), new Command.SetMode("LOITER"));
+        report(mode);
+        CommandRecord land = gate.submit(OPERATOR, link.id(), id("newer-001"), new Command.Land());
+        report(land);
+
+        await().untilAsserted(() -> assertThat(store.records.get(mode.id()).outcome())
+                .isEqualTo(new Outcome.Superseded("Replaced by: land.")));
+        assertThat(vehicle.cancelled).containsExactly(mode.id());
+    }
+
+    @Test
+    void letsAMissionTransferFinishBeforeTheNext() {
+        report(gate.submit(OPERATOR, link.id(), id("upload-01"), UPLOAD));
+        CommandRecord second = gate.submit(OPERATOR, link.id(), id("upload-02"), UPLOAD);
+
+        assertThat(gate.end(second.id()))
+                .succeedsWithin(5, TimeUnit.SECONDS)
+                .satisfies(done -> assertThat(done.outcome())
+                        .isInstanceOfSatisfying(
+                                Outcome.Refused.class,
+                                refused -> assertThat(refused.reason()).startsWith("Another mission transfer")));
+    }
+
+    @Test
+    void sendsNothingThatItCouldNotWriteDown() {
+        store.broken = true;
+
+        assertThatThrownBy(() -> gate.submit(OPERATOR, link.id(), id("nodisk-01"), new Command.Arm()))
+                .hasMessage("the disk is full");
+        assertNothingSent();
+    }
+
+    @Test
+    void bringsADroneHomeEvenWhenNothingCanBeWritten() {
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        store.broken = true;
+
+        CommandRecord home = gate.submit(OPERATOR, link.id(), id("nodisk-02"), new Command.ReturnToLaunch());
+        CompletableFuture<CommandRecord> end = gate.end(home.id());
+        report(home).ended(new Outcome.Succeeded());
+
+        assertThat(end).succeedsWithin(5, TimeUnit.SECONDS);
+        assertThat(vehicle.performed).containsExactly(new Command.ReturnToLaunch());
+    }
+
+    @Test
+    void knowsNoDroneThatIsNotThere() {
+        assertThatThrownBy(() -> gate.submit(OPERATOR, new DroneId("nobody"), id("nobody-01"), new Command.Arm()))
+                .isInstanceOf(UnknownDroneException.class)
+                .hasMessage("There is no drone nobody.");
+    }
+
+    private LinkSession session(boolean replay) {
+        return new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", replay, "ArduCopter 1", vehicle);
+    }
+
+    private void hear(DroneEvent event) {
+        on(link, event);
+    }
+
+    /** Delivers an event and waits until the lane took it in. */
+    private static void on(DroneLink link, DroneEvent event) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        link.lane().execute(() -> {
+            link.accept(event);
+            done.complete(null);
+        });
+        assertThat(done).succeedsWithin(5, TimeUnit.SECONDS);
+    }
+
+    private VehicleChannel.Report report(CommandRecord command) {
+        await().until(() -> vehicle.reports.containsKey(command.id()));
+        return vehicle.reports.get(command.id());
+    }
+
+    private void assertNothingSent() {
+        on(link, new DroneEvent.ModeHeard("GUIDED", false));
+        assertThat(vehicle.performed).isEmpty();
+    }
+
+    private static CommandId id(String value) {
+        return new CommandId(value);
+    }
+}

@@ -1,0 +1,124 @@
+package org.dronemap.core.cloud;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneRecord;
+import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.VehicleKind;
+import org.jspecify.annotations.Nullable;
+
+/** A vehicle and stores that remember what was asked of them. */
+final class Fixtures {
+    static final Capabilities ALL = new Capabilities(Set.of(Capability.values()), List.of("GUIDED", "LOITER"));
+
+    private Fixtures() {}
+
+    static Identification copter(@Nullable String uid) {
+        return new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", uid);
+    }
+
+    /** Takes commands and lets the test say how they end. */
+    static final class RecordingChannel implements VehicleChannel {
+        final List<Command> performed = new CopyOnWriteArrayList<>();
+        final List<CommandId> cancelled = new CopyOnWriteArrayList<>();
+        final ConcurrentHashMap<CommandId, Report> reports = new ConcurrentHashMap<>();
+
+        @Override
+        public void perform(CommandId id, Command command, Report report) {
+            performed.add(command);
+            reports.put(id, report);
+        }
+
+        @Override
+        public void cancel(CommandId id) {
+            cancelled.add(id);
+        }
+
+        @Override
+        public void probe() {}
+    }
+
+    static final class HeapCommandStore implements CommandStore {
+        final ConcurrentHashMap<CommandId, CommandRecord> records = new ConcurrentHashMap<>();
+        volatile boolean broken;
+
+        @Override
+        public boolean begin(CommandRecord command) {
+            if (broken) {
+                throw new IllegalStateException("the disk is full");
+            }
+            return records.putIfAbsent(command.id(), command) == null;
+        }
+
+        @Override
+        public void finish(CommandRecord command) {
+            if (broken) {
+                throw new IllegalStateException("the disk is full");
+            }
+            records.put(command.id(), command);
+        }
+
+        @Override
+        public Optional<CommandRecord> command(CommandId id) {
+            return Optional.ofNullable(records.get(id));
+        }
+
+        @Override
+        public List<CommandRecord> commandsOf(DroneId drone, int limit) {
+            return records.values().stream()
+                    .filter(record -> record.drone().equals(drone))
+                    .limit(limit)
+                    .toList();
+        }
+
+        @Override
+        public int endUnfinished(Outcome outcome, Instant at) {
+            return 0;
+        }
+    }
+
+    static final class HeapDroneStore implements DroneStore {
+        final ConcurrentHashMap<DroneId, DroneRecord> records = new ConcurrentHashMap<>();
+        final ConcurrentHashMap<DroneId, KnownMission> missions = new ConcurrentHashMap<>();
+
+        @Override
+        public List<DroneRecord> drones() {
+            return new ArrayList<>(records.values());
+        }
+
+        @Override
+        public void save(DroneRecord drone) {
+            records.put(drone.id(), drone);
+        }
+
+        @Override
+        public void delete(DroneId id) {
+            records.remove(id);
+        }
+
+        @Override
+        public Optional<KnownMission> knownMission(DroneId id) {
+            return Optional.ofNullable(missions.get(id));
+        }
+
+        @Override
+        public void saveKnownMission(DroneId id, KnownMission mission) {
+            missions.put(id, mission);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.event.DroneEvent.MissionCurrentHeard;
+import org.dronemap.core.event.DroneEvent.MissionItemReached;
+import org.dronemap.core.event.DroneEvent.MissionRead;
+import org.dronemap.core.mission.MissionItem;
+import org.junit.jupiter.api.Test;
+
+class MissionTrackerTest {
+    private static final List<MissionItem> THREE = List.of(
+            new MissionItem.TakeOff(10),
+            new MissionItem.TakeOff(20),
+            new MissionItem.TakeOff(30),
+            new MissionItem.Land());
+    private static final List<MissionItem> OTHER = List.of(new MissionItem.TakeOff(99));
+
+    private final List<KnownMission> kept = new ArrayList<>();
+
+    @Test
+    void keepsWhatWasUploadedAndTheItemItHeadsFor() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+
+        tracker.apply(new MissionRead(THREE, true));
+        tracker.apply(new MissionCurrentHeard(1));
+
+        assertThat(kept).containsExactly(new KnownMission(THREE, null), new KnownMission(THREE, 1));
+        assertThat(tracker.progress().notice()).isNull();
+    }
+
+    @Test
+    void saysThatTheVehicleFlewOnWhileTheCloudWasAway() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
+
+        tracker.apply(new MissionRead(THREE, false));
+
+        assertThat(tracker.apply(new MissionCurrentHeard(3)))
+                .contains("While the cloud was away the vehicle flew on from item 2 to item 4 of its mission.");
+        assertThat(tracker.progress().reached()).containsExactly(1, 2);
+    }
+
+    @Test
+    void saysSoAlsoWhenTheItemIsHeardBeforeTheMission() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
+
+        tracker.apply(new MissionCurrentHeard(3));
+
+        assertThat(tracker.apply(new MissionRead(THREE, false)))
+                .hasValueSatisfying(sentence -> assertThat(sentence).contains("flew on"));
+    }
+
+    @Test
+    void noticesAMissionThatSomebodyElsePutThere() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
+
+        assertThat(tracker.apply(new MissionRead(OTHER, false))).isPresent();
+
+        assertThat(tracker.progress().items()).isEqualTo(OTHER);
+        assertThat(tracker.progress().notice())
+                .isEqualTo("The mission on the vehicle is not the one that the cloud last knew:"
+                        + " 1 items instead of 4; item 1 differs.");
+        assertThat(kept)
+                .as("what was known stays known until the cloud uploads")
+                .isEmpty();
+    }
+
+    @Test
+    void dropsTheNoticeWithTheNextUpload() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
+        tracker.apply(new MissionRead(OTHER, false));
+
+        tracker.apply(new MissionRead(THREE, true));
+
+        assertThat(tracker.progress().notice()).isNull();
+    }
+
+    @Test
+    void forgetsWhatWasReachedWhenTheMissionChangesOrBeginsAgain() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+        tracker.apply(new MissionRead(THREE, true));
+        tracker.apply(new MissionItemReached(0));
+        tracker.apply(new MissionItemReached(1));
+        assertThat(tracker.progress().reached()).containsExactly(0, 1);
+
+        tracker.apply(new MissionCurrentHeard(2));
+        tracker.apply(new MissionCurrentHeard(0));
+
+        assertThat(tracker.progress().reached()).isEmpty();
+    }
+}
