@@ -1,0 +1,148 @@
+package org.dronemap.mavlink;
+
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+import java.util.function.Consumer;
+
+/**
+ * Finds frames in a stream of bytes that may come split or packed. Broken bytes are counted and skipped: after a frame
+ * with a wrong checksum the search goes on right behind its first byte, so that a lying length swallows nothing. Not
+ * thread-safe.
+ */
+public final class FrameReader {
+    private static final int LONGEST = Frame.HEADER_2 + 255 + 2 + Frame.SIGNATURE;
+
+    private final byte[] pending = new byte[4 * LONGEST];
+    private int start;
+    private int end;
+    private long goodFrames;
+    private long unverifiedFrames;
+    private long brokenFrames;
+    private long skippedBytes;
+    private long skippedRuns;
+    private boolean skipping;
+    private final byte[] lastSkipped = new byte[8];
+
+    /** Counts since the start; bytes that belong to no frame come in runs. */
+    public record Counts(
+            long goodFrames, long unverifiedFrames, long brokenFrames, long skippedBytes, long skippedRuns) {}
+
+    /** Takes bytes in and hands every frame that they complete to {@code frames}, in order. */
+    public void read(ByteBuffer bytes, Consumer<Frame> frames) {
+        while (bytes.hasRemaining()) {
+            makeRoom();
+            int taken = Math.min(bytes.remaining(), pending.length - end);
+            bytes.get(pending, end, taken);
+            end += taken;
+            parse(frames, false);
+        }
+    }
+
+    /** The input has ended (or a datagram that nothing can continue): what is left over is searched and dropped. */
+    public void endOfInput(Consumer<Frame> frames) {
+        parse(frames, true);
+    }
+
+    public Counts counts() {
+        return new Counts(goodFrames, unverifiedFrames, brokenFrames, skippedBytes, skippedRuns);
+    }
+
+    /** The last eight bytes that belonged to no frame, oldest first: in recordings that is the time of a frame. */
+    public void copyLastSkipped(byte[] into) {
+        for (int i = 0; i < 8; i++) {
+            into[i] = lastSkipped[(int) ((skippedBytes + i) & 7)];
+        }
+    }
+
+    private void makeRoom() {
+        if (start > 0) {
+            System.arraycopy(pending, start, pending, 0, end - start);
+            end -= start;
+            start = 0;
+        }
+    }
+
+    private void parse(Consumer<Frame> frames, boolean last) {
+        while (start < end) {
+            int need = lengthAt(start);
+            if (need == 0) {
+                skip();
+            } else if (need < 0 || end - start < need) {
+                if (!last) {
+                    return;
+                }
+                skip();
+            } else {
+                take(need, frames);
+            }
+        }
+    }
+
+    /** Whole frame length at this place; 0: no frame begins here, -1: cannot be told yet. */
+    private int lengthAt(int at) {
+        int magic = pending[at] & 0xFF;
+        if (magic == Frame.MAGIC_1) {
+            return end - at < 2 ? -1 : Frame.HEADER_1 + (pending[at + 1] & 0xFF) + 2;
+        }
+        if (magic != Frame.MAGIC_2) {
+            return 0;
+        }
+        if (end - at < 3) {
+            return -1;
+        }
+        int flags = pending[at + 2] & 0xFF;
+        if ((flags & ~Frame.SIGNED_FLAG) != 0) {
+            // An incompatibility flag that is not known: the frame must be dropped.
+            return 0;
+        }
+        return Frame.HEADER_2 + (pending[at + 1] & 0xFF) + 2 + (flags != 0 ? Frame.SIGNATURE : 0);
+    }
+
+    private void take(int length, Consumer<Frame> frames) {
+        boolean v2 = (pending[start] & 0xFF) == Frame.MAGIC_2;
+        MessageTable.Entry entry = MessageTable.find(messageIdAt(start, v2));
+        if (entry == null ? !fitsBetweenFrames(start + length) : !checksumHolds(start, v2, entry)) {
+            brokenFrames++;
+            skip();
+            return;
+        }
+        Frame frame = new Frame(Arrays.copyOfRange(pending, start, start + length), entry != null);
+        start += length;
+        skipping = false;
+        if (entry != null) {
+            goodFrames++;
+        } else {
+            unverifiedFrames++;
+        }
+        frames.accept(frame);
+    }
+
+    /** A frame whose checksum cannot be checked is believed only where one may begin and another follows. */
+    private boolean fitsBetweenFrames(int next) {
+        return !skipping
+                && (next >= end || (pending[next] & 0xFF) == Frame.MAGIC_1 || (pending[next] & 0xFF) == Frame.MAGIC_2);
+    }
+
+    private int messageIdAt(int at, boolean v2) {
+        return v2
+                ? (pending[at + 7] & 0xFF) | (pending[at + 8] & 0xFF) << 8 | (pending[at + 9] & 0xFF) << 16
+                : pending[at + 5] & 0xFF;
+    }
+
+    private boolean checksumHolds(int at, boolean v2, MessageTable.Entry entry) {
+        int covered = (v2 ? Frame.HEADER_2 : Frame.HEADER_1) - 1 + (pending[at + 1] & 0xFF);
+        int crc = Crc.add(Crc.add(Crc.START, pending, at + 1, covered), entry.checksumSeed());
+        int check = at + 1 + covered;
+        return (pending[check] & 0xFF) == (crc & 0xFF) && (pending[check + 1] & 0xFF) == (crc >>> 8);
+    }
+
+    private void skip() {
+        if (!skipping) {
+            skipping = true;
+            skippedRuns++;
+        }
+        lastSkipped[(int) (skippedBytes & 7)] = pending[start];
+        skippedBytes++;
+        start++;
+    }
+}

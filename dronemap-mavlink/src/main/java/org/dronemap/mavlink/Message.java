@@ -1,0 +1,10 @@
+package org.dronemap.mavlink;
+
+/** A message that can be written: its raw fields as on the wire. */
+public interface Message {
+    /** The message's number in the MAVLink definitions. */
+    int messageId();
+
+    /** Writes all fields in wire order. */
+    void write(PayloadWriter out);
+}

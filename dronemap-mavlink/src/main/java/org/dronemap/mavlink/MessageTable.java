@@ -1,0 +1,55 @@
+package org.dronemap.mavlink;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/** Checksum seeds (CRC_EXTRA) and names of all messages known here; read once from messages.tsv. */
+public final class MessageTable {
+    private static final Map<Integer, Entry> ENTRIES = read();
+
+    /** Payload lengths in bytes without and with the version 2 extension fields. */
+    public record Entry(int id, String name, int checksumSeed, int shortestPayload, int longestPayload) {}
+
+    private MessageTable() {}
+
+    /** Null for a message that is not known here. */
+    public static @Nullable Entry find(int messageId) {
+        return ENTRIES.get(messageId);
+    }
+
+    static int checksumSeed(int messageId) {
+        return Objects.requireNonNull(find(messageId), "no such message").checksumSeed();
+    }
+
+    private static Map<Integer, Entry> read() {
+        Map<Integer, Entry> entries = new HashMap<>();
+        try (InputStream in = Objects.requireNonNull(MessageTable.class.getResourceAsStream("messages.tsv"));
+                BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.US_ASCII))) {
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                if (!line.startsWith("#")) {
+                    String[] parts = line.split("\t", -1);
+                    int id = Integer.parseInt(parts[0]);
+                    entries.put(
+                            id,
+                            new Entry(
+                                    id,
+                                    parts[1],
+                                    Integer.parseInt(parts[2]),
+                                    Integer.parseInt(parts[3]),
+                                    Integer.parseInt(parts[4])));
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return Map.copyOf(entries);
+    }
+}
