@@ -1,0 +1,67 @@
+"""REST as a user's program would call it."""
+
+from typing import Any
+
+import requests
+
+from .waiting import wait_for
+
+Json = dict[str, Any]
+
+
+class Api:
+    """Calls with one access key."""
+
+    def __init__(self, address: str, key: str) -> None:
+        self.base = address + "/api/v1"
+        self._session = requests.Session()
+        self._session.headers["Authorization"] = f"Bearer {key}"
+
+    def get(self, path: str) -> Json:
+        answer = self.call("GET", path)
+        assert answer.ok, answer.text
+        body: Json = answer.json()
+        return body
+
+    def call(self, method: str, path: str, body: Json | None = None) -> requests.Response:
+        return self._session.request(method, self.base + path, json=body, timeout=70)
+
+    def post_bytes(self, path: str, data: bytes) -> requests.Response:
+        return self._session.post(
+            self.base + path, data=data, headers={"Content-Type": "application/octet-stream"}, timeout=120
+        )
+
+    def drones(self) -> list[Json]:
+        drones: list[Json] = self.get("/drones")["drones"]
+        return drones
+
+    def drone(self, drone: str) -> Json:
+        return self.get(f"/drones/{drone}")
+
+    def live(self, count: int, seconds: float = 60) -> list[Json]:
+        """That many live drones that say they are ready to arm."""
+
+        def ready() -> list[Json] | None:
+            drones = [d for d in self.drones() if d["link"]["state"] == "live" and not d["replay"]]
+            return drones if len(drones) >= count and all(d["position"] for d in drones) else None
+
+        return wait_for(f"{count} live drones with a position", ready, seconds)
+
+    def command(self, drone: str, body: Json, wait: int = 60) -> Json:
+        """The command's record once it has ended."""
+        answer = self.call("POST", f"/drones/{drone}/commands?wait={wait}", body)
+        assert answer.ok, answer.text
+        record: Json = answer.json()
+        return record
+
+    def do(self, drone: str, **body: Any) -> Json:
+        """Commands and insists on success."""
+        record = self.command(drone, body)
+        assert record["outcome"] and record["outcome"]["result"] == "succeeded", record
+        return record
+
+    def new_key(self, label: str, role: str) -> str:
+        answer = self.call("POST", "/access-keys", {"label": label, "role": role})
+        assert answer.status_code == 201, answer.text
+        key: str = answer.json()["key"]
+        return key

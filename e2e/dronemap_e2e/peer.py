@@ -1,0 +1,139 @@
+"""A vehicle of our own, spoken with pymavlink: it does what a test tells it to, rightly or not."""
+
+import socket
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from pymavlink.dialects.v10 import ardupilotmega as mavlink1
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
+
+Handler = Callable[["Peer", Any], None]
+
+ACCEPTED = mavlink.MAV_RESULT_ACCEPTED
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What the peer says it is."""
+
+    type: int = mavlink.MAV_TYPE_QUADROTOR
+    autopilot: int = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
+    version: int = 2
+    component: int = 1
+
+
+@dataclass
+class State:
+    """What the peer says it does."""
+
+    armed: bool = False
+    base_mode: int = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+    custom_mode: int = 0
+    status: int = mavlink.MAV_STATE_STANDBY
+    received: list[Any] = field(default_factory=list)
+
+
+class Peer:
+    """Heartbeats each half second; answers what `handlers` (by message name) know and is silent else."""
+
+    def __init__(
+        self,
+        port: int,
+        system_id: int = 1,
+        kind: Kind | None = None,
+        handlers: dict[str, Handler] | None = None,
+        tcp: bool = False,
+    ) -> None:
+        self.kind = kind or Kind()
+        self.state = State()
+        self.handlers = handlers or {}
+        self._tcp = tcp
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_STREAM if tcp else socket.SOCK_DGRAM)
+        self._socket.connect(("127.0.0.1", port))
+        self._socket.settimeout(0.05)
+        self.port: int = self._socket.getsockname()[1]
+        dialect = mavlink if self.kind.version == 2 else mavlink1
+        self.link: Any = dialect.MAVLink(self, srcSystem=system_id, srcComponent=self.kind.component)
+        self.link.robust_parsing = True
+        self.silent = False
+        self._closed = False
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def write(self, data: bytes) -> None:
+        """pymavlink sends through this."""
+        if not self.silent:
+            self._socket.send(data)
+
+    def received(self, *kinds: str) -> list[Any]:
+        return [m for m in list(self.state.received) if m.get_type() in kinds]
+
+    def commands(self, number: int) -> list[Any]:
+        return [m for m in self.received("COMMAND_LONG", "COMMAND_INT") if m.command == number]
+
+    def acknowledge(self, message: Any, result: int = ACCEPTED) -> None:
+        self.link.command_ack_send(message.command, result)
+
+    def say(self, text: str, severity: int = mavlink.MAV_SEVERITY_CRITICAL) -> None:
+        self.link.statustext_send(severity, text.encode())
+
+    def beat(self) -> None:
+        armed = mavlink.MAV_MODE_FLAG_SAFETY_ARMED if self.state.armed else 0
+        self.link.heartbeat_send(
+            self.kind.type,
+            self.kind.autopilot,
+            self.state.base_mode | armed,
+            self.state.custom_mode,
+            self.state.status,
+        )
+
+    def close(self) -> None:
+        self._closed = True
+        self._thread.join()
+        self._socket.close()
+
+    def _run(self) -> None:
+        next_beat = 0.0
+        while not self._closed:
+            if time.monotonic() >= next_beat:
+                self.beat()
+                next_beat = time.monotonic() + 0.5
+            try:
+                data = self._socket.recv(65535)
+            except (TimeoutError, ConnectionError):
+                continue
+            for message in self.link.parse_buffer(data) or []:
+                self.state.received.append(message)
+                handler = self.handlers.get(message.get_type())
+                if handler:
+                    handler(self, message)
+
+
+def obey(peer: Peer, message: Any) -> None:
+    """Arms, disarms, changes mode and refuses the rest, as an autopilot on the ground would."""
+    if message.command == mavlink.MAV_CMD_COMPONENT_ARM_DISARM:
+        peer.state.armed = message.param1 == 1
+    elif message.command == mavlink.MAV_CMD_DO_SET_MODE:
+        set_mode(peer, int(message.param2), int(message.param3))
+    else:
+        peer.acknowledge(message, mavlink.MAV_RESULT_UNSUPPORTED)
+        return
+    peer.acknowledge(message)
+    peer.beat()
+
+
+def set_mode(peer: Peer, mode: int, sub_mode: int) -> None:
+    px4 = peer.kind.autopilot == mavlink.MAV_AUTOPILOT_PX4
+    peer.state.custom_mode = (mode << 16) | (sub_mode << 24) if px4 else mode
+
+
+def set_mode_message(peer: Peer, message: Any) -> None:
+    """The old SET_MODE message."""
+    peer.state.custom_mode = message.custom_mode
+    peer.beat()
+
+
+OBEDIENT: dict[str, Handler] = {"COMMAND_LONG": obey, "COMMAND_INT": obey, "SET_MODE": set_mode_message}

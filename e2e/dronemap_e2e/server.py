@@ -1,0 +1,96 @@
+"""A Dronemap server of the test's own: fresh data, free ports, killed at the end."""
+
+import os
+import signal
+import socket
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import requests
+
+from .ports import free_port
+from .waiting import wait_for
+
+ROOT = Path(__file__).resolve().parents[2]
+SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
+
+
+class Server:
+    """One server process; it may be killed and started again over the same data."""
+
+    def __init__(self, data: Path, **settings: str) -> None:
+        self.data = data
+        self.http_port = free_port()
+        self.stream_port = free_port()
+        self.udp_port = free_port(socket.SOCK_DGRAM)
+        self.tcp_port = free_port()
+        self._settings = settings
+        self._process: subprocess.Popen[bytes] | None = None
+
+    @property
+    def address(self) -> str:
+        return f"http://127.0.0.1:{self.http_port}"
+
+    @property
+    def stream_address(self) -> str:
+        return f"ws://127.0.0.1:{self.stream_port}/stream"
+
+    @property
+    def pid(self) -> int:
+        assert self._process is not None
+        return self._process.pid
+
+    def start(self) -> None:
+        assert SERVER_JAR.exists(), f"{SERVER_JAR} is missing: build first (./dronemap test does)"
+        self.data.mkdir(parents=True, exist_ok=True)
+        environment = os.environ | {
+            "DRONEMAP_DATA_DIR": str(self.data),
+            "DRONEMAP_BIND": "127.0.0.1",
+            "DRONEMAP_HTTP_PORT": str(self.http_port),
+            "DRONEMAP_STREAM_PORT": str(self.stream_port),
+            "DRONEMAP_ENDPOINTS": (
+                f"udpserver://127.0.0.1:{self.udp_port},tcpserver://127.0.0.1:{self.tcp_port}"
+            ),
+        }
+        with (self.data / "server.log").open("ab") as log:
+            self._process = subprocess.Popen(
+                ["java", "-Xmx384m", "-jar", str(SERVER_JAR)],
+                env=environment | self._settings,
+                stdout=log,
+                stderr=subprocess.STDOUT,
+            )
+        wait_for("the server is up", self._is_up, seconds=60)
+
+    def kill(self) -> None:
+        """kill -9: no chance to tidy up."""
+        assert self._process is not None
+        self._process.send_signal(signal.SIGKILL)
+        self._process.wait()
+
+    def stop(self) -> None:
+        if self._process is not None and self._process.poll() is None:
+            self._process.terminate()
+            try:
+                self._process.wait(20)
+            except subprocess.TimeoutExpired:
+                self.kill()
+
+    def local_key(self) -> str:
+        return (self.data / "local-key").read_text().strip()
+
+    def first_password(self) -> str:
+        return (self.data / "first-password.txt").read_text().split()[1]
+
+    def _is_up(self) -> bool:
+        assert self._process is not None
+        assert self._process.poll() is None, f"the server ended: {self._tail()}"
+        try:
+            answer = requests.get(self.address + "/api/v1/health", timeout=2)
+        except requests.ConnectionError:
+            return False
+        body: dict[str, Any] = answer.json() if answer.ok else {}
+        return body.get("status") == "up"
+
+    def _tail(self) -> str:
+        return (self.data / "server.log").read_text(errors="replace")[-2000:]

@@ -1,0 +1,98 @@
+"""A tap on the wire: relays UDP between vehicles and server, keeps every message of both directions."""
+
+import select
+import socket
+import threading
+import time
+from dataclasses import dataclass
+from typing import Any
+
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
+
+Address = tuple[str, int]
+
+
+@dataclass(frozen=True)
+class Heard:
+    """One message seen on the wire; seconds are monotonic."""
+
+    at: float
+    up: bool
+    message: Any
+
+    @property
+    def kind(self) -> str:
+        name: str = self.message.get_type()
+        return name
+
+
+class Tap:
+    """Vehicles connect to `port` here; everything goes on to the server from a socket per vehicle."""
+
+    def __init__(self, server_port: int) -> None:
+        self._server: Address = ("127.0.0.1", server_port)
+        self._vehicles = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._vehicles.bind(("127.0.0.1", 0))
+        self.port: int = self._vehicles.getsockname()[1]
+        self._upstream: dict[Address, socket.socket] = {}
+        self._parsers: dict[tuple[Address, bool], Any] = {}
+        self._heard: list[Heard] = []
+        self._lock = threading.Lock()
+        self._closed = False
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def heard(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[Heard]:
+        with self._lock:
+            return [
+                h
+                for h in self._heard
+                if (not kinds or h.kind in kinds) and (up is None or h.up == up) and h.at >= since
+            ]
+
+    def upstream_ports(self) -> set[int]:
+        """The ports from which the server hears the vehicles."""
+        return {upstream.getsockname()[1] for upstream in list(self._upstream.values())}
+
+    def close(self) -> None:
+        self._closed = True
+        self._thread.join()
+        for upstream in self._upstream.values():
+            upstream.close()
+        self._vehicles.close()
+
+    def _run(self) -> None:
+        while not self._closed:
+            by_socket = {upstream: vehicle for vehicle, upstream in list(self._upstream.items())}
+            readable, _, _ = select.select([self._vehicles, *by_socket], [], [], 0.2)
+            for ready in readable:
+                try:
+                    data, sender = ready.recvfrom(65535)
+                except ConnectionError:
+                    continue
+                if ready is self._vehicles:
+                    self._keep(sender, True, data)
+                    self._up(sender).sendto(data, self._server)
+                else:
+                    self._keep(by_socket[ready], False, data)
+                    self._vehicles.sendto(data, by_socket[ready])
+
+    def _up(self, vehicle: Address) -> socket.socket:
+        if vehicle not in self._upstream:
+            upstream = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+            upstream.bind(("127.0.0.1", 0))
+            self._upstream[vehicle] = upstream
+        return self._upstream[vehicle]
+
+    def _keep(self, vehicle: Address, up: bool, data: bytes) -> None:
+        parser = self._parsers.setdefault((vehicle, up), _parser())
+        messages = parser.parse_buffer(data) or []
+        now = time.monotonic()
+        with self._lock:
+            self._heard.extend(Heard(now, up, message) for message in messages)
+
+
+def _parser() -> Any:
+    parser = mavlink.MAVLink(None)
+    parser.robust_parsing = True
+    return parser

@@ -1,0 +1,56 @@
+"""The server and vehicles that tests share."""
+
+import itertools
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import wait_for
+
+# A vehicle of its own for every test, so that no test takes another one's for its own.
+SYSTEM_IDS = itertools.count(10)
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A server that all tests share which do not break it."""
+    started = Server(tmp_path_factory.mktemp("server") / "data")
+    started.start()
+    yield started
+    started.stop()
+
+
+@pytest.fixture(scope="session")
+def api(server: Server) -> Api:
+    return Api(server.address, server.local_key())
+
+
+@pytest.fixture
+def tap(server: Server) -> Iterator[Tap]:
+    """A tap before the shared server."""
+    opened = Tap(server.udp_port)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def copter(tap: Tap, api: Api, tmp_path: Path) -> Iterator[Json]:
+    """A simulated copter behind the tap, three times as fast as life: the drone as the server lists it."""
+    started = Simulator(
+        tmp_path / "sim.log",
+        f"udp://127.0.0.1:{tap.port}",
+        *("--count", "1", "--speedup", "3", "--sysid", str(next(SYSTEM_IDS))),
+    )
+
+    def listed() -> Json | None:
+        ports = tap.upstream_ports()
+        found = [d for d in api.drones() if d["link"]["port"] in ports and d["position"] and d["home"]]
+        return found[0] if found else None
+
+    yield wait_for("the copter is listed with position and home", listed, 60)
+    started.stop()

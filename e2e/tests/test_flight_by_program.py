@@ -1,0 +1,146 @@
+"""The whole flight by curl-like REST, by SOAP and by WebSocket, judged from the wire."""
+
+import json
+import subprocess
+from collections.abc import Callable
+from typing import Any
+
+import zeep
+import zeep.transports
+from requests import Session
+from websockets.sync.client import ClientConnection, connect
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import Point, items, judge, triangle
+from dronemap_e2e.server import Server
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import wait_for
+
+TAKE_OFF_METERS = 15.0
+
+
+def fly(api: Api, drone: str, act: Callable[..., Json], points: list[Point]) -> None:
+    """Arm, take off, three waypoints, home; `act` is the face under test, REST only watches."""
+    act("arm")
+    act("takeOff", altitude=TAKE_OFF_METERS)
+    wait_for("it hovers", lambda: _altitude(api, drone) > TAKE_OFF_METERS - 1, 60)
+    act("uploadMission", items=items(points))
+    act("startMission")
+    last = len(api.drone(drone)["mission"]["items"]) - 1
+    wait_for("the last waypoint is reached", lambda: last in api.drone(drone)["mission"]["reached"], 120)
+    act("returnToLaunch")
+    wait_for("it landed and disarmed", lambda: api.drone(drone)["armed"] is False, 120)
+
+
+def _altitude(api: Api, drone: str) -> float:
+    altitude: float = api.drone(drone)["position"]["altitudeAboveHome"]
+    return altitude
+
+
+def test_flies_by_rest(api: Api, tap: Tap, copter: Json) -> None:
+    points = triangle(copter["home"])
+
+    def act(kind: str, **body: Any) -> Json:
+        return api.do(copter["id"], type=kind, **body)
+
+    fly(api, copter["id"], act, points)
+
+    judge(tap, points, TAKE_OFF_METERS)
+
+
+def test_flies_by_curl(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+    points = triangle(copter["home"], altitude=12)
+
+    def act(kind: str, **body: Any) -> Json:
+        answer = subprocess.run(
+            [
+                *("curl", "-sS", "-X", "POST", "-H", f"Authorization: Bearer {server.local_key()}"),
+                *("-H", "Content-Type: application/json", "-d", json.dumps({"type": kind} | body)),
+                f"{server.address}/api/v1/drones/{copter['id']}/commands?wait=60",
+            ],
+            capture_output=True,
+            check=True,
+            timeout=70,
+        )
+        record: Json = json.loads(answer.stdout)
+        assert record["outcome"]["result"] == "succeeded", record
+        return record
+
+    fly(api, copter["id"], act, points)
+
+    judge(tap, points, 12)
+
+
+def test_flies_by_soap(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+    points = triangle(copter["home"], altitude=18)
+    session = Session()
+    session.headers["Authorization"] = f"Bearer {server.local_key()}"
+    client = zeep.Client(
+        server.address + "/services/MAVLinkControllerService?wsdl",
+        transport=zeep.transports.Transport(session=session),
+    )
+    listed = [d.id for d in client.service.getDronesList()]
+    assert copter["id"] in listed
+
+    def act(kind: str, **body: Any) -> Json:
+        service = client.service
+        drone = copter["id"]
+        outcome = {
+            "arm": lambda: service.arm(drone),
+            "takeOff": lambda: service.takeoff(drone, TAKE_OFF_METERS),
+            "uploadMission": lambda: service.uploadMission(
+                drone,
+                [{"latitude": p.latitude, "longitude": p.longitude, "altitude": p.altitude} for p in points],
+            ),
+            "startMission": lambda: service.startMission(drone),
+            "returnToLaunch": lambda: service.returnToLaunch(drone),
+        }[kind]()
+        assert outcome.result == "succeeded", outcome
+        return {}
+
+    fly(api, copter["id"], act, points)
+
+    judge(tap, points, TAKE_OFF_METERS)
+
+
+def test_flies_by_websocket(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+    points = triangle(copter["home"], altitude=14)
+    headers = {"Authorization": f"Bearer {server.local_key()}"}
+    with connect(server.stream_address, additional_headers=headers) as stream:
+
+        def act(kind: str, **body: Any) -> Json:
+            request = f"{kind}-1"
+            stream.send(
+                json.dumps(
+                    {
+                        "type": "command",
+                        "requestId": request,
+                        "drone": copter["id"],
+                        "command": {"type": kind} | body,
+                    }
+                )
+            )
+            accepted = _next(stream, lambda m: m.get("requestId") == request)
+            assert accepted["type"] == "commandAccepted", accepted
+            ended = _next(
+                stream,
+                lambda m: (
+                    m["type"] == "command"
+                    and m["command"]["id"] == accepted["command"]["id"]
+                    and m["command"]["outcome"] is not None
+                ),
+            )
+            assert ended["command"]["outcome"]["result"] == "succeeded", ended
+            record: Json = ended["command"]
+            return record
+
+        fly(api, copter["id"], act, points)
+
+    judge(tap, points, 14)
+
+
+def _next(stream: ClientConnection, wanted: Callable[[Json], bool]) -> Json:
+    while True:
+        message: Json = json.loads(stream.recv(timeout=60))
+        if wanted(message):
+            return message
