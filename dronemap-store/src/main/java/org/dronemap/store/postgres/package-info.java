@@ -1,4 +1,4 @@
-/** PostgreSQL adapters of the store ports, and the server's own PostgreSQL. */
+/** PostgreSQL adapters of the store ports, their schema, backup and restore. */
 @NullMarked
 package org.dronemap.store.postgres;
 

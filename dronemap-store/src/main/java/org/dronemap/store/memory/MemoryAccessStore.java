@@ -1,0 +1,130 @@
+package org.dronemap.store.memory;
+
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.SignIn;
+import org.dronemap.core.access.User;
+import org.dronemap.store.SignInLimit;
+import org.dronemap.store.StoreException;
+import org.dronemap.store.StoredInstant;
+
+/** Users, sessions and keys in memory. Thread-safe: every method holds the object's lock. */
+public final class MemoryAccessStore implements AccessStore {
+    private final Map<String, User> users = new TreeMap<>();
+    private final Map<String, SignIn> signIns = new HashMap<>();
+    private final Map<String, AccessKey> keys = new HashMap<>();
+
+    @Override
+    public synchronized List<User> users() {
+        return List.copyOf(users.values());
+    }
+
+    @Override
+    public synchronized Optional<User> user(String name) {
+        return Optional.ofNullable(users.get(name));
+    }
+
+    @Override
+    public synchronized boolean addUser(User user) {
+        return users.putIfAbsent(user.name(), user) == null;
+    }
+
+    @Override
+    public synchronized void updateUser(User user) {
+        requireUser(user.name());
+        users.put(user.name(), user);
+    }
+
+    @Override
+    public synchronized boolean deleteUser(String name) {
+        signIns.values().removeIf(signIn -> signIn.user().equals(name));
+        keys.values().removeIf(key -> key.owner().equals(name));
+        return users.remove(name) != null;
+    }
+
+    @Override
+    public synchronized void addSignIn(SignIn signIn) {
+        requireUser(signIn.user());
+        if (signIns.containsKey(signIn.tokenHash())) {
+            throw new StoreException("That session exists already.");
+        }
+        signIns.values().stream()
+                .filter(other -> other.user().equals(signIn.user()))
+                .sorted(Comparator.comparing(SignIn::expiresAt).reversed().thenComparing(SignIn::tokenHash))
+                .skip(SignInLimit.PER_USER - 1L)
+                .toList()
+                .forEach(surplus -> signIns.remove(surplus.tokenHash()));
+        signIns.put(
+                signIn.tokenHash(),
+                new SignIn(signIn.tokenHash(), signIn.user(), StoredInstant.of(signIn.expiresAt())));
+    }
+
+    @Override
+    public synchronized Optional<SignIn> signIn(String tokenHash, Instant now) {
+        return Optional.ofNullable(signIns.get(tokenHash))
+                .filter(signIn -> signIn.expiresAt().isAfter(StoredInstant.of(now)));
+    }
+
+    @Override
+    public synchronized void deleteSignIn(String tokenHash) {
+        signIns.remove(tokenHash);
+    }
+
+    @Override
+    public synchronized void deleteOtherSignIns(String user, String keepTokenHash) {
+        signIns.values()
+                .removeIf(signIn ->
+                        signIn.user().equals(user) && !signIn.tokenHash().equals(keepTokenHash));
+    }
+
+    @Override
+    public synchronized List<AccessKey> accessKeys(String owner) {
+        return keys.values().stream()
+                .filter(key -> key.owner().equals(owner))
+                .sorted(Comparator.comparing(AccessKey::createdAt).thenComparing(AccessKey::id))
+                .toList();
+    }
+
+    @Override
+    public synchronized Optional<AccessKey> accessKey(String secretHash) {
+        return keys.values().stream()
+                .filter(key -> key.secretHash().equals(secretHash))
+                .findFirst();
+    }
+
+    @Override
+    public synchronized void addAccessKey(AccessKey key) {
+        requireUser(key.owner());
+        if (keys.containsKey(key.id()) || accessKey(key.secretHash()).isPresent()) {
+            throw new StoreException("That access key exists already.");
+        }
+        keys.put(
+                key.id(),
+                new AccessKey(
+                        key.id(),
+                        key.label(),
+                        key.owner(),
+                        key.role(),
+                        key.secretHash(),
+                        StoredInstant.of(key.createdAt())));
+    }
+
+    @Override
+    public synchronized boolean deleteAccessKey(String owner, String id) {
+        AccessKey key = keys.get(id);
+        return key != null && key.owner().equals(owner) && keys.remove(id, key);
+    }
+
+    private void requireUser(String name) {
+        if (!users.containsKey(name)) {
+            throw new StoreException("There is no user " + name + ".");
+        }
+    }
+}

@@ -1,0 +1,160 @@
+package org.dronemap.store.postgres;
+
+import com.zaxxer.hikari.HikariConfig;
+import com.zaxxer.hikari.HikariDataSource;
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.time.Duration;
+import javax.sql.DataSource;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.mission.MissionStore;
+import org.dronemap.store.StoreException;
+import org.dronemap.store.postgres.own.OwnPostgres;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** An open database whose schema is up to date, and the stores in it. Thread-safe. */
+public final class Database implements AutoCloseable {
+    /** The schema that holds everything, so that a database shared with others keeps apart. */
+    static final String SCHEMA = "dronemap";
+
+    private static final Logger LOG = LoggerFactory.getLogger(Database.class);
+    private static final int MAX_CONNECTIONS = 8;
+    private static final Duration PAUSE_BETWEEN_TRIES = Duration.ofMillis(500);
+
+    private final HikariDataSource pool;
+    private final @Nullable OwnPostgres own;
+
+    private Database(HikariDataSource pool, @Nullable OwnPostgres own) {
+        this.pool = pool;
+        this.own = own;
+    }
+
+    /** Opens somebody else's PostgreSQL, waiting for it as long as the settings say. */
+    public static Database open(DatabaseSettings settings) {
+        HikariDataSource pool = pool(settings);
+        try {
+            waitFor(pool, settings);
+            new Migration(pool).toLatest(SCHEMA);
+            return new Database(pool, null);
+        } catch (RuntimeException e) {
+            pool.close();
+            throw e;
+        }
+    }
+
+    /** Opens the server's own PostgreSQL in {@code directory}, and stops it on {@link #close}. */
+    public static Database openOwn(Path directory) {
+        OwnPostgres own = OwnPostgres.start(directory);
+        try {
+            Database opened =
+                    open(new DatabaseSettings(own.jdbcUrl(), own.user(), own.password(), Duration.ofSeconds(30)));
+            return new Database(opened.pool, own);
+        } catch (RuntimeException e) {
+            own.close();
+            throw e;
+        }
+    }
+
+    public DataSource dataSource() {
+        return pool;
+    }
+
+    public DroneStore drones() {
+        return new PostgresDroneStore(pool);
+    }
+
+    public MissionStore missions() {
+        return new PostgresMissionStore(pool);
+    }
+
+    public CommandStore commands() {
+        return new PostgresCommandStore(pool);
+    }
+
+    public AccessStore access() {
+        return new PostgresAccessStore(pool);
+    }
+
+    /** Whether the database answers now. Blocks up to some seconds. */
+    public DatabaseHealth health() {
+        try (Connection connection = pool.getConnection()) {
+            return connection.isValid(3)
+                    ? new DatabaseHealth.Up()
+                    : new DatabaseHealth.Down("The database does not answer.");
+        } catch (SQLException e) {
+            return new DatabaseHealth.Down(SqlSentence.of(e));
+        }
+    }
+
+    @Override
+    public void close() {
+        pool.close();
+        if (own != null) {
+            own.close();
+        }
+    }
+
+    private static HikariDataSource pool(DatabaseSettings settings) {
+        HikariConfig config = new HikariConfig();
+        config.setPoolName("database");
+        config.setJdbcUrl(settings.jdbcUrl());
+        if (settings.user() != null) {
+            config.setUsername(settings.user());
+        }
+        if (settings.password() != null) {
+            config.setPassword(settings.password());
+        }
+        config.setMaximumPoolSize(MAX_CONNECTIONS);
+        config.setMinimumIdle(1);
+        config.setConnectionTimeout(5_000);
+        // The pool opens while the database may still be starting; waiting is done here, with sentences.
+        config.setInitializationFailTimeout(-1);
+        config.setSchema(SCHEMA);
+        config.setConnectionInitSql(
+                "SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'");
+        config.addDataSourceProperty("ApplicationName", "dronemap");
+        config.addDataSourceProperty("connectTimeout", "5");
+        config.addDataSourceProperty("socketTimeout", "60");
+        config.addDataSourceProperty("tcpKeepAlive", "true");
+        return new HikariDataSource(config);
+    }
+
+    private static void waitFor(HikariDataSource pool, DatabaseSettings settings) {
+        long deadline = System.nanoTime() + settings.patience().toNanos();
+        boolean told = false;
+        while (true) {
+            try (Connection connection = pool.getConnection()) {
+                if (connection.isValid(5)) {
+                    return;
+                }
+                throw new SQLException("no answer", "08006");
+            } catch (SQLException e) {
+                if (!SqlSentence.isOutOfReach(e) || System.nanoTime() >= deadline) {
+                    throw new StoreException(SqlSentence.of(e) + " (" + settings + ")", e);
+                }
+                if (!told) {
+                    LOG.info(
+                            "Waiting up to {} s for the database {}",
+                            settings.patience().toSeconds(),
+                            settings);
+                    told = true;
+                }
+                pause();
+            }
+        }
+    }
+
+    private static void pause() {
+        try {
+            Thread.sleep(PAUSE_BETWEEN_TRIES.toMillis());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new StoreException("Interrupted while waiting for the database.", e);
+        }
+    }
+}

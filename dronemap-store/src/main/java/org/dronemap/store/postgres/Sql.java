@@ -1,0 +1,86 @@
+package org.dronemap.store.postgres;
+
+import java.sql.Connection;
+import java.sql.PreparedStatement;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.sql.DataSource;
+import org.dronemap.store.StoreException;
+import org.dronemap.store.StoredInstant;
+import org.jspecify.annotations.Nullable;
+
+/** Statements on a pool; each one is a transaction of its own, durable when it returns. Thread-safe. */
+final class Sql {
+    /** Makes an object of the row that the result stands on. */
+    interface RowReader<T> {
+        T read(Row row) throws SQLException;
+    }
+
+    private final DataSource dataSource;
+
+    Sql(DataSource dataSource) {
+        this.dataSource = dataSource;
+    }
+
+    <T> List<T> list(String sql, RowReader<T> reader, @Nullable Object... arguments) {
+        try (Connection connection = dataSource.getConnection();
+                PreparedStatement statement = prepare(connection, sql, arguments);
+                ResultSet result = statement.executeQuery()) {
+            List<T> found = new ArrayList<>();
+            while (result.next()) {
+                found.add(reader.read(new Row(result)));
+            }
+            return List.copyOf(found);
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+
+    <T> Optional<T> one(String sql, RowReader<T> reader, @Nullable Object... arguments) {
+        List<T> found = list(sql, reader, arguments);
+        if (found.size() > 1) {
+            throw new StoreException("more than one row where one was expected: " + sql);
+        }
+        return found.stream().findFirst();
+    }
+
+    /** How many rows it changed. */
+    int update(String sql, @Nullable Object... arguments) {
+        try (Connection connection = dataSource.getConnection();
+                PreparedStatement statement = prepare(connection, sql, arguments)) {
+            return statement.executeUpdate();
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+
+    private static PreparedStatement prepare(Connection connection, String sql, @Nullable Object... arguments)
+            throws SQLException {
+        PreparedStatement statement = connection.prepareStatement(sql);
+        try {
+            for (int i = 0; i < arguments.length; i++) {
+                statement.setObject(i + 1, stored(arguments[i]));
+            }
+            return statement;
+        } catch (SQLException | RuntimeException e) {
+            statement.close();
+            throw e;
+        }
+    }
+
+    private static @Nullable Object stored(@Nullable Object argument) {
+        if (argument instanceof Instant time) {
+            return StoredInstant.of(time).atOffset(ZoneOffset.UTC);
+        }
+        if (argument instanceof Enum<?> name) {
+            return name.name();
+        }
+        // PostgreSQL's text cannot hold the zero character.
+        return argument instanceof String text ? text.replace('\0', '\uFFFD') : argument;
+    }
+}

@@ -1,0 +1,53 @@
+package org.dronemap.store.postgres;
+
+import java.sql.SQLException;
+import java.sql.SQLTransientConnectionException;
+import java.util.Objects;
+import org.dronemap.store.StoreException;
+
+/** Says what a database error means, by its SQLSTATE; never repeats a password. */
+final class SqlSentence {
+    private SqlSentence() {}
+
+    static StoreException exception(SQLException error) {
+        return new StoreException(of(error), error);
+    }
+
+    static String of(SQLException error) {
+        String state = state(error);
+        String said = Objects.requireNonNullElse(error.getMessage(), state);
+        if (state.equals("53100")) {
+            return "The disk of the database is full; free some space, nothing was lost: " + said;
+        }
+        if (state.startsWith("28")) {
+            return "The database does not accept the user or password that it was given: " + said;
+        }
+        if (state.equals("3D000")) {
+            return "That database does not exist; create it first: " + said;
+        }
+        if (state.equals("42501")) {
+            return "The database user lacks a right that is needed: " + said;
+        }
+        if (isOutOfReach(error)) {
+            return "The database cannot be reached: " + said;
+        }
+        return "The database refused: " + said;
+    }
+
+    /** True for errors that may pass by waiting: not reachable, starting, stopping, too many connections. */
+    static boolean isOutOfReach(SQLException error) {
+        String state = state(error);
+        return error instanceof SQLTransientConnectionException
+                || state.startsWith("08")
+                || state.startsWith("57P")
+                || state.equals("53300");
+    }
+
+    /** The SQLSTATE of the error or, for the pool's own errors, of what lies under it. */
+    private static String state(SQLException error) {
+        if (error.getSQLState() != null) {
+            return error.getSQLState();
+        }
+        return error.getCause() instanceof SQLException cause ? state(cause) : "";
+    }
+}

@@ -1,0 +1,52 @@
+package org.dronemap.store.postgres;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.Comparator;
+import java.util.stream.Stream;
+
+/** One real PostgreSQL for all tests of a test JVM: starting one takes seconds. Not for tests in parallel. */
+final class SharedDatabase {
+    private static final Path DIRECTORY = temporary();
+    private static final Database DATABASE = Database.openOwn(DIRECTORY);
+
+    static {
+        Runtime.getRuntime().addShutdownHook(new Thread(SharedDatabase::stop, "stop-shared-database"));
+    }
+
+    private SharedDatabase() {}
+
+    static Database empty() {
+        try (Connection connection = DATABASE.dataSource().getConnection();
+                Statement statement = connection.createStatement()) {
+            statement.execute("TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key");
+            return DATABASE;
+        } catch (SQLException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static Path temporary() {
+        try {
+            return Files.createTempDirectory("dronemap-store-test");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void stop() {
+        DATABASE.close();
+        try (Stream<Path> paths = Files.walk(DIRECTORY)) {
+            for (Path path : paths.sorted(Comparator.reverseOrder()).toList()) {
+                Files.delete(path);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
