@@ -4,12 +4,12 @@ import re
 from typing import Any
 
 import pytest
-import zeep
-import zeep.transports
+import zeep.exceptions
 from requests import Session
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import Server
+from dronemap_e2e.soap import soap
 from dronemap_e2e.tap import Tap
 
 WAYPOINT = {"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20}
@@ -99,12 +99,7 @@ def test_broken_json_is_told_where_it_breaks(server: Server, copter: Json) -> No
 
 
 def test_soap_says_the_same_sentences(server: Server, api: Api, tap: Tap, copter: Json) -> None:
-    session = Session()
-    session.headers["Authorization"] = f"Bearer {server.local_key()}"
-    client = zeep.Client(
-        server.address + "/services/MAVLinkControllerService?wsdl",
-        transport=zeep.transports.Transport(session=session),
-    )
+    service = soap(server, server.local_key())
     rest = api.call(
         "POST",
         f"/drones/{copter['id']}/commands",
@@ -112,9 +107,9 @@ def test_soap_says_the_same_sentences(server: Server, api: Api, tap: Tap, copter
     ).json()["detail"]
 
     with pytest.raises(zeep.exceptions.Fault) as latitude:
-        client.service.goto(copter["id"], 95, 8, 20)
+        service.goto(copter["id"], 95, 8, 20)
     with pytest.raises(zeep.exceptions.Fault) as unknown:
-        client.service.arm("nosuchdrone")
+        service.arm("nosuchdrone")
 
     assert latitude.value.message == rest
     assert "nosuchdrone" in unknown.value.message
@@ -123,13 +118,8 @@ def test_soap_says_the_same_sentences(server: Server, api: Api, tap: Tap, copter
 
 def test_soap_refuses_a_wrong_key_and_a_viewer(server: Server, api: Api, tap: Tap, copter: Json) -> None:
     for key, words in (("wrong", "key"), (api.new_key("soap viewer", "viewer"), "operator")):
-        session = Session()
-        client = zeep.Client(
-            server.address + "/services/MAVLinkControllerService?wsdl",
-            transport=zeep.transports.Transport(session=session),
-        )
-        session.headers["Authorization"] = f"Bearer {key}"
+        service = soap(server, key)
         with pytest.raises(zeep.exceptions.Fault) as fault:
-            client.service.arm(copter["id"])
+            service.arm(copter["id"])
         assert words in fault.value.message
     assert not sent(tap)

@@ -5,14 +5,12 @@ import subprocess
 from collections.abc import Callable
 from typing import Any
 
-import zeep
-import zeep.transports
-from requests import Session
 from websockets.sync.client import ClientConnection, connect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, items, judge, triangle
 from dronemap_e2e.server import Server
+from dronemap_e2e.soap import soap
 from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
@@ -73,17 +71,11 @@ def test_flies_by_curl(server: Server, api: Api, tap: Tap, copter: Json) -> None
 
 def test_flies_by_soap(server: Server, api: Api, tap: Tap, copter: Json) -> None:
     points = triangle(copter["home"], altitude=18)
-    session = Session()
-    session.headers["Authorization"] = f"Bearer {server.local_key()}"
-    client = zeep.Client(
-        server.address + "/services/MAVLinkControllerService?wsdl",
-        transport=zeep.transports.Transport(session=session),
-    )
-    listed = [d.id for d in client.service.getDronesList()]
+    service = soap(server, server.local_key())
+    listed = [d.id for d in service.getDronesList()]
     assert copter["id"] in listed
 
     def act(kind: str, **body: Any) -> Json:
-        service = client.service
         drone = copter["id"]
         outcome = {
             "arm": lambda: service.arm(drone),

@@ -7,15 +7,13 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
-import zeep
-import zeep.transports
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from requests import Session
 from websockets.sync.client import connect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.peer import OBEDIENT, Handler, Kind, Peer, obey
 from dronemap_e2e.server import Server
+from dronemap_e2e.soap import soap
 from dronemap_e2e.waiting import wait_for
 
 MakePeer = Callable[..., Peer]
@@ -64,13 +62,8 @@ def test_the_vehicles_own_sentence_reaches_every_face(server: Server, api: Api, 
         assert record["outcome"] == {"result": "refused", "by": "vehicle", "reason": sentence}
         streamed = wait_for("the stream says so", lambda: _outcome(json.loads(stream.recv(10)), record["id"]))
         assert streamed["reason"] == sentence
-    session = Session()
-    session.headers.update(headers)
-    client = zeep.Client(
-        server.address + "/services/MAVLinkControllerService?wsdl",
-        transport=zeep.transports.Transport(session=session),
-    )
-    outcome = client.service.arm(drone)
+    service = soap(server, server.local_key())
+    outcome = service.arm(drone)
     assert (outcome.result, outcome.reason) == ("refused", sentence)
     assert sentence in [m["text"] for m in api.drone(drone)["messages"]]
 

@@ -1,0 +1,121 @@
+"""The server killed with -9 in mid-mission, and what it says when it is back."""
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pymavlink import mavutil
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.waiting import wait_for
+
+
+@pytest.fixture
+def own_server(tmp_path: Path) -> Iterator[Server]:
+    started = Server(tmp_path / "data")
+    started.start()
+    yield started
+    started.stop()
+
+
+@pytest.fixture
+def in_mission(own_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
+    """A copter that has just begun a mission of three waypoints."""
+    simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{own_server.udp_port}", "--count", "1")
+    api = Api(own_server.address, own_server.local_key())
+    drone = wait_for("the copter has a home", lambda: next((d for d in api.live(1) if d["home"]), None), 60)
+    api.do(drone["id"], type="arm")
+    api.do(drone["id"], type="takeOff", altitude=10)
+    wait_for("it hovers", lambda: api.drone(drone["id"])["position"]["altitudeAboveHome"] > 9, 60)
+    points = triangle(drone["home"], altitude=10, side=25)
+    api.do(drone["id"], type="uploadMission", items=items(points))
+    yield api, drone
+    simulator.stop()
+
+
+def restart(server: Server) -> tuple[Api, float]:
+    server.start()
+    return Api(server.address, server.local_key()), time.monotonic()
+
+
+@pytest.mark.parametrize("on_cloud_loss", ["continue", "rtl"])
+def test_after_a_crash_the_vehicles_own_item_is_shown(
+    own_server: Server, in_mission: tuple[Api, Json], on_cloud_loss: str
+) -> None:
+    api, drone = in_mission
+    api.do(drone["id"], type="startMission", onCloudLoss=on_cloud_loss)
+    wait_for("it heads for the first waypoint", lambda: api.drone(drone["id"])["mission"]["current"] == 1)
+    own_server.kill()
+    _let_fly(14)
+    again, began = restart(own_server)
+
+    back = wait_for("it is back", lambda: _live(again, drone["id"]), 15)
+    now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 15)
+
+    assert time.monotonic() - began <= 15
+    assert back["id"] == drone["id"]
+    assert len(now["mission"]["items"]) == 4
+    texts = [m["text"] for m in now["messages"]]
+    if on_cloud_loss == "continue":
+        assert now["mode"] == "AUTO"
+        assert now["mission"]["current"] >= 3
+        assert any("flew on from item 2" in text for text in texts), texts
+    else:
+        assert now["mode"] == "RTL"
+
+
+def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
+    own_server: Server, in_mission: tuple[Api, Json]
+) -> None:
+    api, drone = in_mission
+    api.do(drone["id"], type="startMission")
+    own_server.kill()
+    _replace_mission(own_server.udp_port, drone["home"])
+
+    again, began = restart(own_server)
+    now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 15)
+
+    assert time.monotonic() - began <= 15
+    assert len(now["mission"]["items"]) == 2
+    assert "2 items instead of 4" in now["mission"]["notice"]
+
+
+def _let_fly(seconds: float) -> None:
+    """The one thing to wait for while the server is dead is the vehicle's own time."""
+    time.sleep(seconds)
+
+
+def _live(api: Api, drone: str) -> Json | None:
+    now = api.drone(drone)
+    return now if now["link"]["state"] == "live" else None
+
+
+def _with_mission(api: Api, drone: str) -> Json | None:
+    now = api.drone(drone)
+    return now if now["mission"]["items"] and now["mission"]["current"] is not None else None
+
+
+def _replace_mission(port: int, home: Json) -> None:
+    """Takes the dead server's place on its port and uploads another mission with pymavlink."""
+    link: Any = mavutil.mavlink_connection(f"udpin:127.0.0.1:{port}", source_system=254)
+    link.wait_heartbeat(timeout=10)
+    waypoints = [(home["latitude"], home["longitude"]), *[(home["latitude"] + 2e-4, home["longitude"])] * 2]
+    link.mav.mission_count_send(link.target_system, 1, len(waypoints))
+    while True:
+        asked = link.recv_match(
+            type=["MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK"], blocking=True, timeout=10
+        )
+        assert asked is not None, "the vehicle took no mission"
+        if asked.get_type() == "MISSION_ACK":
+            break
+        latitude, longitude = waypoints[asked.seq]
+        link.mav.mission_item_int_send(
+            *(link.target_system, 1, asked.seq, 3, 16, 0, 1, 0, 0, 0, 0),
+            *(int(latitude * 1e7), int(longitude * 1e7), 12),
+        )
+    link.close()
