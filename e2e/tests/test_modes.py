@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import pytest
 from pymavlink import mavutil
@@ -57,7 +58,11 @@ def test_every_mode_has_pymavlinks_name_and_is_set_by_it(api: Api, peer: Peer, a
     for number, name in autopilot.modes.items():
         peer.state.custom_mode = number
         peer.beat()
-        wait_for(f"{number} is shown as {name}", lambda name=name: api.drone(drone["id"])["mode"] == name, 3)
+        wait_for(f"{number} is shown as {name}", partial(shows, api, drone["id"], name), 3)
     for number, name in reversed(autopilot.modes.items()):
         api.do(drone["id"], type="setMode", mode=name)
         assert peer.state.custom_mode == number, name
+
+
+def shows(api: Api, drone: str, mode: str) -> bool:
+    return bool(api.drone(drone)["mode"] == mode)
