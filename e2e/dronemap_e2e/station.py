@@ -1,0 +1,133 @@
+"""The ground station as hands use it: by pointer, by touch, by keyboard; found by visible text alone."""
+
+import re
+import shutil
+from typing import Protocol
+
+from playwright.sync_api import Browser, Locator, Page, Playwright, expect
+
+HOLD_MILLISECONDS = 1100
+CHROMIUM_ARGUMENTS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+
+def launch(playwright: Playwright) -> Browser:
+    chromium = shutil.which("chromium")
+    assert chromium, "chromium is missing: ./dronemap test installs it"
+    return playwright.chromium.launch(executable_path=chromium, args=CHROMIUM_ARGUMENTS)
+
+
+class Hands(Protocol):
+    """How a person presses, holds and points."""
+
+    def press(self, page: Page, target: Locator) -> None: ...
+
+    def hold(self, page: Page, target: Locator) -> None: ...
+
+    def tap_map(self, page: Page, x: float, y: float) -> None: ...
+
+
+class Pointer:
+    def press(self, page: Page, target: Locator) -> None:
+        target.click()
+
+    def hold(self, page: Page, target: Locator) -> None:
+        target.scroll_into_view_if_needed()
+        box = target.bounding_box()
+        assert box
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        page.mouse.down()
+        page.wait_for_timeout(HOLD_MILLISECONDS)
+        page.mouse.up()
+
+    def tap_map(self, page: Page, x: float, y: float) -> None:
+        page.mouse.click(x, y)
+
+
+class Touch:
+    def press(self, page: Page, target: Locator) -> None:
+        target.tap()
+
+    def hold(self, page: Page, target: Locator) -> None:
+        target.scroll_into_view_if_needed()
+        box = target.bounding_box()
+        assert box
+        point = {"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2}
+        devices = page.context.new_cdp_session(page)
+        devices.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [point]})
+        page.wait_for_timeout(HOLD_MILLISECONDS)
+        devices.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        devices.detach()
+
+    def tap_map(self, page: Page, x: float, y: float) -> None:
+        page.touchscreen.tap(x, y)
+
+
+class Keyboard:
+    """Tab to the control, Enter on it; the map is not needed, coordinates are typed."""
+
+    def press(self, page: Page, target: Locator) -> None:
+        self._reach(page, target)
+        page.keyboard.press("Enter")
+
+    def hold(self, page: Page, target: Locator) -> None:
+        self._reach(page, target)
+        page.keyboard.down("Enter")
+        page.wait_for_timeout(HOLD_MILLISECONDS)
+        page.keyboard.up("Enter")
+
+    def tap_map(self, page: Page, x: float, y: float) -> None:
+        raise AssertionError("a keyboard does not point at maps")
+
+    def _reach(self, page: Page, target: Locator) -> None:
+        expect(target).to_be_visible()
+        for _ in range(200):
+            if target.evaluate("element => element === document.activeElement"):
+                return
+            page.keyboard.press("Tab")
+        raise AssertionError(f"Tab never reaches {target}")
+
+
+class Station:
+    """One open page."""
+
+    def __init__(self, page: Page, hands: Hands) -> None:
+        self.page = page
+        self.hands = hands
+
+    def sign_in(self, address: str, name: str, password: str, new_password: str) -> None:
+        self.page.goto(address)
+        self.page.get_by_label("User name").fill(name)
+        self.page.get_by_label("Password", exact=True).fill(password)
+        self.press("Sign in")
+        choose = self.page.get_by_label("New password")
+        fleet = self.page.get_by_text(re.compile("Disarmed|Armed")).first
+        expect(choose.or_(fleet)).to_be_visible(timeout=15_000)
+        if choose.is_visible():
+            choose.fill(new_password)
+            self.press("Save and continue")
+
+    def choose(self, drone: str) -> None:
+        self.hands.press(self.page, self.page.get_by_role("button").filter(has_text=drone).first)
+        expect(self.button("Arm")).to_be_visible()
+
+    def button(self, label: str) -> Locator:
+        return self.page.get_by_role("button", name=label, exact=True)
+
+    def press(self, label: str) -> None:
+        self.hands.press(self.page, self.button(label))
+
+    def hold(self, label: str) -> None:
+        expect(self.button(label)).to_have_attribute("aria-disabled", "false", timeout=30_000)
+        self.hands.hold(self.page, self.button(label))
+
+    def shows(self, text: str, seconds: float = 30) -> None:
+        """That text becomes visible."""
+        expect(self.page.get_by_text(text).first).to_be_visible(timeout=seconds * 1000)

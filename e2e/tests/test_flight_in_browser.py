@@ -1,0 +1,198 @@
+"""A person flies in the browser: pointer, touch and keyboard; judged from the wire alone."""
+
+import os
+import secrets
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect, sync_playwright
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import Point, judge, triangle
+from dronemap_e2e.peer import OBEDIENT, Peer
+from dronemap_e2e.server import Server
+from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch, launch
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import wait_for
+
+NAV_WAYPOINT = 16
+DESK = {"width": 1440, "height": 900}
+PHONE = {"width": 390, "height": 844}
+Open = Callable[..., Station]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        started = launch(playwright)
+        yield started
+        started.close()
+
+
+@pytest.fixture
+def pilot(api: Api) -> tuple[str, str]:
+    """Name and password of an operator of the test's own."""
+    name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
+    answer = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
+    assert answer.status_code == 201, answer.text
+    return name, password
+
+
+@pytest.fixture
+def open_station(server: Server, browser: Browser, pilot: tuple[str, str]) -> Iterator[Open]:
+    contexts = []
+
+    def open_page(hands: Hands, size: dict[str, int], dark: bool = False) -> Station:
+        context = browser.new_context(
+            viewport={"width": size["width"], "height": size["height"]},
+            has_touch=isinstance(hands, Touch),
+            is_mobile=isinstance(hands, Touch),
+            color_scheme="dark" if dark else "light",
+        )
+        contexts.append(context)
+        station = Station(context.new_page(), hands)
+        station.sign_in(server.address, *pilot, secrets.token_hex(10))
+        return station
+
+    yield open_page
+    for context in contexts:
+        context.close()
+
+
+def picture(page: Page, name: str) -> None:
+    """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+    folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
+    if folder:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        page.screenshot(path=Path(folder) / f"{name}.png")
+
+
+def uploaded(tap: Tap) -> list[Point]:
+    """The waypoints that went over the wire, each once, home aside."""
+    by_number = {
+        h.message.seq: h.message
+        for h in tap.heard("MISSION_ITEM_INT", up=False)
+        if h.message.command == NAV_WAYPOINT and h.message.seq > 0
+    }
+    return [Point(m.x / 1e7, m.y / 1e7, m.z) for _, m in sorted(by_number.items())]
+
+
+def click_waypoints(station: Station, _: Json) -> None:
+    """Three places on the map, well apart and away from panels."""
+    box = station.page.locator("canvas").first.bounding_box()
+    assert box
+    left, right, top, height = box["x"], box["x"] + box["width"], box["y"], box["height"]
+    if box["width"] > 800:
+        left, right = left + 40, right - 40
+    for across, down in ((0.35, 0.3), (0.65, 0.25), (0.6, 0.38)):
+        station.hands.tap_map(station.page, left + across * (right - left), top + down * height)
+
+
+def type_waypoints(station: Station, drone: Json) -> None:
+    field = station.page.get_by_label("Add by coordinates")
+    for point in triangle(drone["home"]):
+        field.fill(f"{point.latitude:.7f}, {point.longitude:.7f}")
+        station.press("Add")
+
+
+@pytest.mark.parametrize(
+    ("hands", "size", "dark", "waypoints"),
+    [
+        (Pointer(), DESK, False, click_waypoints),
+        (Touch(), PHONE, True, click_waypoints),
+        (Keyboard(), DESK, True, type_waypoints),
+    ],
+    ids=["pointer", "touch", "keyboard"],
+)
+def test_a_person_flies_a_mission(
+    request: pytest.FixtureRequest,
+    open_station: Open,
+    tap: Tap,
+    copter: Json,
+    hands: Hands,
+    size: dict[str, int],
+    dark: bool,
+    waypoints: Callable[[Station, Json], None],
+) -> None:
+    name = request.node.callspec.id
+    station = open_station(hands, size, dark)
+    station.choose(copter["name"])
+    picture(station.page, f"{name}-1-chosen")
+    station.hold("Arm")
+    expect(station.button("Take off")).to_have_attribute("aria-disabled", "false", timeout=20_000)
+    station.page.get_by_label("Take-off altitude (m)").fill("15")
+    station.hold("Take off")
+    wait_for("it climbs", lambda: _highest(tap) > 14, 60)
+    station.press("Plan mission")
+    station.page.get_by_label("Waypoint altitude (m)").fill("15")
+    waypoints(station, copter)
+    picture(station.page, f"{name}-2-planned")
+    station.press("Upload mission")
+    station.press("Start mission")
+    wait_for("all waypoints are reached", lambda: _reached(tap, len(uploaded(tap))), 150)
+    picture(station.page, f"{name}-3-flown")
+    station.press("Return to launch")
+    wait_for("it landed and disarmed", lambda: _disarmed_after_flight(tap), 150)
+    station.shows("Disarmed")
+
+    points = uploaded(tap)
+    assert len(points) == 3
+    judge(tap, points, 15)
+
+
+def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: Open, api: Api) -> None:
+    sentence = f"PreArm: {secrets.token_hex(6)} not healthy"
+
+    def deny(peer: Peer, message: object) -> None:
+        peer.say(sentence)
+        peer.acknowledge(message, 4)
+
+    peer = Peer(server.udp_port, system_id=201, handlers={"COMMAND_LONG": deny})
+    try:
+        drone = wait_for("listed", lambda: _by_port(api, peer.port))
+        station = open_station(Pointer(), DESK)
+        station.choose(drone["name"])
+        station.hold("Arm")
+        station.shows(sentence)
+    finally:
+        peer.close()
+
+
+def test_every_open_page_shows_a_lost_drone_within_six_seconds(
+    server: Server, open_station: Open, api: Api
+) -> None:
+    peer = Peer(server.udp_port, system_id=202, handlers=OBEDIENT)
+    try:
+        drone = wait_for("listed", lambda: _by_port(api, peer.port))
+        pages = [open_station(Pointer(), DESK), open_station(Touch(), PHONE)]
+        for page in pages:
+            page.choose(drone["name"])
+        peer.silent = True
+        expect(pages[0].page.get_by_text("Lost").first).to_be_visible(timeout=6_000)
+        expect(pages[1].page.get_by_text("Lost").first).to_be_visible(timeout=1_000)
+        peer.silent = False
+        for page in pages:
+            expect(page.page.get_by_text("Live").first).to_be_visible(timeout=6_000)
+    finally:
+        peer.close()
+
+
+def _by_port(api: Api, port: int) -> Json | None:
+    return next((d for d in api.drones() if d["link"]["port"] == port), None)
+
+
+def _highest(tap: Tap) -> float:
+    heights = [h.message.relative_alt / 1000 for h in tap.heard("GLOBAL_POSITION_INT", up=True)]
+    return max(heights, default=0.0)
+
+
+def _reached(tap: Tap, waypoints: int) -> bool:
+    """The last item of the mission: take-off and waypoints, behind the home item."""
+    last = max((h.message.seq for h in tap.heard("MISSION_ITEM_REACHED", up=True)), default=0)
+    return waypoints > 0 and last >= waypoints + 1
+
+
+def _disarmed_after_flight(tap: Tap) -> bool:
+    beats = [h for h in tap.heard("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
+    return bool(beats) and not beats[-1].message.base_mode & 0x80
