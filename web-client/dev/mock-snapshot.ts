@@ -1,0 +1,84 @@
+import type { Action, CommandKind, Drone } from '../src/api/types';
+import { METERS_PER_DEGREE, type MockDrone } from './mock-drone';
+
+/** A mock vehicle as the wire contract shows it. */
+export function snapshotOf(drone: MockDrone): Drone {
+  const { beginning } = drone;
+  const silence = drone.silentSince === null ? 0 : Date.now() - drone.silentSince;
+  const flying = drone.up > 0.3;
+  return {
+    id: beginning.id,
+    name: beginning.name,
+    replay: beginning.replay ?? false,
+    link: {
+      address: '127.0.0.1',
+      port: beginning.port,
+      systemId: 1,
+      transport: 'udp',
+      state: silence > 5000 ? 'lost' : silence > 1500 ? 'suspect' : 'live',
+      lastHeard: new Date(drone.lastHeard).toISOString(),
+    },
+    kind: beginning.kind,
+    autopilot: 'ArduPilot',
+    vehicle: beginning.vehicle,
+    firmware: '4.5.6',
+    mode: drone.mode,
+    modes: ['STABILIZE', 'ALT_HOLD', 'LOITER', 'GUIDED', 'AUTO', 'RTL', 'LAND', 'BRAKE'],
+    armed: drone.armed,
+    flight: !flying
+      ? 'onGround'
+      : drone.mode === 'LAND'
+        ? 'landing'
+        : drone.climb > 1
+          ? 'takingOff'
+          : 'inAir',
+    position: {
+      latitude: beginning.latitude + drone.north / METERS_PER_DEGREE,
+      longitude: beginning.longitude + drone.east / METERS_PER_DEGREE / drone.shrink(),
+      altitudeAmsl: 488 + drone.up,
+      altitudeAboveHome: drone.up,
+    },
+    place: beginning.place,
+    motion: { groundSpeed: drone.speed, airSpeed: null, climbRate: drone.climb, heading: drone.heading },
+    attitude: { roll: drone.speed * 0.6, pitch: -drone.speed, yaw: drone.heading },
+    battery: {
+      percent: Math.round(drone.battery),
+      volts: 12.6 * (0.8 + drone.battery / 500),
+      amps: flying ? 14.2 : 0.4,
+    },
+    gps: { fix: '3D', satellites: 14, hdop: 0.8 },
+    home: { latitude: beginning.latitude, longitude: beginning.longitude, altitudeAmsl: 488 },
+    mission: {
+      items: drone.items,
+      current: drone.current,
+      reached: drone.reached,
+      total: drone.items?.length ?? null,
+      running: drone.mode === 'AUTO',
+      notice: null,
+    },
+    messages: drone.messages,
+    actions: actionsOf(drone),
+    lastUpdate: new Date(drone.lastHeard).toISOString(),
+    version: drone.version,
+  };
+}
+
+function actionsOf(drone: MockDrone): Record<CommandKind, Action> {
+  const kinds: CommandKind[] = [
+    'arm',
+    'disarm',
+    'setMode',
+    'takeOff',
+    'land',
+    'returnToLaunch',
+    'hold',
+    'goTo',
+    'uploadMission',
+    'startMission',
+    'pauseMission',
+    'clearMission',
+  ];
+  return Object.fromEntries(
+    kinds.map((kind) => [kind, { allowed: drone.why(kind) === null, why: drone.why(kind) }]),
+  ) as Record<CommandKind, Action>;
+}

@@ -1,0 +1,159 @@
+import { Problem } from './problem';
+import type {
+  AccessKey,
+  Command,
+  CommandRequest,
+  Drone,
+  MissionItem,
+  NewAccessKey,
+  NewUser,
+  ProblemBody,
+  Role,
+  SavedMission,
+  Session,
+  Settings,
+  User,
+} from './types';
+
+type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
+
+/** The REST face of the cloud. Every call resolves with the contract's object or rejects with a Problem. */
+export class RestClient {
+  readonly #base: string;
+  readonly #fetch: Fetch;
+
+  constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {
+    this.#base = base;
+    this.#fetch = fetcher;
+  }
+
+  session(): Promise<Session> {
+    return this.#call('GET', '/session');
+  }
+
+  signIn(name: string, password: string): Promise<Session> {
+    return this.#call('POST', '/session', { name, password });
+  }
+
+  signOut(): Promise<void> {
+    return this.#call('DELETE', '/session');
+  }
+
+  changePassword(current: string, next: string): Promise<void> {
+    return this.#call('POST', '/session/password', { current, next });
+  }
+
+  settings(): Promise<Settings> {
+    return this.#call('GET', '/settings');
+  }
+
+  streamTicket(): Promise<{ ticket: string }> {
+    return this.#call('POST', '/stream-tickets');
+  }
+
+  renameDrone(id: string, name: string): Promise<Drone> {
+    return this.#call('PATCH', `/drones/${encodeURIComponent(id)}`, { name });
+  }
+
+  deleteDrone(id: string): Promise<void> {
+    return this.#call('DELETE', `/drones/${encodeURIComponent(id)}`);
+  }
+
+  sendCommand(drone: string, request: CommandRequest & { id: string }): Promise<Command> {
+    return this.#call('POST', `/drones/${encodeURIComponent(drone)}/commands`, request);
+  }
+
+  async commandsOf(drone: string): Promise<Command[]> {
+    const answer = await this.#call<{ commands: Command[] }>(
+      'GET',
+      `/drones/${encodeURIComponent(drone)}/commands`,
+    );
+    return answer.commands;
+  }
+
+  command(id: string): Promise<Command> {
+    return this.#call('GET', `/commands/${encodeURIComponent(id)}`);
+  }
+
+  async missions(): Promise<SavedMission[]> {
+    const answer = await this.#call<{ missions: SavedMission[] }>('GET', '/missions');
+    return answer.missions;
+  }
+
+  saveMission(name: string, items: MissionItem[]): Promise<SavedMission> {
+    return this.#call('POST', '/missions', { name, items });
+  }
+
+  replaceMission(id: string, name: string, items: MissionItem[]): Promise<SavedMission> {
+    return this.#call('PUT', `/missions/${encodeURIComponent(id)}`, { name, items });
+  }
+
+  deleteMission(id: string): Promise<void> {
+    return this.#call('DELETE', `/missions/${encodeURIComponent(id)}`);
+  }
+
+  async users(): Promise<User[]> {
+    return listOf(await this.#call<{ users: User[] } | User[]>('GET', '/users'), 'users');
+  }
+
+  addUser(user: NewUser): Promise<User> {
+    return this.#call('POST', '/users', user);
+  }
+
+  removeUser(name: string): Promise<void> {
+    return this.#call('DELETE', `/users/${encodeURIComponent(name)}`);
+  }
+
+  async accessKeys(): Promise<AccessKey[]> {
+    return listOf(
+      await this.#call<{ accessKeys: AccessKey[] } | AccessKey[]>('GET', '/access-keys'),
+      'accessKeys',
+    );
+  }
+
+  createAccessKey(label: string, role: Role): Promise<NewAccessKey> {
+    return this.#call('POST', '/access-keys', { label, role });
+  }
+
+  revokeAccessKey(id: string): Promise<void> {
+    return this.#call('DELETE', `/access-keys/${encodeURIComponent(id)}`);
+  }
+
+  async #call<T>(method: string, path: string, body?: unknown): Promise<T> {
+    const response = await this.#send(method, path, body);
+    const text = await response.text();
+    if (!response.ok) {
+      throw new Problem(problemFrom(response.status, text));
+    }
+    return (text === '' ? undefined : JSON.parse(text)) as T;
+  }
+
+  async #send(method: string, path: string, body: unknown): Promise<Response> {
+    // The custom header cannot be sent by a foreign page: it is the guard against forged requests.
+    const headers: Record<string, string> = { Accept: 'application/json', 'X-Dronemap': '1' };
+    const init: RequestInit = { method, headers, credentials: 'same-origin' };
+    if (body !== undefined) {
+      headers['Content-Type'] = 'application/json';
+      init.body = JSON.stringify(body);
+    }
+    try {
+      return await this.#fetch(this.#base + path, init);
+    } catch {
+      throw Problem.unreachable();
+    }
+  }
+}
+
+function problemFrom(status: number, text: string): ProblemBody {
+  try {
+    return { ...(JSON.parse(text) as ProblemBody), status };
+  } catch {
+    // A proxy in between may answer with a page instead of a problem.
+    return { status, detail: `The cloud answered with status ${status}.` };
+  }
+}
+
+/** Lists may come bare or under their name. */
+function listOf<K extends string, T>(answer: Record<K, T[]> | T[], key: K): T[] {
+  return Array.isArray(answer) ? answer : answer[key];
+}

@@ -1,0 +1,190 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { SILENCE_MILLISECONDS, StreamClient, type Socket, type Timers } from './stream';
+import type { StreamMessage } from './types';
+
+class FakeTimers implements Timers {
+  time = 0;
+  #due: { at: number; action: () => void }[] = [];
+
+  now(): number {
+    return this.time;
+  }
+
+  after(milliseconds: number, action: () => void): () => void {
+    const entry = { at: this.time + milliseconds, action };
+    this.#due.push(entry);
+    return () => (this.#due = this.#due.filter((one) => one !== entry));
+  }
+
+  async advance(milliseconds: number): Promise<void> {
+    const end = this.time + milliseconds;
+    for (;;) {
+      const next = this.#due.filter((one) => one.at <= end).sort((a, b) => a.at - b.at)[0];
+      if (next === undefined) {
+        break;
+      }
+      this.time = next.at;
+      this.#due = this.#due.filter((one) => one !== next);
+      next.action();
+      await settle();
+    }
+    this.time = end;
+  }
+}
+
+class FakeSocket implements Socket {
+  onopen: Socket['onopen'] = null;
+  onmessage: Socket['onmessage'] = null;
+  onclose: Socket['onclose'] = null;
+  closed = false;
+
+  close(): void {
+    this.closed = true;
+  }
+
+  say(message: StreamMessage | string): void {
+    const data = typeof message === 'string' ? message : JSON.stringify(message);
+    this.onmessage?.(new MessageEvent('message', { data }));
+  }
+
+  drop(): void {
+    this.onclose?.(new Event('close') as CloseEvent);
+  }
+}
+
+async function settle(): Promise<void> {
+  for (let i = 0; i < 5; i++) {
+    await Promise.resolve();
+  }
+}
+
+const PING: StreamMessage = { type: 'ping', at: '2026-01-01T12:00:00Z' };
+
+describe('stream client', () => {
+  let timers: FakeTimers;
+  let sockets: FakeSocket[];
+  let told: string[];
+  let retryAt: number;
+  let address: () => Promise<string | null>;
+  let client: StreamClient;
+
+  beforeEach(async () => {
+    timers = new FakeTimers();
+    sockets = [];
+    told = [];
+    address = async () => 'ws://cloud/stream?ticket=1';
+    client = new StreamClient(
+      {
+        address: () => address(),
+        open: () => {
+          const socket = new FakeSocket();
+          sockets.push(socket);
+          return socket;
+        },
+        timers,
+      },
+      {
+        onMessage: (message) => told.push(message.type),
+        onUp: () => told.push('UP'),
+        onDown: () => told.push('DOWN'),
+        onRetryAt: (at) => (retryAt = at),
+        onUnauthorized: () => told.push('UNAUTHORIZED'),
+      },
+    );
+    client.start();
+    await settle();
+  });
+
+  const last = (): FakeSocket => sockets.at(-1) as FakeSocket;
+
+  it('is up with the first message, not with the open socket', () => {
+    expect(told).toEqual([]);
+    last().say(PING);
+    expect(told).toEqual(['UP', 'ping']);
+  });
+
+  it('says once that it went down and tries again with growing pauses', async () => {
+    last().say(PING);
+    last().drop();
+    expect(told.slice(2)).toEqual(['DOWN']);
+    const pauses = [];
+    for (let i = 0; i < 6; i++) {
+      pauses.push(retryAt - timers.time);
+      await timers.advance(retryAt - timers.time);
+      last().drop();
+    }
+    expect(pauses).toEqual([500, 1000, 2000, 4000, 8000, 8000]);
+    expect(told.slice(2)).toEqual(['DOWN']);
+  });
+
+  it('comes back by itself and starts with short pauses again', async () => {
+    last().say(PING);
+    last().drop();
+    await timers.advance(500);
+    last().say(PING);
+    expect(told.slice(2)).toEqual(['DOWN', 'UP', 'ping']);
+    last().drop();
+    expect(retryAt - timers.time).toBe(500);
+  });
+
+  it('takes a line that fell silent for dead', async () => {
+    last().say(PING);
+    const silent = last();
+    await timers.advance(SILENCE_MILLISECONDS - 1);
+    expect(silent.closed).toBe(false);
+    await timers.advance(1);
+    expect(silent.closed).toBe(true);
+    expect(told).toContain('DOWN');
+  });
+
+  it('goes down when no ticket can be had', async () => {
+    last().say(PING);
+    address = () => Promise.reject(new Error('unreachable'));
+    last().drop();
+    await timers.advance(500);
+    expect(sockets).toHaveLength(1);
+    expect(retryAt - timers.time).toBe(1000);
+  });
+
+  it('stops and says so when nobody is signed in any more', async () => {
+    last().say(PING);
+    address = async () => null;
+    last().drop();
+    await timers.advance(60_000);
+    expect(told.at(-1)).toBe('UNAUTHORIZED');
+    expect(sockets).toHaveLength(1);
+  });
+
+  it('can be told to try now', async () => {
+    last().say(PING);
+    last().drop();
+    client.retryNow();
+    await settle();
+    expect(sockets).toHaveLength(2);
+  });
+
+  it('ignores what an old socket says after a reconnect', async () => {
+    const old = last();
+    old.say(PING);
+    const { onmessage } = old;
+    old.drop();
+    await timers.advance(500);
+    const before = told.length;
+    onmessage?.(new MessageEvent('message', { data: JSON.stringify(PING) }));
+    expect(told).toHaveLength(before);
+  });
+
+  it('skips a message that is no JSON', () => {
+    last().say('garbage');
+    last().say(PING);
+    expect(told).toEqual(['UP', 'ping']);
+  });
+
+  it('is quiet after it was stopped', async () => {
+    last().say(PING);
+    client.stop();
+    await timers.advance(60_000);
+    expect(sockets).toHaveLength(1);
+    expect(told).toEqual(['UP', 'ping']);
+  });
+});

@@ -1,0 +1,168 @@
+import type { StreamMessage } from './types';
+
+/** The part of a WebSocket that the stream uses, so that tests can play the server. */
+export interface Socket {
+  onopen: ((event: Event) => void) | null;
+  onmessage: ((event: MessageEvent) => void) | null;
+  onclose: ((event: CloseEvent) => void) | null;
+  close(): void;
+}
+
+export interface StreamListener {
+  onMessage(message: StreamMessage): void;
+  /** The first message after (re)connecting has arrived: what is shown is true again. */
+  onUp(): void;
+  /** Called once when the stream goes down, not for every failed try. */
+  onDown(): void;
+  /** The time of the next try, by the clock of `Timers.now`. */
+  onRetryAt(at: number): void;
+  /** The server no longer knows who we are: sign in again. */
+  onUnauthorized(): void;
+}
+
+export interface Timers {
+  now(): number;
+  after(milliseconds: number, action: () => void): () => void;
+}
+
+export const browserTimers: Timers = {
+  now: () => performance.now(),
+  after: (milliseconds, action) => {
+    const handle = setTimeout(action, milliseconds);
+    return () => clearTimeout(handle);
+  },
+};
+
+export interface StreamOptions {
+  /** Fetches a one-use ticket and answers the address to open; null when nobody is signed in. */
+  address(): Promise<string | null>;
+  open(address: string): Socket;
+  timers: Timers;
+}
+
+/** The server pings every 5 s; twice that and a little without a word means that the line is dead. */
+export const SILENCE_MILLISECONDS = 12_000;
+const FIRST_RETRY_MILLISECONDS = 500;
+const LONGEST_RETRY_MILLISECONDS = 8_000;
+
+/** Keeps one stream to the cloud open: reconnects with growing pauses and notices lines that fell silent. */
+export class StreamClient {
+  readonly #options: StreamOptions;
+  readonly #listener: StreamListener;
+  #socket: Socket | null = null;
+  #attempt = 0;
+  #generation = 0;
+  #up = false;
+  #down = false;
+  #cancelTimer: () => void = () => undefined;
+
+  constructor(options: StreamOptions, listener: StreamListener) {
+    this.#options = options;
+    this.#listener = listener;
+  }
+
+  start(): void {
+    this.#attempt = 0;
+    void this.#connect();
+  }
+
+  stop(): void {
+    this.#drop();
+    this.#up = false;
+    this.#down = false;
+  }
+
+  /** Tries now instead of waiting for the next planned try. */
+  retryNow(): void {
+    if (!this.#up) {
+      this.#drop();
+      void this.#connect();
+    }
+  }
+
+  async #connect(): Promise<void> {
+    const generation = ++this.#generation;
+    let address: string | null;
+    try {
+      address = await this.#options.address();
+    } catch {
+      if (generation === this.#generation) {
+        this.#fail();
+      }
+      return;
+    }
+    if (generation !== this.#generation) {
+      return;
+    }
+    if (address === null) {
+      this.stop();
+      this.#listener.onUnauthorized();
+      return;
+    }
+    this.#listen(this.#options.open(address), generation);
+  }
+
+  #listen(socket: Socket, generation: number): void {
+    this.#socket = socket;
+    this.#watchSilence();
+    socket.onmessage = (event) => {
+      if (generation === this.#generation) {
+        this.#receive(String(event.data));
+      }
+    };
+    socket.onclose = () => {
+      if (generation === this.#generation) {
+        this.#fail();
+      }
+    };
+  }
+
+  #receive(text: string): void {
+    this.#watchSilence();
+    let message: StreamMessage;
+    try {
+      message = JSON.parse(text) as StreamMessage;
+    } catch {
+      // Not ours; the next whole message mends what this one would have said.
+      console.warn('The stream sent a message that is no JSON.');
+      return;
+    }
+    if (!this.#up) {
+      this.#up = true;
+      this.#down = false;
+      this.#attempt = 0;
+      this.#listener.onUp();
+    }
+    this.#listener.onMessage(message);
+  }
+
+  #watchSilence(): void {
+    this.#cancelTimer();
+    this.#cancelTimer = this.#options.timers.after(SILENCE_MILLISECONDS, () => this.#fail());
+  }
+
+  #fail(): void {
+    this.#drop();
+    this.#up = false;
+    if (!this.#down) {
+      this.#down = true;
+      this.#listener.onDown();
+    }
+    const pause = Math.min(LONGEST_RETRY_MILLISECONDS, FIRST_RETRY_MILLISECONDS * 2 ** this.#attempt);
+    this.#attempt += 1;
+    this.#listener.onRetryAt(this.#options.timers.now() + pause);
+    this.#cancelTimer = this.#options.timers.after(pause, () => void this.#connect());
+  }
+
+  #drop(): void {
+    this.#generation += 1;
+    this.#cancelTimer();
+    const socket = this.#socket;
+    this.#socket = null;
+    if (socket !== null) {
+      socket.onclose = null;
+      socket.onmessage = null;
+      socket.close();
+    }
+  }
+}

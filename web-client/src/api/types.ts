@@ -1,0 +1,250 @@
+// The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
+
+export type Role = 'viewer' | 'operator' | 'administrator';
+
+export interface Session {
+  name: string;
+  role: Role;
+  mustChangePassword: boolean;
+}
+
+export interface User {
+  name: string;
+  role: Role;
+}
+
+export interface NewUser extends User {
+  password: string;
+}
+
+export interface AccessKey {
+  id: string;
+  label: string;
+  role: Role;
+}
+
+/** What creating a key answers: the key itself is shown this once and never again. */
+export interface NewAccessKey extends AccessKey {
+  key: string;
+}
+
+export type LinkState = 'live' | 'suspect' | 'lost';
+
+export interface Link {
+  address: string;
+  port: number;
+  systemId: number;
+  transport: string;
+  state: LinkState;
+  lastHeard: string | null;
+}
+
+export type DroneKind =
+  | 'multicopter'
+  | 'helicopter'
+  | 'fixedWing'
+  | 'vtol'
+  | 'rover'
+  | 'boat'
+  | 'submarine'
+  | 'airship'
+  | 'unknown';
+
+export type FlightState = 'onGround' | 'takingOff' | 'inAir' | 'landing';
+
+/** Degrees and metres; any member may be unknown by itself. */
+export interface Position {
+  latitude: number | null;
+  longitude: number | null;
+  altitudeAmsl: number | null;
+  altitudeAboveHome: number | null;
+}
+
+export interface Motion {
+  groundSpeed: number | null;
+  airSpeed: number | null;
+  climbRate: number | null;
+  heading: number | null;
+}
+
+export interface Attitude {
+  roll: number | null;
+  pitch: number | null;
+  yaw: number | null;
+}
+
+export interface Battery {
+  percent: number | null;
+  volts: number | null;
+  amps: number | null;
+}
+
+export interface Gps {
+  fix: string | null;
+  satellites: number | null;
+  hdop: number | null;
+}
+
+export interface Home {
+  latitude: number;
+  longitude: number;
+  altitudeAmsl: number | null;
+}
+
+export type AltitudeReference = 'home' | 'amsl';
+
+export interface WaypointItem {
+  type: 'waypoint';
+  latitude: number;
+  longitude: number;
+  altitude: number;
+  altitudeReference: AltitudeReference;
+  holdSeconds?: number | null;
+}
+
+export type MissionItem =
+  | { type: 'takeOff'; altitude: number }
+  | WaypointItem
+  | { type: 'returnToLaunch' }
+  | { type: 'land' }
+  | { type: 'other'; description: string };
+
+/** The mission that the vehicle itself holds, as read back from it. */
+export interface VehicleMission {
+  items: MissionItem[] | null;
+  current: number | null;
+  reached: number[];
+  total: number | null;
+  running: boolean;
+  notice: string | null;
+}
+
+export type Severity = 'emergency' | 'alert' | 'critical' | 'error' | 'warning' | 'notice' | 'info' | 'debug';
+
+export interface VehicleMessage {
+  severity: Severity;
+  text: string;
+  at: string;
+}
+
+export type CommandKind =
+  | 'arm'
+  | 'disarm'
+  | 'setMode'
+  | 'takeOff'
+  | 'land'
+  | 'returnToLaunch'
+  | 'hold'
+  | 'goTo'
+  | 'uploadMission'
+  | 'startMission'
+  | 'pauseMission'
+  | 'clearMission';
+
+/** Whether a command would be let through now, and if not the sentence that says why. */
+export interface Action {
+  allowed: boolean;
+  why: string | null;
+}
+
+export interface Drone {
+  id: string;
+  name: string;
+  replay: boolean;
+  link: Link;
+  kind: DroneKind;
+  autopilot: string | null;
+  vehicle: string | null;
+  firmware: string | null;
+  mode: string | null;
+  modes: string[];
+  armed: boolean | null;
+  flight: FlightState | null;
+  position: Position | null;
+  place: string | null;
+  motion: Motion | null;
+  attitude: Attitude | null;
+  battery: Battery | null;
+  gps: Gps | null;
+  home: Home | null;
+  mission: VehicleMission | null;
+  messages: VehicleMessage[];
+  actions: Partial<Record<CommandKind, Action>>;
+  lastUpdate: string | null;
+  version: number;
+}
+
+export type CommandRequest =
+  | { type: 'arm' | 'land' | 'returnToLaunch' | 'hold' | 'startMission' | 'pauseMission' | 'clearMission' }
+  | { type: 'disarm'; force?: boolean }
+  | { type: 'setMode'; mode: string }
+  | { type: 'takeOff'; altitude: number }
+  | {
+      type: 'goTo';
+      latitude: number;
+      longitude: number;
+      altitude: number;
+      altitudeReference?: AltitudeReference;
+    }
+  | { type: 'uploadMission'; items: MissionItem[] };
+
+export type CommandPhase = 'sent' | 'accepted' | 'done';
+
+export type CommandResult = 'succeeded' | 'refused' | 'failed' | 'timedOut' | 'superseded' | 'unknown';
+
+export interface Outcome {
+  result: CommandResult;
+  by: 'vehicle' | 'gate' | null;
+  reason: string | null;
+}
+
+export interface Command {
+  id: string;
+  drone: string;
+  by: string;
+  face: string;
+  type: CommandKind;
+  summary: string;
+  at: string;
+  phase: CommandPhase;
+  outcome: Outcome | null;
+  finishedAt: string | null;
+  progress: { done: number; total: number } | null;
+}
+
+export interface SavedMission {
+  id: string;
+  name: string;
+  items: MissionItem[];
+  by: string;
+  changedAt: string;
+}
+
+export interface Settings {
+  streamPort: number;
+  tileAddress: string | null;
+  version: string;
+  publicMode: boolean;
+}
+
+/** RFC 9457 problem details, with the field at fault and its allowed range where there is one. */
+export interface ProblemBody {
+  type?: string;
+  title?: string;
+  status: number;
+  detail?: string;
+  field?: string;
+  allowed?: string;
+  commandId?: string;
+}
+
+export type StreamMessage =
+  | { type: 'hello'; user: string; role: Role }
+  | { type: 'drones'; drones: Drone[] }
+  | { type: 'drone'; drone: Drone }
+  | { type: 'droneRemoved'; id: string }
+  | { type: 'command'; command: Command }
+  | { type: 'ping'; at: string }
+  | { type: 'pong' }
+  | { type: 'commandAccepted'; requestId: string; command: Command }
+  | { type: 'error'; problem: ProblemBody; requestId?: string };

@@ -1,0 +1,78 @@
+import type { Drone, DroneKind } from '../api/types';
+
+export type Tone = 'neutral' | 'green' | 'amber' | 'red';
+
+/** What a glance should tell of a drone: one word and the colour that means it. */
+export interface Standing {
+  word: string;
+  tone: Tone;
+}
+
+export function standingOf(drone: Drone): Standing {
+  if (drone.link.state === 'lost') {
+    // A silent vehicle that was armed may still be flying: that needs somebody, the other does not.
+    return { word: 'Lost', tone: drone.armed && !drone.replay ? 'red' : 'neutral' };
+  }
+  if (drone.link.state === 'suspect') {
+    return { word: 'No word', tone: 'amber' };
+  }
+  switch (drone.flight) {
+    case 'takingOff':
+      return { word: 'Taking off', tone: 'green' };
+    case 'inAir':
+      return { word: 'Flying', tone: 'green' };
+    case 'landing':
+      return { word: 'Landing', tone: 'green' };
+    default:
+      return groundStanding(drone);
+  }
+}
+
+function groundStanding(drone: Drone): Standing {
+  if (drone.armed) {
+    return { word: 'Armed', tone: 'amber' };
+  }
+  if (drone.armed === null) {
+    return { word: 'Unknown', tone: 'neutral' };
+  }
+  return { word: drone.flight === 'onGround' ? 'On ground' : 'Disarmed', tone: 'neutral' };
+}
+
+const KIND_NAMES: Record<DroneKind, string> = {
+  multicopter: 'Multicopter',
+  helicopter: 'Helicopter',
+  fixedWing: 'Fixed wing',
+  vtol: 'VTOL',
+  rover: 'Rover',
+  boat: 'Boat',
+  submarine: 'Submarine',
+  airship: 'Airship',
+  unknown: 'Unknown kind',
+};
+
+export function kindName(kind: DroneKind): string {
+  return KIND_NAMES[kind];
+}
+
+/** The session key of a vehicle as people write it: address, port and system id. */
+export function addressOf(drone: Drone): string {
+  return `${drone.link.address}:${drone.link.port}:${drone.link.systemId}`;
+}
+
+export function batteryTone(percent: number | null | undefined): Tone {
+  if (percent === null || percent === undefined || percent >= 30) {
+    return 'neutral';
+  }
+  return percent >= 15 ? 'amber' : 'red';
+}
+
+/** True when the words the person typed all occur in what identifies the drone. */
+export function matches(drone: Drone, query: string): boolean {
+  const hay = [drone.name, addressOf(drone), kindName(drone.kind), drone.vehicle, drone.mode, drone.place]
+    .join(' ')
+    .toLowerCase();
+  return query
+    .toLowerCase()
+    .split(/\s+/)
+    .every((word) => hay.includes(word));
+}

@@ -1,0 +1,103 @@
+import { describe, expect, it } from 'vitest';
+import { aDrone } from '../testing';
+import { draftFeatures, droneFeatures, missionFeatures, trailFeatures } from './features';
+import { gridLines, gridStep } from './grid';
+import { addWaypoint, emptyDraft } from '../plan/draft';
+
+const wp = (latitude: number) =>
+  ({ type: 'waypoint', latitude, longitude: 8, altitude: 20, altitudeReference: 'home' }) as const;
+
+describe('map features', () => {
+  it('draws a drone with heading, state and label', () => {
+    const [feature] = droneFeatures([aDrone()], 'd1', () => 0).features;
+    expect(feature?.geometry.coordinates).toEqual([8.5456, 47.3977]);
+    expect(feature?.properties).toMatchObject({
+      icon: 'drone|arrow|neutral|plain',
+      heading: 40,
+      selected: true,
+      opacity: 1,
+      age: '',
+    });
+  });
+
+  it('fades and crosses a lost drone and says how old its place is', () => {
+    const drone = aDrone({ armed: true, link: { ...aDrone().link, state: 'lost' } });
+    const [feature] = droneFeatures([drone], null, () => 12_000).features;
+    expect(feature?.properties).toMatchObject({
+      icon: 'drone|arrow|red|crossed',
+      opacity: 0.55,
+      age: '12 s ago',
+    });
+  });
+
+  it('does not draw a drone whose place is unknown, and shows no heading it does not know', () => {
+    expect(droneFeatures([aDrone({ position: null })], null, () => 0).features).toEqual([]);
+    const [feature] = droneFeatures([aDrone({ motion: null })], null, () => 0).features;
+    expect(feature?.properties?.['icon']).toContain('|dot|');
+  });
+
+  it('numbers the waypoints of the vehicle and tells reached, current and ahead apart', () => {
+    const mission = {
+      items: [{ type: 'takeOff', altitude: 20 } as const, wp(1), wp(2), wp(3)],
+      current: 2,
+      reached: [0, 1],
+      total: 4,
+      running: true,
+      notice: null,
+    };
+    const points = missionFeatures(aDrone({ mission })).features.filter(
+      (one) => one.geometry.type === 'Point',
+    );
+    expect(points.map((one) => [one.properties?.['label'], one.properties?.['state']])).toEqual([
+      ['1', 'reached'],
+      ['2', 'current'],
+      ['3', 'ahead'],
+    ]);
+  });
+
+  it('leads the planned way home when the plan ends with a return', () => {
+    const draft = { ...addWaypoint(emptyDraft(false), { latitude: 47.5, longitude: 8.5 }, 20) };
+    expect(draftFeatures(draft, aDrone()).features).toHaveLength(1);
+    const [way] = draftFeatures({ ...draft, ending: 'returnToLaunch' }, aDrone()).features;
+    expect(way?.geometry).toEqual({
+      type: 'LineString',
+      coordinates: [
+        [8.5, 47.5],
+        [8.5456, 47.3977],
+      ],
+    });
+  });
+
+  it('draws a trail only from two points on', () => {
+    const drones = [aDrone()];
+    expect(trailFeatures(drones, null, () => [[8, 47]]).features).toEqual([]);
+    const two = trailFeatures(drones, 'd1', () => [
+      [8, 47],
+      [8, 48],
+    ]);
+    expect(two.features[0]?.properties).toEqual({ selected: true });
+  });
+});
+
+describe('metric grid', () => {
+  const view = { west: 8.54, east: 8.55, south: 47.39, north: 47.4, metersPerPixel: 0.8 };
+
+  it('has squares wide enough to see', () => {
+    expect(gridStep(view)).toBe(100);
+    expect(gridStep({ ...view, metersPerPixel: 0.1 })).toBe(10);
+    expect(gridStep({ ...view, metersPerPixel: 5000 })).toBeNull();
+  });
+
+  it('keeps its lines where they are when the map moves a little', () => {
+    const moved = { ...view, west: view.west + 0.0001, east: view.east + 0.0001 };
+    const lines = new Set(gridLines(view).features.map((one) => one.geometry.coordinates[0]?.[0]));
+    const shared = gridLines(moved).features.filter((one) =>
+      lines.has(one.geometry.coordinates[0]?.[0] ?? 0),
+    );
+    expect(shared.length).toBeGreaterThan(5);
+  });
+
+  it('is absent when the whole country is shown', () => {
+    expect(gridLines({ ...view, metersPerPixel: 600 }).features).toEqual([]);
+  });
+});

@@ -1,0 +1,123 @@
+import type { Feature, FeatureCollection, Geometry, Point, Position } from 'geojson';
+import type { Drone, Home, MissionItem } from '../api/types';
+import { placeOf } from '../fleet/place';
+import { standingOf } from '../fleet/standing';
+import type { Draft } from '../plan/draft';
+import { age } from '../ui/format';
+
+/** Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. */
+export function droneFeatures(
+  drones: readonly Drone[],
+  selectedId: string | null,
+  silenceOf: (drone: Drone) => number | null,
+): FeatureCollection<Point> {
+  return collect(
+    drones.flatMap((drone) => {
+      const place = placeOf(drone);
+      if (place === null) {
+        return [];
+      }
+      const selected = drone.id === selectedId;
+      return [point([place.longitude, place.latitude], droneProperties(drone, selected, silenceOf(drone)))];
+    }),
+  );
+}
+
+function droneProperties(drone: Drone, selected: boolean, silence: number | null): Record<string, unknown> {
+  const { tone } = standingOf(drone);
+  const heading = drone.motion?.heading ?? drone.attitude?.yaw ?? null;
+  const stale = drone.link.state !== 'live';
+  const shape = heading === null ? 'dot' : 'arrow';
+  return {
+    id: drone.id,
+    icon: `drone|${shape}|${tone}|${drone.link.state === 'lost' ? 'crossed' : 'plain'}`,
+    heading: heading ?? 0,
+    selected,
+    opacity: stale ? 0.55 : 1,
+    label: drone.replay ? `${drone.name} · replay` : drone.name,
+    age: stale ? age(silence) : '',
+    rank: selected ? 0 : 1,
+  };
+}
+
+export function trailFeatures(
+  drones: readonly Drone[],
+  selectedId: string | null,
+  trailOf: (id: string) => readonly Position[],
+): FeatureCollection {
+  return collect(
+    drones.flatMap((drone) => {
+      const trail = trailOf(drone.id);
+      return trail.length < 2 ? [] : [line([...trail], { selected: drone.id === selectedId })];
+    }),
+  );
+}
+
+/** The mission that the vehicle itself holds: what is reached, what comes now, what is to come. */
+export function missionFeatures(drone: Drone | null): FeatureCollection {
+  const mission = drone?.mission;
+  if (!drone || !mission?.items) {
+    return collect([]);
+  }
+  const reached = new Set(mission.reached);
+  const points = mission.items.flatMap((item, index) =>
+    item.type === 'waypoint' ? [{ index, at: [item.longitude, item.latitude] as Position }] : [],
+  );
+  const features: Feature[] = points.map(({ index, at }, ordinal) =>
+    point(at, {
+      label: String(ordinal + 1),
+      state: reached.has(index)
+        ? 'reached'
+        : mission.running && mission.current === index
+          ? 'current'
+          : 'ahead',
+    }),
+  );
+  return collect([
+    ...wayOf(
+      points.map(({ at }) => at),
+      mission.items.at(-1),
+      drone.home,
+    ),
+    ...features,
+  ]);
+}
+
+/** The plan: violet, because it is not yet true. */
+export function draftFeatures(draft: Draft | null, drone: Drone | null): FeatureCollection {
+  if (draft === null) {
+    return collect([]);
+  }
+  const points = draft.waypoints.map((waypoint): Position => [waypoint.longitude, waypoint.latitude]);
+  const ending: MissionItem | undefined =
+    draft.ending === 'returnToLaunch' ? { type: 'returnToLaunch' } : undefined;
+  return collect([
+    ...wayOf(points, ending, drone?.home ?? null),
+    ...draft.waypoints.map((waypoint, index) =>
+      point([waypoint.longitude, waypoint.latitude], { key: waypoint.key, label: String(index + 1) }),
+    ),
+  ]);
+}
+
+export function homeFeatures(drone: Drone | null): FeatureCollection {
+  const home = drone?.home;
+  return collect(home ? [point([home.longitude, home.latitude], {})] : []);
+}
+
+function wayOf(points: Position[], last: MissionItem | undefined, home: Home | null): Feature[] {
+  const way =
+    last?.type === 'returnToLaunch' && home !== null ? [...points, [home.longitude, home.latitude]] : points;
+  return way.length < 2 ? [] : [line(way, {})];
+}
+
+function point(coordinates: Position, properties: Record<string, unknown>): Feature<Point> {
+  return { type: 'Feature', properties, geometry: { type: 'Point', coordinates } };
+}
+
+function line(coordinates: Position[], properties: Record<string, unknown>): Feature {
+  return { type: 'Feature', properties, geometry: { type: 'LineString', coordinates } };
+}
+
+function collect<G extends Geometry>(features: Feature<G>[]): FeatureCollection<G> {
+  return { type: 'FeatureCollection', features };
+}

@@ -1,0 +1,140 @@
+import type { LayerSpecification } from 'maplibre-gl';
+import type { Palette } from './palette';
+
+export const MAP_FONT = ['Inter Variable'];
+
+export function missionLayers(palette: Palette): LayerSpecification[] {
+  return [
+    {
+      id: 'trails',
+      type: 'line',
+      source: 'trails',
+      layout: { 'line-cap': 'round', 'line-join': 'round' },
+      paint: {
+        'line-color': ['case', ['get', 'selected'], palette.blue, palette.neutral],
+        'line-width': ['case', ['get', 'selected'], 2.5, 1.5],
+        'line-opacity': ['case', ['get', 'selected'], 0.75, 0.4],
+      },
+    },
+    wayLayer('mission', palette.neutral, [1]),
+    ...numberLayers('mission', palette, [
+      'match',
+      ['get', 'state'],
+      'reached',
+      palette.green,
+      'current',
+      palette.blue,
+      palette.neutral,
+    ]),
+    wayLayer('draft', palette.violet, [2, 1.5]),
+    ...numberLayers('draft', palette, palette.violet),
+    {
+      id: 'home',
+      type: 'symbol',
+      source: 'home',
+      layout: { 'icon-image': 'home', 'icon-allow-overlap': true, 'icon-ignore-placement': true },
+    },
+    {
+      id: 'target',
+      type: 'symbol',
+      source: 'target',
+      layout: { 'icon-image': 'target', 'icon-allow-overlap': true, 'icon-ignore-placement': true },
+    },
+  ];
+}
+
+function wayLayer(source: string, colour: string, dash: number[]): LayerSpecification {
+  return {
+    id: `${source}-way`,
+    type: 'line',
+    source,
+    filter: ['==', ['geometry-type'], 'LineString'],
+    layout: { 'line-join': 'round' },
+    paint: { 'line-color': colour, 'line-width': 2.5, 'line-dasharray': dash },
+  };
+}
+
+function numberLayers(source: string, palette: Palette, colour: unknown): LayerSpecification[] {
+  return [
+    {
+      id: `${source}-points`,
+      type: 'circle',
+      source,
+      filter: ['==', ['geometry-type'], 'Point'],
+      paint: {
+        'circle-radius': 11,
+        'circle-color': colour as string,
+        'circle-stroke-color': palette.surface,
+        'circle-stroke-width': 2,
+      },
+    },
+    {
+      id: `${source}-numbers`,
+      type: 'symbol',
+      source,
+      filter: ['==', ['geometry-type'], 'Point'],
+      layout: {
+        'text-field': ['get', 'label'],
+        'text-font': MAP_FONT,
+        'text-size': 12,
+        'text-allow-overlap': true,
+        'text-ignore-placement': true,
+      },
+      paint: { 'text-color': palette.surface },
+    },
+  ];
+}
+
+export function droneLayers(palette: Palette): LayerSpecification[] {
+  return [
+    {
+      id: 'drone-chosen',
+      type: 'circle',
+      source: 'drones',
+      filter: ['get', 'selected'],
+      paint: {
+        'circle-radius': 25,
+        'circle-color': palette.blue,
+        'circle-opacity': 0.14,
+        'circle-stroke-color': palette.blue,
+        'circle-stroke-width': 2,
+      },
+    },
+    {
+      id: 'drones',
+      type: 'symbol',
+      source: 'drones',
+      layout: {
+        'icon-image': ['get', 'icon'],
+        'icon-rotate': ['get', 'heading'],
+        'icon-rotation-alignment': 'map',
+        'icon-allow-overlap': true,
+        'icon-ignore-placement': true,
+        'symbol-sort-key': ['-', 1, ['get', 'rank']],
+      },
+      paint: { 'icon-opacity': ['get', 'opacity'] },
+    },
+    {
+      id: 'drone-labels',
+      type: 'symbol',
+      source: 'drones',
+      minzoom: 5,
+      layout: {
+        'text-field': [
+          'format',
+          ['get', 'label'],
+          {},
+          ['case', ['==', ['get', 'age'], ''], '', ['concat', '\n', ['get', 'age']]],
+          { 'text-color': palette.amber, 'font-scale': 0.9 },
+        ],
+        'text-font': MAP_FONT,
+        'text-size': 12.5,
+        'text-anchor': 'top',
+        'text-offset': [0, 2.1],
+        'text-optional': true,
+        'symbol-sort-key': ['get', 'rank'],
+      },
+      paint: { 'text-color': palette.strong, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
+    },
+  ];
+}

@@ -1,0 +1,77 @@
+import { describe, expect, it } from 'vitest';
+import type { Attempt } from '../state/commands.svelte';
+import { aDrone } from '../testing';
+import { whyNot, wordsFor } from './action';
+import { missionLines, missionSummary } from './mission-lines';
+
+const attempt = (change: Partial<Attempt>): Attempt => ({
+  id: 'c1',
+  drone: 'd1',
+  type: 'arm',
+  phase: 'done',
+  outcome: null,
+  problem: null,
+  progress: null,
+  ...change,
+});
+
+describe('controls', () => {
+  it('say why they cannot be used', () => {
+    const drone = aDrone();
+    expect(whyNot(drone, 'arm', null)).toBeNull();
+    expect(whyNot(drone, 'takeOff', null)).toBe('Arm first.');
+    expect(whyNot(drone, 'arm', 'No connection to the cloud.')).toBe('No connection to the cloud.');
+    expect(whyNot(drone, 'land', null)).toBe('This vehicle cannot do that.');
+  });
+
+  it('show the refusal of the vehicle in its own words', () => {
+    const outcome = { result: 'refused', by: 'vehicle', reason: 'PreArm: GPS not ready' } as const;
+    expect(wordsFor(attempt({ outcome }))).toEqual({
+      tone: 'bad',
+      words: 'Refused by the vehicle. PreArm: GPS not ready',
+    });
+  });
+
+  it('show how far an upload is', () => {
+    const said = wordsFor(attempt({ phase: 'accepted', progress: { done: 2, total: 5 } }));
+    expect(said).toEqual({ tone: 'busy', words: 'Accepted 2 of 5, under way…' });
+  });
+
+  it('never call a command without known outcome a success', () => {
+    expect(wordsFor(attempt({ outcome: null })).tone).toBe('bad');
+    expect(wordsFor(attempt({ outcome: { result: 'timedOut', by: null, reason: null } })).tone).toBe('bad');
+  });
+});
+
+describe('mission of the vehicle', () => {
+  const mission = {
+    items: [
+      { type: 'takeOff', altitude: 20 },
+      { type: 'waypoint', latitude: 1, longitude: 2, altitude: 30, altitudeReference: 'home' },
+      { type: 'returnToLaunch' },
+    ],
+    current: 1,
+    reached: [0],
+    total: 3,
+    running: true,
+    notice: null,
+  } satisfies Parameters<typeof missionSummary>[0];
+
+  it('reads as lines with what is reached and what comes now', () => {
+    expect(missionLines(mission).map(({ words, state }) => [words, state])).toEqual([
+      ['Take off to 20 m', 'reached'],
+      ['Waypoint 1 at 30 m', 'current'],
+      ['Return to launch', 'ahead'],
+    ]);
+  });
+
+  it('sums up running, stopped, finished, none and unknown', () => {
+    expect(missionSummary(mission)).toBe('Mission is running: item 2 of 3, 1 reached.');
+    expect(missionSummary({ ...mission, running: false })).toBe(
+      'Mission is not running: 1 of 3 items reached.',
+    );
+    expect(missionSummary({ ...mission, reached: [0, 1, 2] })).toBe('Mission finished: 3 items reached.');
+    expect(missionSummary({ ...mission, items: [], total: 0 })).toBe('No mission on the vehicle.');
+    expect(missionSummary(null)).toContain('not known');
+  });
+});

@@ -1,0 +1,62 @@
+import type { CommandKind, Drone, Outcome } from '../api/types';
+import type { Attempt } from '../state/commands.svelte';
+
+/** Why a control cannot be used now, or null: our own reasons first, then what the cloud says of the action. */
+export function whyNot(drone: Drone, type: CommandKind, own: string | null): string | null {
+  if (own !== null) {
+    return own;
+  }
+  const action = drone.actions[type];
+  if (action === undefined) {
+    return 'This vehicle cannot do that.';
+  }
+  return action.allowed ? null : (action.why ?? 'Not possible now.');
+}
+
+export type AttemptTone = 'busy' | 'good' | 'bad';
+
+export interface AttemptWords {
+  tone: AttemptTone;
+  words: string;
+}
+
+/** What became of a press, in words. */
+export function wordsFor(attempt: Attempt): AttemptWords {
+  if (attempt.problem !== null) {
+    return { tone: 'bad', words: `Not sent. ${attempt.problem}` };
+  }
+  if (attempt.phase !== 'done') {
+    return { tone: 'busy', words: busyWords(attempt) };
+  }
+  return endWords(attempt.outcome);
+}
+
+function endWords(outcome: Outcome | null): AttemptWords {
+  const reason = outcome?.reason ? ` ${outcome.reason}` : '';
+  switch (outcome?.result) {
+    case 'succeeded':
+      return { tone: 'good', words: 'Done' };
+    case 'refused':
+      return { tone: 'bad', words: `Refused${outcome.by === 'vehicle' ? ' by the vehicle' : ''}.${reason}` };
+    case 'failed':
+      return { tone: 'bad', words: `Failed.${reason}` };
+    case 'timedOut':
+      return { tone: 'bad', words: `Timed out.${reason || ' The vehicle did not answer.'}` };
+    case 'superseded':
+      return { tone: 'bad', words: `Replaced by a later command.${reason}` };
+    default:
+      return { tone: 'bad', words: `It is not known whether the vehicle did it.${reason}` };
+  }
+}
+
+function busyWords(attempt: Attempt): string {
+  const part = attempt.progress === null ? '' : ` ${attempt.progress.done} of ${attempt.progress.total}`;
+  switch (attempt.phase) {
+    case 'sending':
+      return 'Sending…';
+    case 'sent':
+      return `Sent${part}, waiting for the vehicle…`;
+    default:
+      return `Accepted${part}, under way…`;
+  }
+}

@@ -1,0 +1,65 @@
+import type { MissionItem, VehicleMission } from '../api/types';
+import { fixed } from '../ui/format';
+
+export interface MissionLine {
+  words: string;
+  /** Waypoints are counted as on the map; other items have no number. */
+  number: number | null;
+  state: 'reached' | 'current' | 'ahead';
+}
+
+/** The vehicle's own mission as lines to read. */
+export function missionLines(mission: VehicleMission | null): MissionLine[] {
+  const reached = new Set(mission?.reached ?? []);
+  let waypoints = 0;
+  return (mission?.items ?? []).map((item, index) => {
+    const number = item.type === 'waypoint' ? ++waypoints : null;
+    const current = mission?.running === true && mission.current === index;
+    return {
+      words: wordsOf(item, number),
+      number,
+      state: reached.has(index) ? 'reached' : current ? 'current' : 'ahead',
+    };
+  });
+}
+
+export function missionSummary(mission: VehicleMission | null): string {
+  const total = mission?.items?.length ?? mission?.total ?? null;
+  if (mission === null || total === null) {
+    return 'It is not known what mission the vehicle holds.';
+  }
+  return total === 0 ? 'No mission on the vehicle.' : summaryOf(mission, total);
+}
+
+function summaryOf(mission: VehicleMission, total: number): string {
+  const count = `${total} ${total === 1 ? 'item' : 'items'}`;
+  const reached = new Set(mission.reached).size;
+  if (reached >= total) {
+    return `Mission finished: ${count} reached.`;
+  }
+  if (mission.running) {
+    const at = mission.current === null ? '' : `item ${mission.current + 1} of ${total}, `;
+    return `Mission is running: ${at}${reached} reached.`;
+  }
+  return reached > 0
+    ? `Mission is not running: ${reached} of ${count} reached.`
+    : `Mission on the vehicle: ${count}.`;
+}
+
+function wordsOf(item: MissionItem, number: number | null): string {
+  switch (item.type) {
+    case 'takeOff':
+      return `Take off to ${fixed(item.altitude)} m`;
+    case 'waypoint': {
+      const reference = item.altitudeReference === 'amsl' ? ' above sea' : '';
+      const wait = item.holdSeconds ? `, wait ${fixed(item.holdSeconds)} s` : '';
+      return `Waypoint ${number} at ${fixed(item.altitude)} m${reference}${wait}`;
+    }
+    case 'returnToLaunch':
+      return 'Return to launch';
+    case 'land':
+      return 'Land';
+    default:
+      return item.description;
+  }
+}

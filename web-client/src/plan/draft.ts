@@ -1,0 +1,158 @@
+import type { AltitudeReference, MissionItem, WaypointItem } from '../api/types';
+import { parseCoordinateLines, type Coordinates } from '../geo/coordinates';
+import { wayLengthMeters } from '../geo/distance';
+
+export type Ending = 'hold' | 'returnToLaunch' | 'land';
+
+/** A waypoint of a plan; the key stays the same while it is moved through the list. Altitude in metres. */
+export interface DraftWaypoint extends Coordinates {
+  key: number;
+  altitude: number | null;
+  altitudeReference: AltitudeReference;
+  holdSeconds: number | null;
+}
+
+/** A mission that is planned and not yet true. Immutable: every edit makes a new one, so undo is a list. */
+export interface Draft {
+  takeOff: boolean;
+  takeOffAltitude: number | null;
+  waypoints: readonly DraftWaypoint[];
+  ending: Ending;
+  nextKey: number;
+}
+
+export const ALTITUDE_RANGE = { lowest: 1, highest: 500 };
+export const MOST_ITEMS = 500;
+
+export function emptyDraft(takeOff: boolean): Draft {
+  return { takeOff, takeOffAltitude: 20, waypoints: [], ending: 'hold', nextKey: 1 };
+}
+
+export function addWaypoint(draft: Draft, place: Coordinates, altitude: number | null): Draft {
+  const waypoint: DraftWaypoint = {
+    key: draft.nextKey,
+    latitude: place.latitude,
+    longitude: place.longitude,
+    altitude,
+    altitudeReference: 'home',
+    holdSeconds: null,
+  };
+  return { ...draft, waypoints: [...draft.waypoints, waypoint], nextKey: draft.nextKey + 1 };
+}
+
+export function removeWaypoint(draft: Draft, key: number): Draft {
+  return { ...draft, waypoints: draft.waypoints.filter((waypoint) => waypoint.key !== key) };
+}
+
+export function changeWaypoint(draft: Draft, key: number, change: Partial<DraftWaypoint>): Draft {
+  return {
+    ...draft,
+    waypoints: draft.waypoints.map((waypoint) =>
+      waypoint.key === key ? { ...waypoint, ...change, key } : waypoint,
+    ),
+  };
+}
+
+/** Moves a waypoint up (−1) or down (+1) the list; at the ends nothing changes. */
+export function shiftWaypoint(draft: Draft, key: number, by: -1 | 1): Draft {
+  const from = draft.waypoints.findIndex((waypoint) => waypoint.key === key);
+  const to = from + by;
+  const moved = draft.waypoints[from];
+  const other = draft.waypoints[to];
+  if (moved === undefined || other === undefined) {
+    return draft;
+  }
+  const waypoints = [...draft.waypoints];
+  waypoints[from] = other;
+  waypoints[to] = moved;
+  return { ...draft, waypoints };
+}
+
+/** Adds every place of a pasted text; says which lines were none. */
+export function addPasted(
+  draft: Draft,
+  text: string,
+  altitude: number | null,
+): { draft: Draft; unreadable: string[] } {
+  const { places, unreadable } = parseCoordinateLines(text);
+  return { draft: places.reduce((so, place) => addWaypoint(so, place, altitude), draft), unreadable };
+}
+
+export function itemsOf(draft: Draft): MissionItem[] {
+  const items: MissionItem[] = [];
+  if (draft.takeOff) {
+    items.push({ type: 'takeOff', altitude: draft.takeOffAltitude ?? Number.NaN });
+  }
+  items.push(...draft.waypoints.map(waypointItem));
+  if (draft.ending !== 'hold') {
+    items.push({ type: draft.ending });
+  }
+  return items;
+}
+
+/** Opens items in the editor; what the editor cannot express is counted, not silently lost. */
+export function draftOf(items: readonly MissionItem[]): { draft: Draft; leftOut: number } {
+  let draft = emptyDraft(false);
+  let leftOut = 0;
+  items.forEach((item, index) => {
+    const last = index === items.length - 1;
+    if (item.type === 'waypoint') {
+      draft = addWaypoint(draft, item, item.altitude);
+      draft = changeWaypoint(draft, draft.nextKey - 1, {
+        altitudeReference: item.altitudeReference ?? 'home',
+        holdSeconds: item.holdSeconds ?? null,
+      });
+    } else if (item.type === 'takeOff' && draft.waypoints.length === 0 && !draft.takeOff) {
+      draft = { ...draft, takeOff: true, takeOffAltitude: item.altitude };
+    } else if ((item.type === 'returnToLaunch' || item.type === 'land') && last) {
+      draft = { ...draft, ending: item.type };
+    } else {
+      leftOut += 1;
+    }
+  });
+  return { draft, leftOut };
+}
+
+/** The first reason why this plan cannot be uploaded, or null when it can. */
+export function whyNotReady(draft: Draft): string | null {
+  if (draft.waypoints.length === 0) {
+    return 'Add a waypoint first: click the map.';
+  }
+  if (draft.takeOff && !isAllowedAltitude(draft.takeOffAltitude)) {
+    return `The take-off needs an altitude of ${rangeWords()}.`;
+  }
+  const bad = draft.waypoints.findIndex((waypoint) => !hasGoodAltitude(waypoint));
+  if (bad >= 0) {
+    return `Waypoint ${bad + 1} needs an altitude of ${rangeWords()}.`;
+  }
+  return itemsOf(draft).length > MOST_ITEMS ? `A mission holds at most ${MOST_ITEMS} items.` : null;
+}
+
+export function hasGoodAltitude(waypoint: DraftWaypoint): boolean {
+  return waypoint.altitudeReference === 'amsl'
+    ? waypoint.altitude !== null
+    : isAllowedAltitude(waypoint.altitude);
+}
+
+export function isAllowedAltitude(altitude: number | null): boolean {
+  return altitude !== null && altitude >= ALTITUDE_RANGE.lowest && altitude <= ALTITUDE_RANGE.highest;
+}
+
+export function rangeWords(): string {
+  return `${ALTITUDE_RANGE.lowest} to ${ALTITUDE_RANGE.highest} m`;
+}
+
+export function lengthMeters(draft: Draft): number {
+  return wayLengthMeters(draft.waypoints);
+}
+
+function waypointItem(waypoint: DraftWaypoint): WaypointItem {
+  const item: WaypointItem = {
+    type: 'waypoint',
+    latitude: waypoint.latitude,
+    longitude: waypoint.longitude,
+    altitude: waypoint.altitude ?? Number.NaN,
+    altitudeReference: waypoint.altitudeReference,
+  };
+  return waypoint.holdSeconds === null ? item : { ...item, holdSeconds: waypoint.holdSeconds };
+}

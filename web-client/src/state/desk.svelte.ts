@@ -1,0 +1,41 @@
+import type { Coordinates } from '../geo/coordinates';
+
+export type Page = 'map' | 'administration';
+export type SheetHeight = 'low' | 'half' | 'full';
+
+/** Where the chosen drone is asked to go, before anybody has confirmed it. */
+export interface Target extends Coordinates {
+  droneId: string;
+}
+
+/** What lies on the desk: the chosen drone, the open page, the go-to mark, the help. */
+export class Desk {
+  page = $state<Page>('map');
+  selectedId = $state<string | null>(null);
+  /** Rises with each choice, so that choosing the same drone again brings the map back to it. */
+  flights = $state(0);
+  target = $state.raw<Target | null>(null);
+  helpOpen = $state(false);
+  fleetOpen = $state(true);
+  sheet = $state<SheetHeight>('half');
+
+  select(id: string): void {
+    this.selectedId = id;
+    this.flights += 1;
+    this.page = 'map';
+    this.sheet = 'half';
+    if (this.target?.droneId !== id) {
+      this.target = null;
+    }
+  }
+
+  deselect(): void {
+    this.selectedId = null;
+    this.target = null;
+    this.sheet = 'half';
+  }
+
+  aim(droneId: string, place: Coordinates): void {
+    this.target = { droneId, latitude: place.latitude, longitude: place.longitude };
+  }
+}

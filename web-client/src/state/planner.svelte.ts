@@ -1,0 +1,106 @@
+import type { MissionItem } from '../api/types';
+import { addWaypoint, draftOf, emptyDraft, type Draft } from '../plan/draft';
+import type { Coordinates } from '../geo/coordinates';
+
+const MOST_UNDO = 100;
+
+/** The missions being planned, one draft a drone, with undo. Which drone is planned for now: `droneId`. */
+export class Planner {
+  droneId = $state<string | null>(null);
+  /** The altitude that the next waypoint gets, metres above home. */
+  defaultAltitude = $state<number | null>(20);
+  #drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
+  /** What was sent to each vehicle, until its outcome is known. */
+  readonly #sent = new Map<string, Draft>();
+  #undo = $state.raw<readonly { droneId: string; draft: Draft }[]>([]);
+
+  get draft(): Draft | null {
+    return this.draftFor(this.droneId);
+  }
+
+  draftFor(droneId: string | null): Draft | null {
+    return droneId === null ? null : (this.#drafts.get(droneId) ?? null);
+  }
+
+  get canUndo(): boolean {
+    return this.#undo.some((step) => step.droneId === this.droneId);
+  }
+
+  /** Opens the editor; a draft that was left there before is still there. */
+  begin(droneId: string, onGround: boolean): void {
+    this.droneId = droneId;
+    if (this.draft === null) {
+      this.#set(droneId, emptyDraft(onGround));
+    }
+  }
+
+  stop(): void {
+    this.droneId = null;
+  }
+
+  edit(change: (draft: Draft) => Draft): void {
+    const { droneId, draft } = this;
+    if (droneId === null || draft === null) {
+      return;
+    }
+    const next = change(draft);
+    if (next !== draft) {
+      this.#undo = [...this.#undo, { droneId, draft }].slice(-MOST_UNDO);
+      this.#set(droneId, next);
+    }
+  }
+
+  addAt(place: Coordinates): void {
+    this.edit((draft) => addWaypoint(draft, place, this.defaultAltitude));
+  }
+
+  /** Puts items into the editor in place of what is there; answers how many it could not take. */
+  open(items: readonly MissionItem[]): number {
+    const { draft, leftOut } = draftOf(items);
+    this.edit((old) => ({
+      ...draft,
+      waypoints: draft.waypoints.map((waypoint, index) => ({ ...waypoint, key: old.nextKey + index })),
+      nextKey: old.nextKey + draft.waypoints.length,
+    }));
+    return leftOut;
+  }
+
+  undo(): void {
+    const at = this.#undo.findLastIndex((step) => step.droneId === this.droneId);
+    const step = this.#undo[at];
+    if (step !== undefined) {
+      this.#undo = this.#undo.toSpliced(at, 1);
+      this.#set(step.droneId, step.draft);
+    }
+  }
+
+  /** The plan as it is now is on its way to the vehicle. */
+  markSent(): void {
+    if (this.droneId !== null && this.draft !== null) {
+      this.#sent.set(this.droneId, this.draft);
+    }
+  }
+
+  /** The plan that was sent has become true: forget it, unless it was edited meanwhile. */
+  becameTrue(droneId: string): void {
+    const sent = this.#sent.get(droneId);
+    this.#sent.delete(droneId);
+    if (sent !== undefined && sent === this.draftFor(droneId)) {
+      this.#discard(droneId);
+    }
+  }
+
+  #discard(droneId: string): void {
+    const drafts = new Map(this.#drafts);
+    drafts.delete(droneId);
+    this.#drafts = drafts;
+    this.#undo = this.#undo.filter((step) => step.droneId !== droneId);
+    if (this.droneId === droneId) {
+      this.droneId = null;
+    }
+  }
+
+  #set(droneId: string, draft: Draft): void {
+    this.#drafts = new Map(this.#drafts).set(droneId, draft);
+  }
+}

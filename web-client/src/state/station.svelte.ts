@@ -1,0 +1,175 @@
+import { getContext, setContext } from 'svelte';
+import { RestClient } from '../api/rest';
+import { Problem } from '../api/problem';
+import { browserTimers, StreamClient, type Socket } from '../api/stream';
+import type { Drone, Session, Settings, StreamMessage } from '../api/types';
+import { CloudClock } from './clock.svelte';
+import { Commands } from './commands.svelte';
+import { Connection } from './connection.svelte';
+import { Desk } from './desk.svelte';
+import { Fleet } from './fleet.svelte';
+import { Planner } from './planner.svelte';
+import { Preferences } from './preferences.svelte';
+
+const KEY = Symbol('station');
+
+/** Everything that the page knows and can do; made once and handed down by context. */
+export class Station {
+  readonly rest = new RestClient();
+  readonly clock = new CloudClock();
+  readonly connection = new Connection();
+  readonly fleet = new Fleet();
+  readonly planner = new Planner();
+  readonly commands = new Commands(this.rest, newUuid, (attempt) => {
+    if (attempt.type === 'uploadMission') {
+      this.planner.becameTrue(attempt.drone);
+    }
+  });
+  readonly desk = new Desk();
+  readonly preferences = new Preferences();
+  /** undefined: not asked yet; null: nobody is signed in. */
+  session = $state.raw<Session | null | undefined>(undefined);
+  settings = $state.raw<Settings | null>(null);
+  selected = $derived<Drone | null>(this.fleet.find(this.desk.selectedId));
+  readonly #stream = new StreamClient(
+    { address: () => this.#streamAddress(), open: openSocket, timers: browserTimers },
+    {
+      onMessage: (message) => this.#hear(message),
+      onUp: () => this.#streamUp(),
+      onDown: () => this.connection.down(),
+      onRetryAt: (at) => (this.connection.retryAt = at),
+      onUnauthorized: () => this.#forgetSession(),
+    },
+  );
+
+  /** Asks who is signed in. Rejects when the cloud cannot be reached. */
+  async open(): Promise<void> {
+    setInterval(() => {
+      this.clock.tick();
+      this.connection.tick();
+    }, 1000);
+    await this.resume();
+  }
+
+  async resume(): Promise<void> {
+    try {
+      await this.#enter(await this.rest.session());
+    } catch (thrown) {
+      if (thrown instanceof Problem && thrown.status === 401) {
+        this.session = null;
+        return;
+      }
+      throw thrown;
+    }
+  }
+
+  async signIn(name: string, password: string): Promise<void> {
+    await this.#enter(await this.rest.signIn(name, password));
+  }
+
+  async changePassword(current: string, next: string): Promise<void> {
+    await this.rest.changePassword(current, next);
+    await this.#enter(await this.rest.session());
+  }
+
+  async signOut(): Promise<void> {
+    await this.rest.signOut();
+    this.#forgetSession();
+  }
+
+  retryNow(): void {
+    this.#stream.retryNow();
+  }
+
+  /** Why nobody here can command this drone at all, or null; the cloud's own reasons come with each action. */
+  whyNoCommand(): string | null {
+    if (this.connection.state !== 'up') {
+      return 'No connection to the cloud.';
+    }
+    return this.session?.role === 'viewer' ? 'Viewers watch only. Ask an operator.' : null;
+  }
+
+  async #enter(session: Session): Promise<void> {
+    if (!session.mustChangePassword) {
+      this.settings = await this.rest.settings();
+      this.connection.state = 'connecting';
+      this.#stream.stop();
+      this.#stream.start();
+    }
+    this.session = session;
+  }
+
+  #forgetSession(): void {
+    this.#stream.stop();
+    this.session = null;
+    this.fleet.clear();
+    this.planner.stop();
+    this.desk.deselect();
+    this.desk.page = 'map';
+  }
+
+  #streamUp(): void {
+    this.connection.up();
+    void this.commands.catchUp();
+  }
+
+  #hear(message: StreamMessage): void {
+    switch (message.type) {
+      case 'drones':
+        this.fleet.replaceAll(message.drones);
+        break;
+      case 'drone':
+        this.fleet.update(message.drone);
+        break;
+      case 'droneRemoved':
+        this.fleet.remove(message.id);
+        break;
+      case 'command':
+        this.commands.hear(message.command);
+        break;
+      case 'ping':
+        this.clock.hear(message.at);
+        break;
+      case 'error':
+        console.warn('The stream reports:', message.problem.detail);
+        break;
+      default:
+        break;
+    }
+  }
+
+  async #streamAddress(): Promise<string | null> {
+    try {
+      const { ticket } = await this.rest.streamTicket();
+      const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
+      const port = this.settings?.streamPort ?? 8081;
+      return `${scheme}://${location.hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}`;
+    } catch (thrown) {
+      if (thrown instanceof Problem && thrown.status === 401) {
+        return null;
+      }
+      throw thrown;
+    }
+  }
+}
+
+export function provideStation(station: Station): void {
+  setContext(KEY, station);
+}
+
+export function useStation(): Station {
+  return getContext<Station>(KEY);
+}
+
+function openSocket(address: string): Socket {
+  return new WebSocket(address);
+}
+
+/** `crypto.randomUUID` is missing on plain-HTTP pages off loopback. */
+function newUuid(): string {
+  const bytes = crypto.getRandomValues(new Uint8Array(16));
+  bytes[6] = ((bytes[6] as number) & 0x0f) | 0x40;
+  bytes[8] = ((bytes[8] as number) & 0x3f) | 0x80;
+  const hex = Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
+  return hex.replace(/^(.{8})(.{4})(.{4})(.{4})(.{12})$/, '$1-$2-$3-$4-$5');
+}

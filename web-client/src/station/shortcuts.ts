@@ -1,0 +1,51 @@
+import type { Station } from '../state/station.svelte';
+
+/** Answers true when the key meant something to the page. Keys typed into a field are the field's, but for Esc. */
+export function handleKey(event: KeyboardEvent, station: Station, focusSearch: () => void): boolean {
+  if (event.key === 'Escape') {
+    return stepBack(station);
+  }
+  if (isTyping(event.target)) {
+    return false;
+  }
+  if (event.key === '?') {
+    station.desk.helpOpen = !station.desk.helpOpen;
+    return true;
+  }
+  if (event.key === '/') {
+    focusSearch();
+    return true;
+  }
+  if (
+    event.key.toLowerCase() === 'z' &&
+    (event.ctrlKey || event.metaKey) &&
+    station.planner.droneId !== null
+  ) {
+    station.planner.undo();
+    return true;
+  }
+  return false;
+}
+
+/** Esc closes one thing at a time, the newest first. */
+function stepBack(station: Station): boolean {
+  const { desk, planner } = station;
+  if (desk.helpOpen) {
+    desk.helpOpen = false;
+  } else if (desk.target !== null) {
+    desk.target = null;
+  } else if (desk.page !== 'map') {
+    desk.page = 'map';
+  } else if (planner.droneId !== null) {
+    planner.stop();
+  } else if (desk.selectedId !== null) {
+    desk.deselect();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.closest('input, textarea, select') !== null;
+}

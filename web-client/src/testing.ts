@@ -1,0 +1,56 @@
+import type { Command, Drone } from './api/types';
+
+/** A drone on the ground in Zürich, for tests. */
+export function aDrone(change: Partial<Drone> = {}): Drone {
+  return {
+    id: 'd1',
+    name: 'Copter 1',
+    replay: false,
+    link: {
+      address: '127.0.0.1',
+      port: 14601,
+      systemId: 1,
+      transport: 'udp',
+      state: 'live',
+      lastHeard: '2026-01-01T12:00:00Z',
+    },
+    kind: 'multicopter',
+    autopilot: 'ArduPilot',
+    vehicle: 'ArduCopter',
+    firmware: '4.5.6',
+    mode: 'LOITER',
+    modes: ['LOITER', 'GUIDED'],
+    armed: false,
+    flight: 'onGround',
+    position: { latitude: 47.3977, longitude: 8.5456, altitudeAmsl: 488, altitudeAboveHome: 0 },
+    place: '2 km NE of Zürich, CH',
+    motion: { groundSpeed: 0, airSpeed: null, climbRate: 0, heading: 40 },
+    attitude: null,
+    battery: null,
+    gps: null,
+    home: { latitude: 47.3977, longitude: 8.5456, altitudeAmsl: 488 },
+    mission: null,
+    messages: [],
+    actions: { arm: { allowed: true, why: null }, takeOff: { allowed: false, why: 'Arm first.' } },
+    lastUpdate: '2026-01-01T12:00:00Z',
+    version: 1,
+    ...change,
+  };
+}
+
+export function aCommand(change: Partial<Command> = {}): Command {
+  return {
+    id: 'c1',
+    drone: 'd1',
+    by: 'alice',
+    face: 'rest',
+    type: 'arm',
+    summary: 'arm',
+    at: '2026-01-01T12:00:00Z',
+    phase: 'sent',
+    outcome: null,
+    finishedAt: null,
+    progress: null,
+    ...change,
+  };
+}
