@@ -1,0 +1,147 @@
+"""The same flight with PX4, over MAVLink 1, over TCP, and with a real autopilot where one is given."""
+
+import os
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import wait_for
+
+HEIGHT = 12.0
+NAV_TAKEOFF = 22
+DO_REPOSITION = 192
+
+
+def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
+    """Arm, take off, go somewhere, fly a mission, come home; watched through REST."""
+    identity = drone["id"]
+
+    def do(kind: str, **body: Any) -> None:
+        api.do(identity, type=kind, **body)
+
+    def above_home() -> float:
+        return float(api.drone(identity)["position"]["altitudeAboveHome"] or 0)
+
+    points = triangle(drone["home"], HEIGHT, 20)
+    do("arm")
+    do("takeOff", altitude=HEIGHT)
+    wait_for("it hovers", lambda: above_home() > HEIGHT - 1, 60 * patience)
+    first = points[0]
+    do("goTo", latitude=first.latitude, longitude=first.longitude, altitude=HEIGHT)
+
+    def metres_away() -> float:
+        position = api.drone(identity)["position"]
+        return first.metres_to(position["latitude"], position["longitude"])
+
+    wait_for("it is where it was told to go", lambda: metres_away() < 2, 60 * patience)
+    do("uploadMission", items=items(points))
+    do("startMission")
+    last = len(api.drone(identity)["mission"]["items"]) - 1
+    wait_for(
+        "the last item is reached", lambda: last in api.drone(identity)["mission"]["reached"], 120 * patience
+    )
+    do("hold")
+    do("returnToLaunch")
+    wait_for("it landed and disarmed", lambda: api.drone(identity)["armed"] is False, 150 * patience)
+    assert above_home() < 1
+
+
+def listed(api: Api, ports: set[int], seconds: float = 60) -> Json:
+    def ready() -> Json | None:
+        found = [d for d in api.drones() if d["link"]["port"] in ports and d["position"] and d["home"]]
+        return found[0] if found else None
+
+    return wait_for("the vehicle is listed with position and home", ready, seconds)
+
+
+@pytest.fixture
+def simulated(request: pytest.FixtureRequest, tap: Tap, tmp_path: Path) -> Iterator[Tap]:
+    """A vehicle behind the tap with the options that the test names."""
+    started = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", "--speedup", "3", *request.param)
+    yield tap
+    started.stop()
+
+
+@pytest.mark.parametrize(
+    "simulated", [("--personality", "px4", "--sysid", "150")], indirect=True, ids=["px4"]
+)
+def test_px4_flies_by_its_own_commands(api: Api, simulated: Tap) -> None:
+    drone = wait_for(
+        "listed", lambda: listed(api, simulated.upstream_ports()) if simulated.upstream_ports() else None
+    )
+    assert (drone["autopilot"], drone["vehicle"]) == ("PX4", "PX4")
+
+    fly(api, drone)
+
+    down = [h.message for h in simulated.heard("COMMAND_LONG", "COMMAND_INT", up=False)]
+    assert {NAV_TAKEOFF, DO_REPOSITION} <= {m.command for m in down}
+    assert not simulated.heard("SET_POSITION_TARGET_GLOBAL_INT", up=False), "that is ArduPilot's way"
+
+
+@pytest.mark.parametrize("simulated", [("--mavlink1", "--sysid", "151")], indirect=True, ids=["mavlink1"])
+def test_mavlink_1_carries_a_flight(api: Api, simulated: Tap) -> None:
+    drone = wait_for(
+        "listed", lambda: listed(api, simulated.upstream_ports()) if simulated.upstream_ports() else None
+    )
+
+    fly(api, drone)
+
+    assert all(h.message.get_msgbuf()[0] == 0xFE for h in simulated.heard("HEARTBEAT", up=True))
+
+
+def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
+    simulator = Simulator(
+        tmp_path / "sim.log", f"tcp://127.0.0.1:{server.tcp_port}", "--speedup", "3", "--sysid", "152"
+    )
+    try:
+        drone = wait_for(
+            "listed over TCP",
+            lambda: next(
+                (d for d in api.drones() if d["link"]["transport"] == "tcp" and d["home"] and d["position"]),
+                None,
+            ),
+            60,
+        )
+        fly(api, drone)
+    finally:
+        simulator.stop()
+
+
+SITL = os.environ.get("DRONEMAP_SITL_ARDUCOPTER")
+
+
+@pytest.mark.skipif(SITL is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
+def test_a_real_autopilot_flies_the_same_flight(api: Api, tap: Tap, tmp_path: Path) -> None:
+    binary = Path(str(SITL))
+    with (tmp_path / "sitl.log").open("wb") as log:
+        autopilot = subprocess.Popen(
+            [
+                *(str(binary), "--wipe", "--model", "+", "--speedup", "1", "--sysid", "153"),
+                *("--home", "47.3977,8.5456,488,0", "--defaults", str(binary.parent / "copter.parm")),
+                *("--serial0", f"udpclient:127.0.0.1:{tap.port}"),
+            ],
+            cwd=tmp_path,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+        )
+    try:
+        wait_for("it speaks", lambda: tap.upstream_ports() or None, 60)
+        drone = listed(api, tap.upstream_ports(), 90)
+        wait_for("it is ready to arm", lambda: _armed(api, drone["id"]), 90, every=3)
+        api.command(drone["id"], {"type": "disarm"})
+        fly(api, drone, patience=3)
+    finally:
+        autopilot.kill()
+        autopilot.wait()
+
+
+def _armed(api: Api, drone: str) -> bool:
+    return bool(api.command(drone, {"type": "arm"})["outcome"]["result"] == "succeeded")
