@@ -1,0 +1,344 @@
+#!/usr/bin/env python3
+"""The key figures of the recordings: prints them as a Markdown table and writes recorded/measured.json.
+
+A simulator agrees with the recordings when each of its own figures lies within `tolerance` of the one here.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import statistics
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+RECORDED = Path(__file__).parent / "recorded"
+METERS_PER_DEGREE = 111_319.5
+Line = Mapping[str, Any]
+Lines = list[Line]
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One figure: how it is called, what it says, from which exchange, how, and how near is near enough."""
+
+    key: str
+    meaning: str
+    unit: str
+    tolerance: float
+    exchange: str
+    of: Callable[[Lines], float]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """What measured.json holds of a measure."""
+
+    value: float
+    unit: str
+    tolerance: float
+    exchange: str
+    meaning: str
+
+
+def load(name: str) -> Lines:
+    """The lines of one recording."""
+    text = (RECORDED / f"{name}.jsonl").read_text(encoding="utf-8")
+    return [json.loads(line) for line in text.splitlines()]
+
+
+def seconds(line: Line) -> float:
+    """When the line was seen, from the start of the exchange."""
+    return float(line["t_ms"]) / 1000
+
+
+def matches(line: Line, wanted: Mapping[str, Any]) -> bool:
+    """True when each wanted field is so; a text need only begin so."""
+    return all(
+        str(line.get(field, "")).startswith(value) if field == "text" else line.get(field) == value
+        for field, value in wanted.items()
+    )
+
+
+def seconds_of(lines: Iterable[Line], after: float = -math.inf, **wanted: Any) -> float:
+    """When the first matching line after `after` was seen."""
+    for line in lines:
+        if seconds(line) > after and matches(line, wanted):
+            return seconds(line)
+    raise LookupError(f"no line with {wanted}")
+
+
+def last_seconds_of(lines: Iterable[Line], before: float, **wanted: Any) -> float:
+    """When the last matching line before `before` was seen."""
+    return max(seconds(line) for line in lines if seconds(line) < before and matches(line, wanted))
+
+
+def between(lines: Lines, first: Mapping[str, Any], then: Mapping[str, Any]) -> float:
+    """Seconds from one line to the first later one of another kind."""
+    started = seconds_of(lines, **first)
+    return seconds_of(lines, after=started, **then) - started
+
+
+def values(lines: Lines, msg: str, field: str, start: float = -math.inf, end: float = math.inf) -> list[float]:
+    """One field of all messages of a kind, within a time."""
+    return [float(line[field]) for line in lines if line["msg"] == msg and start <= seconds(line) <= end]
+
+
+def sent(command: int) -> dict[str, Any]:
+    """The COMMAND_LONG of this command."""
+    return {"dir": "to", "msg": "COMMAND_LONG", "command": command}
+
+
+def landed(state: int) -> dict[str, Any]:
+    """EXTENDED_SYS_STATE: 1 on the ground, 2 in the air, 3 taking off, 4 landing."""
+    return {"msg": "EXTENDED_SYS_STATE", "landed_state": state}
+
+
+def said(text: str) -> dict[str, Any]:
+    """A STATUSTEXT that begins so."""
+    return {"msg": "STATUSTEXT", "text": text}
+
+
+def in_mode(mode: str) -> dict[str, Any]:
+    """A HEARTBEAT of that mode."""
+    return {"msg": "HEARTBEAT", "mode": mode}
+
+
+def acknowledgement_seconds(lines: Lines) -> float:
+    """The median time from a command to its acknowledgement."""
+    waiting: dict[int, float] = {}
+    delays = []
+    for line in lines:
+        if line["msg"] in ("COMMAND_LONG", "COMMAND_INT"):
+            waiting[line["command"]] = seconds(line)
+        elif line["msg"] == "COMMAND_ACK" and line["command"] in waiting:
+            delays.append(seconds(line) - waiting.pop(line["command"]))
+    return statistics.median(delays)
+
+
+def takeoff_overshoot(lines: Lines) -> float:
+    """How far above 20 m it rose."""
+    return max(values(lines, "GLOBAL_POSITION_INT", "relative_alt")) / 1000 - 20
+
+
+def descent_rate(lines: Lines, low_meters: float, high_meters: float) -> float:
+    """The median rate of sinking between two heights, after LANDING began."""
+    started = seconds_of(lines, **landed(4))
+    rates = [
+        float(line["vz"]) / 100
+        for line in lines
+        if line["msg"] == "GLOBAL_POSITION_INT"
+        and seconds(line) > started
+        and low_meters * 1000 < line["relative_alt"] < high_meters * 1000
+    ]
+    return statistics.median(rates)
+
+
+def top_speed(lines: Lines) -> float:
+    """The highest ground speed seen."""
+    return max(values(lines, "VFR_HUD", "groundspeed"))
+
+
+def second_leg_speed(lines: Lines) -> float:
+    """The highest ground speed from 2 s after the second setpoint on."""
+    legs = [seconds(line) for line in lines if line["msg"] == "SET_POSITION_TARGET_GLOBAL_INT"]
+    return max(values(lines, "VFR_HUD", "groundspeed", legs[1] + 2))
+
+
+def highest(lines: Lines) -> float:
+    """The greatest height above home, in metres."""
+    return max(values(lines, "GLOBAL_POSITION_INT", "relative_alt")) / 1000
+
+
+def seconds_to_speed(lines: Lines, meters_per_second: float) -> float:
+    """From the first line to this ground speed."""
+    for line in lines:
+        if line["msg"] == "VFR_HUD" and line["groundspeed"] >= meters_per_second:
+            return seconds(line)
+    raise LookupError(f"never reached {meters_per_second} m/s")
+
+
+def northward_run(lines: Lines, start: float, end: float) -> float:
+    """Metres flown to the north within a time."""
+    latitudes = values(lines, "GLOBAL_POSITION_INT", "lat", start, end)
+    return (latitudes[-1] - latitudes[0]) * 1e-7 * METERS_PER_DEGREE
+
+
+def stopping_distance(lines: Lines) -> float:
+    """Metres flown on after the command to pause."""
+    asked = seconds_of(lines, **sent(193))
+    return northward_run(lines, asked, asked + 6)
+
+
+def loiter_sink_rate(lines: Lines) -> float:
+    """Sinking in LOITER with the throttle stick at the bottom, as it is with no pilot."""
+    started = seconds_of(lines, **in_mode("LOITER"))
+    return max(values(lines, "GLOBAL_POSITION_INT", "vz", started, started + 6)) / 100
+
+
+def silence_before_failsafe(lines: Lines) -> float:
+    """From the last heartbeat sent to the text."""
+    acted = seconds_of(lines, **said("GCS Failsafe"))
+    return acted - last_seconds_of(lines, acted, dir="to", msg="HEARTBEAT")
+
+
+def request_interval(lines: Lines) -> float:
+    """How often a missing mission item is asked for again."""
+    asked = [seconds(line) for line in lines if line["msg"] == "MISSION_REQUEST" and line["seq"] == 2]
+    repeats = asked[-6:]
+    return statistics.median(later - earlier for earlier, later in pairwise(repeats))
+
+
+def upload_timeout(lines: Lines) -> float:
+    """From the last item taken to the acknowledgement that gives up."""
+    gave_up = seconds_of(lines, msg="MISSION_ACK", type=15)
+    return gave_up - last_seconds_of(lines, gave_up, msg="MISSION_ITEM_INT")
+
+
+def upload_seconds(lines: Lines) -> float:
+    """From MISSION_COUNT to MISSION_ACK, six items."""
+    return between(lines, {"dir": "to", "msg": "MISSION_COUNT"}, {"dir": "from", "msg": "MISSION_ACK"})
+
+
+def time_in_air_of_leg(lines: Lines) -> float:
+    """From the first setpoint until within a metre of the target 150 m north."""
+    target = next(line["lat_int"] for line in lines if line["msg"] == "SET_POSITION_TARGET_GLOBAL_INT")
+    near = 1e7 / METERS_PER_DEGREE
+    for line in lines:
+        if line["msg"] == "GLOBAL_POSITION_INT" and abs(line["lat"] - target) < near:
+            return seconds(line)
+    raise LookupError("never arrived")
+
+
+def fall_speed(lines: Lines) -> float:
+    """The fastest sinking."""
+    return max(values(lines, "GLOBAL_POSITION_INT", "vz")) / 100
+
+
+def turned_degrees(lines: Lines) -> float:
+    """Heading change after two copies of a relative turn by 30 degrees."""
+    first = seconds_of(lines, **sent(115))
+    headings = values(lines, "VFR_HUD", "heading", first - 1.5, first + 6)
+    return (headings[-1] - headings[0]) % 360
+
+
+def seconds_after_parameter(text: str) -> Callable[[Lines], float]:
+    """From the PARAM_SET that makes the fault to a text."""
+    return lambda lines: between(lines, {"dir": "to", "msg": "PARAM_SET"}, said(text))
+
+
+MEASURES: tuple[Measure, ...] = (
+    Measure("acknowledgementSeconds", "command → COMMAND_ACK (median)", "s", 0.2, "commands_odd",
+            acknowledgement_seconds),
+    Measure("homeSetSeconds", "power-up → HOME_POSITION, origin set", "s", 5, "arming_refused",
+            lambda lines: seconds_of(lines, msg="HOME_POSITION")),
+    Measure("positionUsableSeconds", "power-up → position estimate usable, arming granted from here", "s", 5,
+            "arming_refused", lambda lines: seconds_of(lines, **said("EKF3 IMU0 is using GPS"))),
+    Measure("groundDisarmSeconds", "armed on the ground and nothing done → disarms itself (DISARM_DELAY)", "s", 1,
+            "arm_and_disarm", lambda lines: seconds_of(lines, after=5, **said("Disarming motors"))
+            - seconds_of(lines, after=5, **said("Arming motors"))),
+    Measure("spoolUpSeconds", "take-off command → landed_state TAKEOFF, it leaves the ground", "s", 0.5,
+            "guided_takeoff", lambda lines: between(lines, sent(22), landed(3))),
+    Measure("takeoffSeconds", "take-off command → landed_state IN_AIR at 20 m", "s", 1.5, "guided_takeoff",
+            lambda lines: between(lines, sent(22), landed(2))),
+    Measure("climbRate", "highest rate of climb in take-off (WPNAV_SPEED_UP)", "m/s", 0.3, "guided_takeoff",
+            lambda lines: max(values(lines, "VFR_HUD", "climb"))),
+    Measure("takeoffOvershoot", "above the 20 m asked for, at most", "m", 0.5, "guided_takeoff", takeoff_overshoot),
+    Measure("landingSeconds", "NAV_LAND at 20 m → landed_state ON_GROUND", "s", 3, "guided_takeoff",
+            lambda lines: between(lines, sent(21), landed(1))),
+    Measure("descentRateHigh", "sinking above 10 m while landing (WPNAV_SPEED_DN)", "m/s", 0.2, "guided_takeoff",
+            lambda lines: descent_rate(lines, 12, 18)),
+    Measure("descentRateLow", "sinking below 10 m while landing (LAND_SPEED)", "m/s", 0.1, "guided_takeoff",
+            lambda lines: descent_rate(lines, 1, 8)),
+    Measure("touchdownToOnGroundSeconds", "touch-down → landed_state ON_GROUND", "s", 0.7, "guided_takeoff",
+            lambda lines: between(lines, said("SIM Hit ground"), landed(1))),
+    Measure("onGroundToDisarmSeconds", "landed_state ON_GROUND after landing → “Disarming motors”", "s", 0.5,
+            "guided_takeoff",
+            lambda lines: between(lines, landed(4), said("Disarming motors")) - between(lines, landed(4), landed(1))),
+    Measure("cruiseSpeed", "highest ground speed on a 150 m leg in GUIDED (WPNAV_SPEED)", "m/s", 0.5,
+            "go_to_by_setpoint", top_speed),
+    Measure("legSeconds", "150 m leg, from rest to within a metre", "s", 2, "go_to_by_setpoint", time_in_air_of_leg),
+    Measure("secondsTo9MetersPerSecond", "from rest to 9 m/s", "s", 1.5, "go_to_by_setpoint",
+            lambda lines: seconds_to_speed(lines, 9)),
+    Measure("stoppingDistance", "DO_PAUSE_CONTINUE at 10 m/s: metres flown on", "m", 8, "hold_in_flight",
+            stopping_distance),
+    Measure("loiterSinkRate", "sinking in LOITER with the throttle stick down (no pilot)", "m/s", 0.4,
+            "hold_in_flight", loiter_sink_rate),
+    Measure("changedSpeed", "highest ground speed on a leg begun after DO_CHANGE_SPEED 3 m/s in GUIDED", "m/s", 0.3,
+            "speed_and_home", second_leg_speed),
+    Measure("changedSpeedLost", "the same, asked for before the first go-to since take-off: lost", "m/s", 1,
+            "speed_and_home", top_speed),
+    Measure("uploadSeconds", "six items, MISSION_COUNT → MISSION_ACK", "s", 0.5, "mission_upload", upload_seconds),
+    Measure("itemRequestSeconds", "a missing item is asked for again every", "s", 0.3, "mission_upload_refused",
+            request_interval),
+    Measure("uploadTimeoutSeconds", "last item → upload given up", "s", 1, "mission_upload_refused", upload_timeout),
+    Measure("missionSeconds", "MISSION_START → disarmed, six items", "s", 8, "mission_flight",
+            lambda lines: between(lines, sent(300), {"msg": "HEARTBEAT", "armed": False})),
+    Measure("missionTakeoffSeconds", "MISSION_START → item 1 reached", "s", 1.5, "mission_flight",
+            lambda lines: between(lines, sent(300), {"msg": "MISSION_ITEM_REACHED", "seq": 1})),
+    Measure("missionRtlLoiterSeconds", "item 4 reached → landing begins (back 40 m, 5 s over home)", "s", 4,
+            "mission_flight", lambda lines: between(lines, {"msg": "MISSION_ITEM_REACHED", "seq": 4}, landed(4))),
+    Measure("rtlHeightFromBelow", "RTL from 8 m: height flown home at (RTL_ALT)", "m", 0.5, "rtl_from_8_m", highest),
+    Measure("rtlHeightFromAbove", "RTL from 20 m: height flown home at", "m", 0.5, "rtl_from_20_m", highest),
+    Measure("rtlToLandingSeconds", "RTL 60 m away at 20 m → landing begins", "s", 3, "rtl_from_20_m",
+            lambda lines: between(lines, sent(20), landed(4))),
+    Measure("rtlOverHomeSeconds", "RTL straight above home → landing begins (RTL_LOIT_TIME 5 s)", "s", 1.5,
+            "rtl_close_to_home", lambda lines: between(lines, sent(176), landed(4))),
+    Measure("batteryLowSeconds", "voltage under BATT_LOW_VOLT → “Battery Failsafe” (BATT_LOW_TIMER)", "s", 1.5,
+            "battery_low", seconds_after_parameter("Battery Failsafe")),
+    Measure("groundStationLostSeconds", "last heartbeat → “GCS Failsafe”, RTL", "s", 1.2, "ground_station_lost",
+            silence_before_failsafe),
+    Measure("gpsLostSeconds", "GPS gone → “EKF Failsafe: changed to LAND Mode”", "s", 2, "gps_lost",
+            seconds_after_parameter("EKF Failsafe: changed to LAND Mode")),
+    Measure("gpsBackSeconds", "GPS back → “EKF Failsafe Cleared”; stays in LAND", "s", 2, "gps_lost",
+            lambda lines: between(lines, {"dir": "to", "msg": "PARAM_SET", "param_value": 0},
+                                  said("EKF Failsafe Cleared"))),
+    Measure("fallSpeed", "motor failed: fastest sinking on the way down from 30 m", "m/s", 4, "motor_failure",
+            fall_speed),
+    Measure("thrustLossSeconds", "motor failed → “Potential Thrust Loss (1)”", "s", 3, "motor_failure",
+            seconds_after_parameter("Potential Thrust Loss")),
+    Measure("hoverAmperes", "current in the hover at 20 m, 12.6 V, 3.3 Ah", "A", 4, "guided_takeoff",
+            lambda lines: statistics.median(values(lines, "SYS_STATUS", "current_battery", 8, 45)) / 100),
+    Measure("turnedDegrees", "two copies of CONDITION_YAW 30° relative turn by", "°", 5, "commands_twice",
+            turned_degrees),
+)  # fmt: skip
+
+
+def figures() -> dict[str, Figure]:
+    """All measures taken."""
+    return {
+        measure.key: Figure(
+            round(measure.of(load(measure.exchange)), 3),
+            measure.unit,
+            measure.tolerance,
+            measure.exchange,
+            measure.meaning,
+        )
+        for measure in MEASURES
+    }
+
+
+def table(taken: Mapping[str, Figure]) -> str:
+    """The figures as Markdown."""
+    rows = ["| figure | measured | tolerance | exchange | key |", "| --- | ---: | ---: | --- | --- |"]
+    for key, figure in taken.items():
+        value, tolerance = f"{figure.value:.2f} {figure.unit}", f"± {figure.tolerance:g} {figure.unit}"
+        rows.append(f"| {figure.meaning} | {value} | {tolerance} | `{figure.exchange}` | `{key}` |")
+    return "\n".join(rows)
+
+
+def main() -> int:
+    """Print the table and write measured.json."""
+    taken = figures()
+    content = json.dumps({key: asdict(figure) for key, figure in taken.items()}, indent=1, ensure_ascii=False)
+    (RECORDED / "measured.json").write_text(content + "\n", encoding="utf-8")
+    print(table(taken))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
