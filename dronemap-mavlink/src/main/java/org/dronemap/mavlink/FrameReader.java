@@ -38,6 +38,17 @@ public final class FrameReader {
         }
     }
 
+    /**
+     * Takes one datagram in. A frame may go on over datagrams, but one that by itself begins with a good frame ends the
+     * wait for an earlier frame: a length byte that lied must not hold a slow vehicle's heartbeats back.
+     */
+    public void readDatagram(ByteBuffer datagram, Consumer<Frame> frames) {
+        if (start < end && beginsWithGoodFrame(datagram)) {
+            endOfInput(frames);
+        }
+        read(datagram, frames);
+    }
+
     /** The input has ended (or a datagram that nothing can continue): what is left over is searched and dropped. */
     public void endOfInput(Consumer<Frame> frames) {
         parse(frames, true);
@@ -54,6 +65,12 @@ public final class FrameReader {
         }
     }
 
+    private static boolean beginsWithGoodFrame(ByteBuffer datagram) {
+        byte[] head = new byte[Math.min(datagram.remaining(), LONGEST)];
+        datagram.get(datagram.position(), head);
+        return isGoodFrameAt(head, 0, head.length);
+    }
+
     private void makeRoom() {
         if (start > 0) {
             System.arraycopy(pending, start, pending, 0, end - start);
@@ -64,7 +81,7 @@ public final class FrameReader {
 
     private void parse(Consumer<Frame> frames, boolean last) {
         while (start < end) {
-            int need = lengthAt(start);
+            int need = lengthAt(pending, start, end);
             if (need == 0) {
                 skip();
             } else if (need < 0 || end - start < need) {
@@ -79,10 +96,10 @@ public final class FrameReader {
     }
 
     /** Whole frame length at this place; 0: no frame begins here, -1: cannot be told yet. */
-    private int lengthAt(int at) {
-        int magic = pending[at] & 0xFF;
+    private static int lengthAt(byte[] bytes, int at, int end) {
+        int magic = bytes[at] & 0xFF;
         if (magic == Frame.MAGIC_1) {
-            return end - at < 2 ? -1 : Frame.HEADER_1 + (pending[at + 1] & 0xFF) + 2;
+            return end - at < 2 ? -1 : Frame.HEADER_1 + (bytes[at + 1] & 0xFF) + 2;
         }
         if (magic != Frame.MAGIC_2) {
             return 0;
@@ -90,18 +107,18 @@ public final class FrameReader {
         if (end - at < 3) {
             return -1;
         }
-        int flags = pending[at + 2] & 0xFF;
+        int flags = bytes[at + 2] & 0xFF;
         if ((flags & ~Frame.SIGNED_FLAG) != 0) {
             // An incompatibility flag that is not known: the frame must be dropped.
             return 0;
         }
-        return Frame.HEADER_2 + (pending[at + 1] & 0xFF) + 2 + (flags != 0 ? Frame.SIGNATURE : 0);
+        return Frame.HEADER_2 + (bytes[at + 1] & 0xFF) + 2 + (flags != 0 ? Frame.SIGNATURE : 0);
     }
 
     private void take(int length, Consumer<Frame> frames) {
         boolean v2 = (pending[start] & 0xFF) == Frame.MAGIC_2;
-        MessageTable.Entry entry = MessageTable.find(messageIdAt(start, v2));
-        if (entry == null ? !fitsBetweenFrames(start + length) : !checksumHolds(start, v2, entry)) {
+        MessageTable.Entry entry = MessageTable.find(messageIdAt(pending, start, v2));
+        if (entry == null ? !isBelievable(start + length) : !checksumHolds(pending, start, v2, entry)) {
             brokenFrames++;
             skip();
             return;
@@ -117,23 +134,47 @@ public final class FrameReader {
         frames.accept(frame);
     }
 
-    /** A frame whose checksum cannot be checked is believed only where one may begin and another follows. */
-    private boolean fitsBetweenFrames(int next) {
-        return !skipping
-                && (next >= end || (pending[next] & 0xFF) == Frame.MAGIC_1 || (pending[next] & 0xFF) == Frame.MAGIC_2);
+    /** A frame that cannot be checked is believed only between frames, and when it hides no good frame. */
+    private boolean isBelievable(int next) {
+        if (skipping || (next < end && !isMagic(pending[next]))) {
+            return false;
+        }
+        for (int inside = start + 1; inside < next; inside++) {
+            if (isGoodFrameAt(pending, inside, end)) {
+                return false;
+            }
+        }
+        return true;
     }
 
-    private int messageIdAt(int at, boolean v2) {
+    private static boolean isMagic(byte octet) {
+        return (octet & 0xFF) == Frame.MAGIC_1 || (octet & 0xFF) == Frame.MAGIC_2;
+    }
+
+    private static boolean isGoodFrameAt(byte[] bytes, int at, int end) {
+        if (at >= end || !isMagic(bytes[at])) {
+            return false;
+        }
+        int length = lengthAt(bytes, at, end);
+        if (length <= 0 || end - at < length) {
+            return false;
+        }
+        boolean v2 = (bytes[at] & 0xFF) == Frame.MAGIC_2;
+        MessageTable.Entry entry = MessageTable.find(messageIdAt(bytes, at, v2));
+        return entry != null && checksumHolds(bytes, at, v2, entry);
+    }
+
+    private static int messageIdAt(byte[] bytes, int at, boolean v2) {
         return v2
-                ? (pending[at + 7] & 0xFF) | (pending[at + 8] & 0xFF) << 8 | (pending[at + 9] & 0xFF) << 16
-                : pending[at + 5] & 0xFF;
+                ? (bytes[at + 7] & 0xFF) | (bytes[at + 8] & 0xFF) << 8 | (bytes[at + 9] & 0xFF) << 16
+                : bytes[at + 5] & 0xFF;
     }
 
-    private boolean checksumHolds(int at, boolean v2, MessageTable.Entry entry) {
-        int covered = (v2 ? Frame.HEADER_2 : Frame.HEADER_1) - 1 + (pending[at + 1] & 0xFF);
-        int crc = Crc.add(Crc.add(Crc.START, pending, at + 1, covered), entry.checksumSeed());
+    private static boolean checksumHolds(byte[] bytes, int at, boolean v2, MessageTable.Entry entry) {
+        int covered = (v2 ? Frame.HEADER_2 : Frame.HEADER_1) - 1 + (bytes[at + 1] & 0xFF);
+        int crc = Crc.add(Crc.add(Crc.START, bytes, at + 1, covered), entry.checksumSeed());
         int check = at + 1 + covered;
-        return (pending[check] & 0xFF) == (crc & 0xFF) && (pending[check + 1] & 0xFF) == (crc >>> 8);
+        return (bytes[check] & 0xFF) == (crc & 0xFF) && (bytes[check + 1] & 0xFF) == (crc >>> 8);
     }
 
     private void skip() {
