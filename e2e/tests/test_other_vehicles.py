@@ -1,6 +1,7 @@
 """The same flight with PX4, over MAVLink 1, over TCP, and with a real autopilot where one is given."""
 
 import os
+import socket
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.tap import Tap
@@ -54,8 +56,9 @@ def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
     assert above_home() < 1
 
 
-def listed(api: Api, ports: set[int], seconds: float = 60) -> Json:
+def listed(api: Api, tap: Tap, seconds: float = 60) -> Json:
     def ready() -> Json | None:
+        ports = tap.upstream_ports()
         found = [d for d in api.drones() if d["link"]["port"] in ports and d["position"] and d["home"]]
         return found[0] if found else None
 
@@ -74,9 +77,7 @@ def simulated(request: pytest.FixtureRequest, tap: Tap, tmp_path: Path) -> Itera
     "simulated", [("--personality", "px4", "--sysid", "150")], indirect=True, ids=["px4"]
 )
 def test_px4_flies_by_its_own_commands(api: Api, simulated: Tap) -> None:
-    drone = wait_for(
-        "listed", lambda: listed(api, simulated.upstream_ports()) if simulated.upstream_ports() else None
-    )
+    drone = listed(api, simulated)
     assert (drone["autopilot"], drone["vehicle"]) == ("PX4", "PX4")
 
     fly(api, drone)
@@ -86,11 +87,9 @@ def test_px4_flies_by_its_own_commands(api: Api, simulated: Tap) -> None:
     assert not simulated.heard("SET_POSITION_TARGET_GLOBAL_INT", up=False), "that is ArduPilot's way"
 
 
-@pytest.mark.parametrize("simulated", [("--mavlink1", "--sysid", "151")], indirect=True, ids=["mavlink1"])
+@pytest.mark.parametrize("simulated", [MAVLINK_1], indirect=True, ids=["mavlink1"])
 def test_mavlink_1_carries_a_flight(api: Api, simulated: Tap) -> None:
-    drone = wait_for(
-        "listed", lambda: listed(api, simulated.upstream_ports()) if simulated.upstream_ports() else None
-    )
+    drone = listed(api, simulated)
 
     fly(api, drone)
 
@@ -126,15 +125,15 @@ def test_a_real_autopilot_flies_the_same_flight(api: Api, tap: Tap, tmp_path: Pa
             [
                 *(str(binary), "--wipe", "--model", "+", "--speedup", "1", "--sysid", "153"),
                 *("--home", "47.3977,8.5456,488,0", "--defaults", str(binary.parent / "copter.parm")),
-                *("--serial0", f"udpclient:127.0.0.1:{tap.port}"),
+                *("--serial0", f"udpclient:127.0.0.1:{tap.port}", "--serial1", "none", "--serial2", "none"),
+                *("--rc-in-port", str(free_port(socket.SOCK_DGRAM))),
             ],
             cwd=tmp_path,
             stdout=log,
             stderr=subprocess.STDOUT,
         )
     try:
-        wait_for("it speaks", lambda: tap.upstream_ports() or None, 60)
-        drone = listed(api, tap.upstream_ports(), 90)
+        drone = listed(api, tap, 120)
         wait_for("it is ready to arm", lambda: _armed(api, drone["id"]), 90, every=3)
         api.command(drone["id"], {"type": "disarm"})
         fly(api, drone, patience=3)
