@@ -20,6 +20,8 @@ from dronemap_e2e.waiting import wait_for
 HEIGHT = 12.0
 NAV_TAKEOFF = 22
 DO_REPOSITION = 192
+PX4 = ("--personality", "px4", "--sysid", "150")
+MAVLINK_1 = ("--mavlink1", "--sysid", "151")
 
 
 def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
@@ -73,9 +75,7 @@ def simulated(request: pytest.FixtureRequest, tap: Tap, tmp_path: Path) -> Itera
     started.stop()
 
 
-@pytest.mark.parametrize(
-    "simulated", [("--personality", "px4", "--sysid", "150")], indirect=True, ids=["px4"]
-)
+@pytest.mark.parametrize("simulated", [PX4], indirect=True, ids=["px4"])
 def test_px4_flies_by_its_own_commands(api: Api, simulated: Tap) -> None:
     drone = listed(api, simulated)
     assert (drone["autopilot"], drone["vehicle"]) == ("PX4", "PX4")
