@@ -80,6 +80,10 @@ public final class Database implements AutoCloseable {
         return new PostgresAccessStore(pool);
     }
 
+    public Backup backup() {
+        return new Backup(pool, SCHEMA);
+    }
+
     /** Whether the database answers now. Blocks up to some seconds. */
     public DatabaseHealth health() {
         try (Connection connection = pool.getConnection()) {

@@ -26,14 +26,6 @@ final class Migration {
         migrate(schema, MigrationVersion.fromVersion(version));
     }
 
-    /** The version that the schema is at; "0" when it is empty. */
-    String version(String schema) {
-        MigrationInfo current = flyway(schema, MigrationVersion.LATEST).info().current();
-        return current == null || current.getVersion() == null
-                ? "0"
-                : current.getVersion().getVersion();
-    }
-
     /** True when this program has no migration to that version. */
     boolean isNewerThanKnown(String schema, String version) {
         MigrationVersion asked = MigrationVersion.fromVersion(version);
