@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """The key figures of the recordings: prints them as a Markdown table and writes recorded/measured.json.
 
-A simulator agrees with the recordings when each of its own figures lies within `tolerance` of the one here.
+With --compare FOLDER the same figures are taken from other recordings (a simulator's) and held against that file:
+they agree when each lies within `tolerance`; exit code 1 when one does not or cannot be taken.
 """
 
 from __future__ import annotations
 
+import argparse
 import json
 import math
 import statistics
@@ -45,9 +47,9 @@ class Figure:
     meaning: str
 
 
-def load(name: str) -> Lines:
+def load(folder: Path, name: str) -> Lines:
     """The lines of one recording."""
-    text = (RECORDED / f"{name}.jsonl").read_text(encoding="utf-8")
+    text = (folder / f"{name}.jsonl").read_text(encoding="utf-8")
     return [json.loads(line) for line in text.splitlines()]
 
 
@@ -236,8 +238,8 @@ MEASURES: tuple[Measure, ...] = (
             acknowledgement_seconds),
     Measure("homeSetSeconds", "power-up → HOME_POSITION, origin set", "s", 5, "arming_refused",
             lambda lines: seconds_of(lines, msg="HOME_POSITION")),
-    Measure("positionUsableSeconds", "power-up → position estimate usable, arming granted from here", "s", 5,
-            "arming_refused", lambda lines: seconds_of(lines, **said("EKF3 IMU0 is using GPS"))),
+    Measure("armingGrantedSeconds", "power-up → arming granted, asked for every 5 s", "s", 6,
+            "arming_refused", lambda lines: seconds_of(lines, msg="COMMAND_ACK", command=400, result=0)),
     Measure("groundDisarmSeconds", "armed on the ground and nothing done → disarms itself (DISARM_DELAY)", "s", 1,
             "arm_and_disarm", lambda lines: seconds_of(lines, after=5, **said("Disarming motors"))
             - seconds_of(lines, after=5, **said("Arming motors"))),
@@ -254,8 +256,6 @@ MEASURES: tuple[Measure, ...] = (
             lambda lines: descent_rate(lines, 12, 18)),
     Measure("descentRateLow", "sinking below 10 m while landing (LAND_SPEED)", "m/s", 0.1, "guided_takeoff",
             lambda lines: descent_rate(lines, 1, 8)),
-    Measure("touchdownToOnGroundSeconds", "touch-down → landed_state ON_GROUND", "s", 0.7, "guided_takeoff",
-            lambda lines: between(lines, said("SIM Hit ground"), landed(1))),
     Measure("onGroundToDisarmSeconds", "landed_state ON_GROUND after landing → “Disarming motors”", "s", 0.5,
             "guided_takeoff",
             lambda lines: between(lines, landed(4), said("Disarming motors")) - between(lines, landed(4), landed(1))),
@@ -308,18 +308,37 @@ MEASURES: tuple[Measure, ...] = (
 )  # fmt: skip
 
 
-def figures() -> dict[str, Figure]:
+def take(measure: Measure, folder: Path) -> Figure:
+    """One measure of one folder of recordings."""
+    value = measure.of(load(folder, measure.exchange))
+    return Figure(round(value, 3), measure.unit, measure.tolerance, measure.exchange, measure.meaning)
+
+
+def figures(folder: Path) -> dict[str, Figure]:
     """All measures taken."""
-    return {
-        measure.key: Figure(
-            round(measure.of(load(measure.exchange)), 3),
-            measure.unit,
-            measure.tolerance,
-            measure.exchange,
-            measure.meaning,
-        )
-        for measure in MEASURES
-    }
+    return {measure.key: take(measure, folder) for measure in MEASURES}
+
+
+def verdict(measure: Measure, folder: Path, reference: Mapping[str, Any]) -> tuple[bool, str]:
+    """True and a line when the other recording agrees; false and why not."""
+    expected, tolerance, unit = reference["value"], reference["tolerance"], reference["unit"]
+    try:
+        value = take(measure, folder).value
+    except (FileNotFoundError, LookupError, ValueError, statistics.StatisticsError) as problem:
+        return False, f"{measure.key}: cannot be taken: {problem}"
+    agrees = abs(value - expected) <= tolerance
+    return agrees, f"{measure.key}: {value:g} {unit}, expected {expected:g} ± {tolerance:g}{'' if agrees else '  ✗'}"
+
+
+def compare(folder: Path) -> int:
+    """Say of every figure whether it agrees; 1 when one does not."""
+    references = json.loads((RECORDED / "measured.json").read_text(encoding="utf-8"))
+    verdicts = [verdict(measure, folder, references[measure.key]) for measure in MEASURES]
+    for _, line in verdicts:
+        print(line)
+    missed = sum(not agrees for agrees, _ in verdicts)
+    print(f"{len(verdicts) - missed} figures agree, {missed} do not")
+    return 1 if missed else 0
 
 
 def table(taken: Mapping[str, Figure]) -> str:
@@ -332,8 +351,13 @@ def table(taken: Mapping[str, Figure]) -> str:
 
 
 def main() -> int:
-    """Print the table and write measured.json."""
-    taken = figures()
+    """Print the table and write measured.json, or compare."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--compare", type=Path, metavar="FOLDER", help="recordings to hold against measured.json")
+    folder: Path | None = parser.parse_args().compare
+    if folder is not None:
+        return compare(folder)
+    taken = figures(RECORDED)
     content = json.dumps({key: asdict(figure) for key, figure in taken.items()}, indent=1, ensure_ascii=False)
     (RECORDED / "measured.json").write_text(content + "\n", encoding="utf-8")
     print(table(taken))

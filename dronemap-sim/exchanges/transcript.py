@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -78,8 +78,9 @@ def plain(value: Any) -> Any:
 class Transcript:
     """Owner: the thread that pumps the link. Silent until `start`, so that preparations stay out of the file."""
 
-    def __init__(self, path: Path, mode_names: Mapping[int, str]) -> None:
-        """Nothing is written before `save`."""
+    def __init__(self, path: Path, mode_names: Mapping[int, str], clock: Callable[[], float] = time.monotonic) -> None:
+        """Nothing is written before `save`; `clock` tells seconds."""
+        self._clock = clock
         self._path = path
         self._mode_names = mode_names
         self._started_at: float | None = None
@@ -90,7 +91,7 @@ class Transcript:
 
     def start(self) -> None:
         """From now on every message that matters is kept; time 0 is now."""
-        self._started_at = time.monotonic()
+        self._started_at = self._clock()
 
     def sent(self, message: Any) -> None:
         """One message that went to the vehicle."""
@@ -119,7 +120,7 @@ class Transcript:
             self._last[kind] = fields
             return unchanged
         if kind in THINNED_SECONDS:
-            now = time.monotonic()
+            now = self._clock()
             if now - self._last_at.get(kind, -math.inf) < THINNED_SECONDS[kind]:
                 return True
             self._last_at[kind] = now
@@ -129,7 +130,7 @@ class Transcript:
         if self._started_at is None:
             return
         kind: str = message.get_type()
-        elapsed_ms = round((time.monotonic() - self._started_at) * 1000)
+        elapsed_ms = round((self._clock() - self._started_at) * 1000)
         line = {"t_ms": elapsed_ms, "dir": direction, "msg": kind, **self._fields(kind, message)}
         self._lines.append(json.dumps(line, separators=(", ", ": "), ensure_ascii=False))
 
