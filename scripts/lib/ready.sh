@@ -1,0 +1,127 @@
+# shellcheck shell=bash
+# Talking to the running server: health, readiness, what `up` and `status` tell about it.
+
+readonly UP_SECONDS=120
+readonly FLYABLE_SECONDS=60
+
+# Only this machine's own server is asked, over loopback; its certificate names the machine, not 127.0.0.1.
+ask() { # PATH [CURL-OPTIONS]…
+    local path=$1
+    shift
+    curl --silent --show-error --insecure --noproxy '*' "$@" "$(local_address)$path"
+}
+
+# The local key goes by a file: a command line can be read by every user of the machine.
+ask_with_key() { # PATH [CURL-OPTIONS]…
+    local path=$1
+    shift
+    [[ -r $KEY_FILE ]] || fail "$EXIT_RIGHTS" "The server's local key $KEY_FILE cannot be read. Run this as the user who started the server."
+    ask "$path" --header "@"<(printf 'Authorization: Bearer %s\n' "$(cat "$KEY_FILE")") "$@"
+}
+
+# A number or plain word of a flat JSON text; enough for the few fields that are asked here.
+json_value() { # NAME JSON
+    sed -nE "s/.*\"$1\"[[:space:]]*:[[:space:]]*\"?([^\",}]*).*/\1/p" <<<"$2" | head -n 1
+}
+
+# A sentence in a JSON text may hold quotes.
+json_sentence() { # NAME JSON
+    sed -nE "s/.*\"$1\"[[:space:]]*:[[:space:]]*\"(([^\"\\\\]|\\\\.)*)\".*/\1/p" <<<"$2" | sed -E 's/\\(.)/\1/g' | head -n 1
+}
+
+health() { ask /api/v1/health --max-time 3 2>/dev/null || true; }
+
+require_running() {
+    is_running server || fail "$EXIT_FAILED" "The server is not running. Start it with ./dronemap up"
+}
+
+wait_until_up() {
+    local deadline=$((SECONDS + UP_SECONDS)) answer
+    LAST_PROGRESS=""
+    while :; do
+        answer=$(health)
+        if [[ $(json_value status "$answer") == up ]]; then break; fi
+        is_running server || fail_from_server_log "The server ended while it started."
+        if ((SECONDS >= deadline)); then
+            fail_from_server_log "The server was not up after $UP_SECONDS s${answer:+; it says: $answer}."
+        fi
+        sleep 0.3
+    done
+    WORK=""
+}
+
+# Ready means that a demo drone can be armed.
+wait_until_flyable() {
+    local deadline=$((SECONDS + FLYABLE_SECONDS)) answer ready
+    WORK="waiting for the demo fleet"
+    step "Waiting until a demo drone can be flown"
+    LAST_PROGRESS=""
+    while :; do
+        answer=$(health)
+        ready=$(json_value ready "$answer")
+        if [[ ${ready:-0} =~ ^[1-9] ]]; then break; fi
+        is_running server || fail_from_server_log "The server ended while it waited for the demo fleet."
+        is_running sim || fail "$EXIT_START" "The demo fleet ended by itself: $(tail -n 1 "$LOGS/sim.log"). See ./dronemap logs sim"
+        ((SECONDS < deadline)) || fail "$EXIT_START" "No demo drone could be armed after $FLYABLE_SECONDS s. See ./dronemap logs and ./dronemap logs sim"
+        sleep 0.3
+    done
+    WORK=""
+    ON_INTERRUPT=""
+}
+
+# What the server wrote since it was started tells why; the usual causes get their sentence.
+fail_from_server_log() { # SENTENCE
+    local said
+    said=$(tail -c "+$((${LOG_START:-0} + 1))" "$LOGS/server.log" 2>/dev/null || true)
+    stop_everything >/dev/null
+    if grep -qE 'No space left on device|could not extend file|Disk quota exceeded' <<<"$said"; then
+        fail "$EXIT_DISK" "$1 The disk that holds $DATA is full: make room and run ./dronemap up again."
+    elif grep -qE 'Address already in use|PortInUseException' <<<"$said"; then
+        fail "$EXIT_PORT" "$1 A port is taken: $(grep -m 1 -E 'Address already in use|PortInUseException' <<<"$said" | tail -c 200)"
+    fi
+    tail -n 15 <<<"$said" >&2
+    fail "$EXIT_START" "$1 See ./dronemap logs"
+}
+
+print_welcome() {
+    local answer
+    answer=$(health)
+    step "Dronemap is ready: $(page_address)"
+    if [[ -r $FIRST_PASSWORD_FILE ]]; then
+        note "First sign-in: user $(cut -d ' ' -f 1 "$FIRST_PASSWORD_FILE"), one-time password $(cut -d ' ' -f 2 "$FIRST_PASSWORD_FILE")"
+        note "(You choose your own after signing in; then this line goes away.)"
+    fi
+    if [[ $PUBLIC == true ]]; then note "Open to the network. Certificate (SHA-256): $(fingerprint)"; fi
+    note "Drones: $(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed. Vehicles connect to: ${ENDPOINTS//,/ }"
+    note "Go on with: ./dronemap status | logs | down | help"
+}
+
+page_address() {
+    if [[ $PUBLIC == true ]]; then
+        printf '%s://%s:%s' "$(scheme)" "$(hostname)" "$HTTP_PORT"
+    else
+        local_address
+    fi
+}
+
+command_status() {
+    (($# == 0)) || fail "$EXIT_USAGE" "status takes no options. See ./dronemap help"
+    load_settings
+    local answer free
+    if ! is_running server; then
+        echo "Dronemap is not running. Start it with ./dronemap up"
+        exit "$EXIT_FAILED"
+    fi
+    answer=$(health)
+    printf '%-9s %s\n' Server "$(json_value status "$answer" | grep . || echo 'not answering') (process $(pid_of server), $(resident_megabytes) MB)" \
+        Page "$(page_address)" Stream "port $STREAM_PORT" Vehicles "${ENDPOINTS//,/ }" \
+        Drones "$(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value lost "$answer") lost" \
+        Database "$(json_value database "$answer")"
+    if is_running sim; then printf '%-9s %s\n' Demo "$FLEET_COUNT simulated drones (process $(pid_of sim))"; else printf '%-9s none\n' Demo; fi
+    free=$(free_megabytes "$DATA")
+    printf '%-9s %s\n' Data "$DATA ($free MB free)" Build "$(is_built && echo 'up to date' || echo 'older than the sources: ./dronemap up builds anew')"
+    if ((free < 100)); then warn "The disk that holds $DATA is nearly full. Make room, or the server can store nothing more."; fi
+    [[ $(json_value status "$answer") == up ]] || exit "$EXIT_FAILED"
+}
+
+resident_megabytes() { awk '/^VmRSS/ { print int($2 / 1024) }' "/proc/$(pid_of server)/status" 2>/dev/null; }

@@ -1,0 +1,208 @@
+# shellcheck shell=bash
+# up, down, status, logs: the life of the server.
+
+DEMO=true
+FOREGROUND=false
+CERTIFICATE=""
+PRIVATE_KEY=""
+WANT_PUBLIC=false
+
+command_up() {
+    read_up_options "$@"
+    load_settings
+    make_folders
+    take_lock
+    if [[ $WANT_PUBLIC == true ]]; then refuse_first_password; fi
+    PUBLIC=$WANT_PUBLIC
+    set_bind
+    install_missing
+    if ! is_running server; then check_ports; fi
+    build_if_changed
+    start_everything
+    if [[ $FOREGROUND == true ]]; then stay; fi
+}
+
+read_up_options() {
+    while (($# > 0)); do
+        case $1 in
+            --no-demo) DEMO=false ;;
+            --foreground) FOREGROUND=true ;;
+            --public) WANT_PUBLIC=true ;;
+            --cert) CERTIFICATE=$(option_file "$@") && shift || exit ;;
+            --key) PRIVATE_KEY=$(option_file "$@") && shift || exit ;;
+            *) fail "$EXIT_USAGE" "up does not know '$1'. See ./dronemap help" ;;
+        esac
+        shift
+    done
+    if [[ -n $CERTIFICATE$PRIVATE_KEY ]]; then
+        [[ $WANT_PUBLIC == true ]] || fail "$EXIT_USAGE" "--cert and --key go with --public."
+        [[ -n $CERTIFICATE && -n $PRIVATE_KEY ]] || fail "$EXIT_USAGE" "--cert and --key go together."
+    fi
+}
+
+option_file() { # OPTION [FILE]…
+    (($# > 1)) || fail "$EXIT_USAGE" "$1 needs a file."
+    [[ -f $2 && -r $2 ]] || fail "$EXIT_USAGE" "$1: there is no readable file '$2'."
+    realpath -- "$2"
+}
+
+start_everything() {
+    provide_certificate
+    local wanted
+    wanted=$(run_description)
+    if is_running server && [[ $(cat "$RUN_FILE" 2>/dev/null) != "$wanted" ]]; then
+        step "The server runs with another build or other settings: restarting it"
+        stop_everything
+        check_ports
+    fi
+    if is_running server; then
+        step "The server is already running (process $(pid_of server))"
+    else
+        start_server "$wanted"
+    fi
+    wait_until_up
+    if [[ $DEMO == true ]]; then
+        start_fleet
+        wait_until_flyable
+    else
+        stop_fleet
+    fi
+    print_welcome
+}
+
+# What a running server was started with; another description means a restart.
+run_description() {
+    printf 'build=%s\npublic=%s\nbind=%s\nhttp=%s\nstream=%s\nendpoints=%s\ndatabase=%s\nuser=%s\njava=%s\ncertificate=%s\n' \
+        "$(stamp_of jars)" "$PUBLIC" "$BIND" "$HTTP_PORT" "$STREAM_PORT" "$ENDPOINTS" "${DRONEMAP_DATABASE_URL:-own}" \
+        "${DRONEMAP_DATABASE_USER:-}" "${DRONEMAP_JAVA_OPTS:-}" "$(certificate_mark)"
+}
+
+# The first start makes a database; later ones only need room to write.
+check_data_space() {
+    if [[ -s $RUN_FILE ]]; then
+        need_space "$DATA" 100 "the database"
+    else
+        need_space "$DATA" 400 "the first start of the database"
+    fi
+}
+
+start_server() { # DESCRIPTION
+    check_data_space
+    step "Starting the server"
+    WORK="starting the server"
+    ON_INTERRUPT=stop_everything
+    keep_small "$LOGS/server.log"
+    # The log before this mark belongs to earlier runs.
+    LOG_START=$(stat -c %s "$LOGS/server.log" 2>/dev/null || echo 0)
+    local options
+    read -r -a options <<<"${DRONEMAP_JAVA_OPTS:-}"
+    server_environment
+    start_daemon server "$LOGS/server.log" "$JDK/bin/java" -Xmx384m "${options[@]}" "-Ddronemap.checkout=$DATA" -jar "$APP/dronemap.jar"
+    printf '%s\n' "$1" >"$RUN_FILE"
+}
+
+server_environment() {
+    export DRONEMAP_DATA_DIR=$DATA DRONEMAP_HTTP_PORT=$HTTP_PORT DRONEMAP_STREAM_PORT=$STREAM_PORT
+    export DRONEMAP_BIND=$BIND DRONEMAP_ENDPOINTS=$ENDPOINTS DRONEMAP_PUBLIC=$PUBLIC
+    if [[ $PUBLIC == true ]]; then
+        export DRONEMAP_TLS_CERT=$CERTIFICATE DRONEMAP_TLS_KEY=$PRIVATE_KEY
+    fi
+}
+
+# Detached from this terminal; the process id is kept for the next run.
+start_daemon() { # NAME LOG COMMAND…
+    local name=$1 log=$2
+    shift 2
+    (umask 077 && cd "$DATA" && exec setsid nohup "$@" </dev/null >>"$log" 2>&1 {LOCK}>&-) &
+    echo $! >"$DATA/$name.pid"
+    disown $!
+}
+
+keep_small() { # LOG
+    if [[ -f $1 ]] && (($(stat -c %s "$1") > 20000000)); then mv -f "$1" "$1.1"; fi
+}
+
+pid_of() { cat "$DATA/$1.pid" 2>/dev/null || true; }
+
+# A process id can be given anew after a crash: the command line must be ours too.
+is_running() { # server|sim
+    local pid
+    pid=$(pid_of "$1")
+    [[ -n $pid && -r /proc/$pid/cmdline ]] && tr '\0' ' ' <"/proc/$pid/cmdline" | grep -qF -- "-Ddronemap.checkout=$DATA "
+}
+
+command_down() {
+    (($# == 0)) || fail "$EXIT_USAGE" "down takes no options. See ./dronemap help"
+    load_settings
+    if ! is_running server && ! is_running sim; then
+        rm -f "$DATA/server.pid" "$DATA/sim.pid"
+        stop_orphaned_database
+        step "Dronemap is not running"
+        return
+    fi
+    stop_everything
+    step "Dronemap is stopped"
+}
+
+stop_everything() {
+    stop_fleet
+    stop_process server 40
+    stop_orphaned_database
+}
+
+stop_process() { # NAME SECONDS
+    local pid tries
+    pid=$(pid_of "$1")
+    if is_running "$1"; then
+        kill -TERM "$pid" 2>/dev/null || fail "$EXIT_RIGHTS" "Process $pid belongs to $(stat -c %U "/proc/$pid"). Run this as that user."
+        for ((tries = 0; tries < $2 * 5; tries++)); do
+            is_running "$1" || break
+            sleep 0.2
+        done
+        if is_running "$1"; then
+            warn "The $1 (process $pid) did not stop within $2 s and was killed; what it had acknowledged is stored."
+            kill -KILL "$pid" 2>/dev/null || true
+        fi
+    fi
+    rm -f "$DATA/$1.pid"
+}
+
+# A killed server leaves its own PostgreSQL behind; SIGINT is PostgreSQL's orderly, fast shutdown.
+stop_orphaned_database() {
+    local file pid
+    while IFS= read -r file; do
+        pid=$(head -n 1 "$file")
+        if [[ $pid =~ ^[0-9]+$ && $(readlink "/proc/$pid/cwd" 2>/dev/null) == "$(dirname "$file")" ]]; then
+            kill -INT "$pid" 2>/dev/null || true
+            timeout 20 tail --pid="$pid" -f /dev/null || true
+        fi
+    done < <(find "$DATA" -maxdepth 4 -name postmaster.pid 2>/dev/null)
+}
+
+# For containers and service managers: lives and dies with the server.
+stay() {
+    WORK=""
+    ON_INTERRUPT=stop_everything
+    note "Stays until interrupted (Ctrl-C)."
+    while is_running server; do sleep 1; done
+    stop_everything
+    fail "$EXIT_START" "The server ended by itself. See ./dronemap logs"
+}
+
+command_logs() {
+    local follow=() what=server file
+    while (($# > 0)); do
+        case $1 in
+            -f | --follow) follow=(-F) ;;
+            server | sim | build) what=$1 ;;
+            *) fail "$EXIT_USAGE" "logs does not know '$1'. See ./dronemap help" ;;
+        esac
+        shift
+    done
+    load_settings
+    file=$LOGS/$what.log
+    if [[ $what == build ]]; then file=$TOOLS/logs/build.log; fi
+    [[ -r $file ]] || fail "$EXIT_FAILED" "There is no log $file yet."
+    trap - INT
+    exec tail -n 200 "${follow[@]}" -- "$file"
+}

@@ -1,0 +1,120 @@
+"""Counts what the suites of `./dronemap test` left behind and prints the table that ends the run.
+
+Input: a file of tab-separated lines `suite, kind, what, log`, where kind is
+  passed | failed   one check that stands for itself
+  junit             `what` is a pattern of JUnit reports
+  status            the program of the suite failed; counts only when no report of the suite shows a failure
+Exit code 1 when anything failed.
+"""
+
+import glob
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass
+class Suite:
+    """Counts of one suite, the names of what failed and the reasons of what was skipped."""
+
+    passed: int = 0
+    failed: int = 0
+    failures: list[str] = field(default_factory=list)
+    skips: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def skipped(self) -> int:
+        return self.skips.total()
+
+    @property
+    def ran(self) -> int:
+        return self.passed + self.failed
+
+    def fail(self, name: str) -> None:
+        self.failed += 1
+        self.failures.append(name)
+
+
+def first_line(text: str) -> str:
+    lines = text.strip().splitlines()
+    return lines[0].strip() if lines else "no reason given"
+
+
+def reason_of(skipped: ElementTree.Element) -> str:
+    reason = skipped.get("message") or skipped.text or ""
+    for prefix in ("Assumption failed: ", "org.opentest4j.TestAbortedException: ", "Skipped: "):
+        reason = reason.removeprefix(prefix)
+    return first_line(reason)
+
+
+def add_case(suite: Suite, case: ElementTree.Element) -> None:
+    name = f"{case.get('classname', '')} {case.get('name', '')}".strip()
+    skipped = case.find("skipped")
+    if case.find("failure") is not None or case.find("error") is not None:
+        suite.fail(name)
+    elif skipped is not None:
+        suite.skips[reason_of(skipped)] += 1
+    else:
+        suite.passed += 1
+
+
+def add_reports(suite: Suite, pattern: str) -> None:
+    paths = sorted(glob.glob(pattern))
+    for path in paths:
+        try:
+            root = ElementTree.parse(path).getroot()
+        except ElementTree.ParseError as error:
+            suite.fail(f"{path} is not readable: {error}")
+            continue
+        for case in root.iter("testcase"):
+            add_case(suite, case)
+
+
+def read_results(path: Path) -> dict[str, Suite]:
+    suites: dict[str, Suite] = {}
+    for line in path.read_text(encoding="utf-8").splitlines():
+        name, kind, what, log = line.split("\t")
+        suite = suites.setdefault(name, Suite())
+        if kind == "passed":
+            suite.passed += 1
+        elif kind == "failed":
+            suite.fail(f"{what} (see {log})")
+        elif kind == "junit":
+            add_reports(suite, what)
+        elif not suite.failures:
+            suite.fail(f"{what} ended with an error outside any test (see {log})")
+    return suites
+
+
+def reason_lines(suite: Suite) -> list[str]:
+    reasons = [f"{count} × {reason}" if count > 1 else reason for reason, count in suite.skips.most_common()]
+    return [f"FAILED {name}" for name in suite.failures] + [f"not proved: {reason}" for reason in reasons]
+
+
+def print_table(suites: dict[str, Suite]) -> None:
+    print()
+    print(f"{'suite':<12} {'ran':>6} {'passed':>7} {'failed':>7} {'skipped':>8}  why")
+    for name, suite in suites.items():
+        whys = reason_lines(suite) or [""]
+        print(f"{name:<12} {suite.ran:>6} {suite.passed:>7} {suite.failed:>7} {suite.skipped:>8}  {whys[0]}".rstrip())
+        for why in whys[1:]:
+            print(f"{'':<45}{why}")
+    print()
+
+
+def main(arguments: list[str]) -> int:
+    suites = read_results(Path(arguments[0]))
+    print_table(suites)
+    passed = sum(suite.passed for suite in suites.values())
+    failed = sum(suite.failed for suite in suites.values())
+    skipped = sum(suite.skipped for suite in suites.values())
+    if skipped:
+        print("What was skipped is not proved by this run.")
+    print(f"{passed} passed, {failed} failed, {skipped} skipped", flush=True)
+    return 1 if failed or passed == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
