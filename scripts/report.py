@@ -61,8 +61,7 @@ def add_case(suite: Suite, case: ElementTree.Element) -> None:
 
 
 def add_reports(suite: Suite, pattern: str) -> None:
-    paths = sorted(glob.glob(pattern))
-    for path in paths:
+    for path in sorted(glob.glob(pattern)):  # noqa: PTH207 the pattern is absolute
         try:
             root = ElementTree.parse(path).getroot()
         except ElementTree.ParseError as error:
@@ -98,7 +97,8 @@ def print_table(suites: dict[str, Suite]) -> None:
     print(f"{'suite':<12} {'ran':>6} {'passed':>7} {'failed':>7} {'skipped':>8}  why")
     for name, suite in suites.items():
         whys = reason_lines(suite) or [""]
-        print(f"{name:<12} {suite.ran:>6} {suite.passed:>7} {suite.failed:>7} {suite.skipped:>8}  {whys[0]}".rstrip())
+        counts = f"{suite.ran:>6} {suite.passed:>7} {suite.failed:>7} {suite.skipped:>8}"
+        print(f"{name:<12} {counts}  {whys[0]}".rstrip())
         for why in whys[1:]:
             print(f"{'':<45}{why}")
     print()

@@ -33,6 +33,7 @@ health() { ask /api/v1/health --max-time 3 2>/dev/null || true; }
 
 require_running() {
     is_running server || fail "$EXIT_FAILED" "The server is not running. Start it with ./dronemap up"
+    adopt_running_settings
 }
 
 wait_until_up() {
@@ -112,6 +113,7 @@ command_status() {
         echo "Dronemap is not running. Start it with ./dronemap up"
         exit "$EXIT_FAILED"
     fi
+    adopt_running_settings
     answer=$(health)
     printf '%-9s %s\n' Server "$(json_value status "$answer" | grep . || echo 'not answering') (process $(pid_of server), $(resident_megabytes) MB)" \
         Page "$(page_address)" Stream "port $STREAM_PORT" Vehicles "${ENDPOINTS//,/ }" \

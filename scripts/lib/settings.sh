@@ -16,9 +16,19 @@ load_settings() {
     FIRST_PASSWORD_FILE=$DATA/first-password.txt
     KEY_FILE=$DATA/local-key
     PUBLIC=false
-    if is_running server && grep -q '^public=true' "$RUN_FILE" 2>/dev/null; then PUBLIC=true; fi
     set_bind
 }
+
+# Commands that talk to a running server find it where it is, whatever the environment says now.
+adopt_running_settings() {
+    is_running server || return 0
+    PUBLIC=$(started_with public)
+    HTTP_PORT=$(started_with http)
+    STREAM_PORT=$(started_with stream)
+    ENDPOINTS=$(started_with endpoints)
+}
+
+started_with() { sed -n "s/^$1=//p" "$RUN_FILE"; }
 
 port_setting() { # NAME DEFAULT
     local value=${!1:-$2}

@@ -132,31 +132,30 @@ suite_java() { # GOALS-NAME OPTIONS…
         mvn -B -ntp -fae -f "$ROOT/pom.xml" "$@" verify
 }
 
-# Folders that hold Python, by their first folder or two: each is checked as it is run, with its own files as top-level modules.
-python_folders() {
-    (cd "$ROOT" && find . \( -name node_modules -o -name target -o -name '.*' ! -name . \) -prune -o -name '*.py' -printf '%h\n' |
-        sed 's#^\./##' | sort -u | awk '{ for (f in seen) if (index($0 "/", f "/") == 1) next; seen[$0]; print }')
+# Every folder with a pyproject.toml is a Python project, checked and run by its own settings.
+python_projects() {
+    (cd "$ROOT" && find . \( -name node_modules -o -name target -o -name '.?*' \) -prune -o -name pyproject.toml -printf '%P\n' |
+        xargs -r -n 1 dirname | sort)
 }
 
 suite_python_checks() {
-    local folder
-    check python ruff env -C "$ROOT" "$PYTHON/ruff" check .
-    check python format env -C "$ROOT" "$PYTHON/ruff" format --check .
-    while IFS= read -r folder; do
-        check python "mypy $folder" env -C "$ROOT" MYPYPATH="$folder" "$PYTHON/mypy" --explicit-package-bases "$folder"
-    done < <(python_folders)
+    local project
+    while IFS= read -r project; do
+        check python "ruff $project" env -C "$ROOT/$project" "$PYTHON/ruff" check --no-cache .
+        check python "format $project" env -C "$ROOT/$project" "$PYTHON/ruff" format --no-cache --check .
+        check python "mypy $project" env -C "$ROOT/$project" "$PYTHON/mypy" --cache-dir "$TOOLS/mypy/$project" .
+    done < <(python_projects)
 }
 
-# Tests of folders run apart: their support modules may share names. The jars are the ones that the Java suite built.
+# Two test modules of different projects may share a name, so each runs apart. The jars are the ones the Java suite built.
 suite_pytest() { # MARKER-EXPRESSION
-    local folder report status
-    while IFS= read -r folder; do
-        compgen -G "$ROOT/$folder/test_*.py" >/dev/null || compgen -G "$ROOT/$folder/*/test_*.py" >/dev/null || continue
-        report=$TEST_LOGS/pytest-${folder//\//-}.xml
-        counted "$(suite_name "$folder")" "pytest $folder" "$report" \
-            env -C "$ROOT" PATH="$PYTHON:$PATH" "$PYTHON/python" "$ROOT/scripts/pytest_or_none.py" \
-            "$folder" -m "$1" --junitxml="$report" -ra --durations=10 -p no:cacheprovider
-    done < <(python_folders)
+    local project report
+    while IFS= read -r project; do
+        report=$TEST_LOGS/pytest-${project//\//-}.xml
+        counted "$(suite_name "$project")" "pytest $project" "$report" \
+            env -C "$ROOT/$project" PATH="$PYTHON:$PATH" "$PYTHON/python" "$ROOT/scripts/pytest_or_none.py" \
+            -m "$1" --junitxml="$report" --durations=10 -p no:cacheprovider
+    done < <(python_projects)
 }
 
 suite_name() { case $1 in e2e*) echo 'end to end' ;; scripts*) echo script ;; *) echo python ;; esac; }

@@ -5,7 +5,7 @@
 refuse_first_password() {
     local advice="change it in the browser or with ./dronemap password, then run ./dronemap up --public."
     if [[ -e $FIRST_PASSWORD_FILE ]]; then
-        if is_running server; then advice="At $(local_address) $advice"; else advice="Run ./dronemap up, $advice"; fi
+        if is_running server; then advice="At $(adopt_running_settings && local_address) $advice"; else advice="Run ./dronemap up, $advice"; fi
         fail "$EXIT_PASSWORD" "The administrator still has the one-time password, so it stays closed to the network. $advice"
     fi
     [[ -s $RUN_FILE ]] ||
