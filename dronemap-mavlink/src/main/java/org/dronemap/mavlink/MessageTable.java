@@ -11,9 +11,12 @@ import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** Checksum seeds (CRC_EXTRA) and names of all messages known here; read once from messages.tsv. */
+/**
+ * Checksum seeds (CRC_EXTRA) and names of all messages known here; read once from messages.tsv, and what is
+ * newer than dronefleet's definitions from messages-newer.tsv.
+ */
 public final class MessageTable {
-    private static final Map<Integer, Entry> ENTRIES = read();
+    private static final Map<Integer, Entry> ENTRIES = readAll();
 
     /** Payload lengths in bytes without and with the version 2 extension fields. */
     public record Entry(int id, String name, int checksumSeed, int shortestPayload, int longestPayload) {}
@@ -29,9 +32,15 @@ public final class MessageTable {
         return Objects.requireNonNull(find(messageId), "no such message").checksumSeed();
     }
 
-    private static Map<Integer, Entry> read() {
+    private static Map<Integer, Entry> readAll() {
         Map<Integer, Entry> entries = new HashMap<>();
-        try (InputStream in = Objects.requireNonNull(MessageTable.class.getResourceAsStream("messages.tsv"));
+        read("messages-newer.tsv", entries);
+        read("messages.tsv", entries);
+        return Map.copyOf(entries);
+    }
+
+    private static void read(String resource, Map<Integer, Entry> entries) {
+        try (InputStream in = Objects.requireNonNull(MessageTable.class.getResourceAsStream(resource));
                 BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.US_ASCII))) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 if (!line.startsWith("#")) {
@@ -50,6 +59,5 @@ public final class MessageTable {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return Map.copyOf(entries);
     }
 }
