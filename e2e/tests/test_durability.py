@@ -1,0 +1,63 @@
+"""What was acknowledged is there, however often the server is killed."""
+
+import random
+import threading
+from pathlib import Path
+
+import requests
+
+from dronemap_e2e.api import Api
+from dronemap_e2e.server import Server
+from dronemap_e2e.waiting import wait_for
+
+WRITES = 1_000
+KILLS = 4
+ITEMS = [{"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20}]
+
+
+def test_a_thousand_acknowledged_writes_survive_random_kills(tmp_path: Path) -> None:
+    server = Server(tmp_path / "data")
+    server.start()
+    chance = random.Random(20)
+    acknowledged: list[str] = []
+    try:
+        for kill in range(KILLS):
+            goal = WRITES * (kill + 1) // (KILLS + 1) + chance.randrange(50)
+            _write_until_killed(server, acknowledged, goal)
+            server.start()
+        api = Api(server.address, server.local_key())
+        while len(acknowledged) < WRITES:
+            assert _write(api, acknowledged)
+        kept = {mission["name"] for mission in api.get("/missions")["missions"]}
+    finally:
+        server.stop()
+
+    assert len(acknowledged) >= WRITES
+    assert set(acknowledged) <= kept
+
+
+def _write_until_killed(server: Server, acknowledged: list[str], goal: int) -> None:
+    """One client writes on and on; the server is killed under it as soon as enough was acknowledged."""
+    api = Api(server.address, server.local_key())
+
+    def write() -> None:
+        while _write(api, acknowledged):
+            pass
+
+    writer = threading.Thread(target=write)
+    writer.start()
+    wait_for("enough writes", lambda: len(acknowledged) >= goal, 60, every=0.01)
+    server.kill()
+    writer.join(20)
+    assert not writer.is_alive()
+
+
+def _write(api: Api, acknowledged: list[str]) -> bool:
+    name = f"mission {len(acknowledged)} {random.randrange(10**9)}"
+    try:
+        answer = api.call("POST", "/missions", {"name": name, "items": ITEMS})
+    except requests.RequestException:
+        return False
+    if answer.status_code == 201:
+        acknowledged.append(name)
+    return answer.status_code == 201
