@@ -1,0 +1,213 @@
+package org.dronemap.store.postgres.own;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.HashSet;
+import java.util.Random;
+import java.util.Set;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.store.StoreException;
+import org.dronemap.store.postgres.Database;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class OwnPostgresTest {
+    @TempDir
+    private Path directory;
+
+    @AfterEach
+    void leaveNoProcessBehind() {
+        OwnPostgres.stopOrphan(directory);
+    }
+
+    @Test
+    void takesOverTheDatabaseOfAKilledServer() throws Exception {
+        try (ChildProcess child = new ChildProcess(directory, "orphaned", 3)) {
+            awaitDone(child);
+            child.kill();
+        }
+        long orphan = postmaster().pid();
+        try (OwnPostgres own = OwnPostgres.start(directory)) {
+            assertThat(own.wasAdopted()).isTrue();
+            assertThat(postmaster().pid()).isEqualTo(orphan);
+            assertThat(count(own)).isEqualTo(3);
+        }
+        assertThat(PostmasterFile.read(Cluster.directory(directory.toRealPath())))
+                .isEmpty();
+    }
+
+    @Test
+    void recoversWhenServerAndDatabaseWereKilled() throws Exception {
+        try (ChildProcess child = new ChildProcess(directory, "crashed", 3)) {
+            awaitDone(child);
+            child.kill();
+        }
+        ProcessHandle postmaster = ProcessHandle.of(postmaster().pid()).orElseThrow();
+        postmaster.destroyForcibly();
+        postmaster.onExit().get();
+        try (OwnPostgres own = OwnPostgres.start(directory)) {
+            assertThat(own.wasAdopted()).isFalse();
+            assertThat(count(own)).isEqualTo(3);
+        }
+    }
+
+    @Test
+    void losesNoAcknowledgedWriteOverRandomKills() throws Exception {
+        Random random = new Random(20260304);
+        Set<String> acknowledged = new HashSet<>();
+        int round = 0;
+        while (acknowledged.size() < 1_000) {
+            // The server alone in even rounds; in odd ones its database as well, in the middle of its work.
+            acknowledged.addAll(killedAfter(20 + random.nextInt(380), round % 2 == 1, "round" + round));
+            round++;
+        }
+        assertThat(round).isGreaterThanOrEqualTo(3);
+        try (Database database = Database.openOwn(directory)) {
+            assertThat(acknowledged)
+                    .allMatch(
+                            id -> database.commands().command(new CommandId(id)).isPresent());
+        }
+    }
+
+    private Set<String> killedAfter(int writes, boolean databaseToo, String prefix)
+            throws IOException, InterruptedException {
+        Set<String> acknowledged = new HashSet<>();
+        try (ChildProcess child = new ChildProcess(directory, prefix, 100_000)) {
+            for (String line = child.line(); line != null; line = child.line()) {
+                if (line.startsWith(prefix)) {
+                    acknowledged.add(line);
+                }
+                if (acknowledged.size() == writes) {
+                    if (databaseToo) {
+                        ProcessHandle.of(postmaster().pid()).ifPresent(ProcessHandle::destroyForcibly);
+                    }
+                    child.kill();
+                }
+            }
+        }
+        return acknowledged;
+    }
+
+    @Test
+    void refusesASecondServerOnTheSameDirectory() {
+        try (OwnPostgres first = OwnPostgres.start(directory)) {
+            assertThatThrownBy(() -> OwnPostgres.start(directory))
+                    .isInstanceOf(StoreException.class)
+                    .hasMessageContaining("in use by another Dronemap server (process "
+                            + ProcessHandle.current().pid() + ")");
+            assertThat(first.port()).isPositive();
+        }
+    }
+
+    @Test
+    void keepsDataPasswordAndNothingRunningOverACleanRestart() throws Exception {
+        String password;
+        try (OwnPostgres own = OwnPostgres.start(directory)) {
+            password = own.password();
+            execute(own, "CREATE TABLE kept AS SELECT 42 AS answer");
+        }
+        assertThat(PostmasterFile.read(Cluster.directory(directory.toRealPath())))
+                .isEmpty();
+        try (OwnPostgres own = OwnPostgres.start(directory)) {
+            assertThat(own.wasAdopted()).isFalse();
+            assertThat(own.password()).isEqualTo(password).hasSize(64);
+            assertThat(number(own, "SELECT answer FROM kept")).isEqualTo(42);
+            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(directory.resolve("password"))))
+                    .isEqualTo("rw-------");
+            assertThatThrownBy(() -> DriverManager.getConnection(own.jdbcUrl(), own.user(), "guess"))
+                    .isInstanceOf(SQLException.class)
+                    .hasMessageContaining("password authentication failed");
+        }
+    }
+
+    @Test
+    void startsAfterACreationThatWasCutShortAndDespiteAForeignProcessId() throws Exception {
+        Path home = directory.toRealPath();
+        Files.createDirectories(home.resolve("cluster.new").resolve("base"));
+        Files.writeString(home.resolve("cluster.new").resolve("PG_VERSION"), "18\n");
+        try (OwnPostgres own = OwnPostgres.start(directory)) {
+            assertThat(own.wasAdopted()).isFalse();
+        }
+        // After a power cut the number in the file may belong to any program: here to this very test.
+        Files.writeString(
+                PostmasterFile.path(Cluster.directory(home)),
+                ProcessHandle.current().pid() + "\n" + Cluster.directory(home)
+                        + "\n1\n5432\n\n127.0.0.1\n1 1\nready\n");
+        try (OwnPostgres own = OwnPostgres.start(directory)) {
+            assertThat(own.wasAdopted()).isFalse();
+            assertThat(number(own, "SELECT 1")).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void refusesAClusterOfAnotherVersionWithWhatToDo() throws Exception {
+        Path cluster = Files.createDirectories(directory.resolve("cluster"));
+        Files.writeString(cluster.resolve("PG_VERSION"), "9\n");
+        assertThatThrownBy(() -> OwnPostgres.start(directory))
+                .isInstanceOf(StoreException.class)
+                .hasMessageContaining("was made by PostgreSQL 9")
+                .hasMessageContaining("restore the backup");
+    }
+
+    @Test
+    void refusesADirectoryThatIsAFile() throws Exception {
+        Path file = Files.writeString(directory.resolve("file"), "x");
+        assertThatThrownBy(() -> OwnPostgres.start(file))
+                .isInstanceOf(StoreException.class)
+                .hasMessageContaining("Cannot use the data directory");
+    }
+
+    @Test
+    void namesTheProcessorThatItHasNoDatabaseFor() {
+        assertThat(Engine.archiveName("Linux", "amd64")).isEqualTo("postgres-linux-x86_64.txz");
+        assertThat(Engine.archiveName("Linux", "aarch64")).isEqualTo("postgres-linux-arm_64.txz");
+        assertThat(Engine.class.getResource("/postgres-linux-arm_64.txz")).isNotNull();
+        assertThatThrownBy(() -> Engine.archiveName("Linux", "riscv64"))
+                .isInstanceOf(StoreException.class)
+                .hasMessageContaining("Linux on riscv64")
+                .hasMessageContaining("DRONEMAP_DATABASE_URL");
+    }
+
+    private static void awaitDone(ChildProcess child) throws IOException {
+        String line = child.line();
+        while (!"done".equals(line)) {
+            assertThat(line).as("the child's output").isNotNull();
+            line = child.line();
+        }
+    }
+
+    private PostmasterFile postmaster() throws IOException {
+        return PostmasterFile.read(Cluster.directory(directory.toRealPath())).orElseThrow();
+    }
+
+    private static int count(OwnPostgres own) throws SQLException {
+        return number(own, "SELECT count(*)::integer FROM dronemap.command");
+    }
+
+    private static int number(OwnPostgres own, String sql) throws SQLException {
+        try (Connection connection = DriverManager.getConnection(own.jdbcUrl(), own.user(), own.password());
+                Statement statement = connection.createStatement();
+                ResultSet result = statement.executeQuery(sql)) {
+            assertThat(result.next()).isTrue();
+            return result.getInt(1);
+        }
+    }
+
+    private static void execute(OwnPostgres own, String sql) throws SQLException {
+        try (Connection connection = DriverManager.getConnection(own.jdbcUrl(), own.user(), own.password());
+                Statement statement = connection.createStatement()) {
+            statement.execute(sql);
+        }
+    }
+}
