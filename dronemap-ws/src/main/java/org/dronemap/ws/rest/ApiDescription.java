@@ -1,0 +1,41 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.models.Components;
+import io.swagger.v3.oas.models.OpenAPI;
+import io.swagger.v3.oas.models.info.Info;
+import io.swagger.v3.oas.models.info.License;
+import io.swagger.v3.oas.models.security.SecurityRequirement;
+import io.swagger.v3.oas.models.security.SecurityScheme;
+
+/** What stands at the head of the OpenAPI description. */
+public final class ApiDescription {
+    private ApiDescription() {}
+
+    public static OpenAPI of(String version) {
+        return new OpenAPI()
+                .info(new Info()
+                        .title("Dronemap")
+                        .version(version)
+                        .description(
+                                "Drones from anywhere, flown by many users. Angles in degrees, distances in metres,"
+                                        + " speeds in m/s, times in UTC; a fact that nobody knows is null. A request that is not"
+                                        + " carried out is answered with application/problem+json, whose detail is a sentence"
+                                        + " for people. Programs send an access key as Authorization: Bearer KEY; a browser's"
+                                        + " session has to send X-Dronemap: 1 with every change.")
+                        .license(new License().name("Apache-2.0").url("https://www.apache.org/licenses/LICENSE-2.0")))
+                .components(new Components()
+                        .addSecuritySchemes(
+                                "accessKey",
+                                new SecurityScheme()
+                                        .type(SecurityScheme.Type.HTTP)
+                                        .scheme("bearer"))
+                        .addSecuritySchemes(
+                                "session",
+                                new SecurityScheme()
+                                        .type(SecurityScheme.Type.APIKEY)
+                                        .in(SecurityScheme.In.COOKIE)
+                                        .name("dronemap-session")))
+                .addSecurityItem(new SecurityRequirement().addList("accessKey"))
+                .addSecurityItem(new SecurityRequirement().addList("session"));
+    }
+}

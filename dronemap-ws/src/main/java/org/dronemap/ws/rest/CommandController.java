@@ -1,0 +1,94 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.CommandRequest;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.InvalidInput;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Commands to drones and their outcomes. */
+@RestController
+@RequestMapping("/api/v1")
+@Tag(name = "Commands", description = "Each command ends in exactly one outcome; the same id twice acts once.")
+public class CommandController {
+    private static final int LONGEST_WAIT_SECONDS = 60;
+
+    private final CommandService commands;
+    private final CurrentPrincipal current;
+
+    /** Commands, newest first. */
+    public record Commands(List<CommandView> commands) {}
+
+    public CommandController(CommandService commands, CurrentPrincipal current) {
+        this.commands = commands;
+        this.current = current;
+    }
+
+    @PostMapping("/drones/{id}/commands")
+    @Operation(
+            summary = "Give a command (operator)",
+            description = "202 with the command under way; with wait: 200 with its outcome if it ends in that time."
+                    + " 409 when the drone's state does not allow it, with the sentence why.")
+    public CompletableFuture<ResponseEntity<CommandView>> submit(
+            @PathVariable String id,
+            @Parameter(description = "Seconds to wait for the outcome, 0 to 60")
+                    @RequestParam(required = false)
+                    @Nullable
+                    Double wait,
+            @RequestBody CommandRequest request) {
+        Duration longest = wait(wait);
+        CommandView command = commands.submit(current.principal(), current.face(), id, request);
+        if (longest.isZero()) {
+            return CompletableFuture.completedFuture(answer(command));
+        }
+        return commands.awaitEnd(command, longest).thenApply(CommandController::answer);
+    }
+
+    @GetMapping("/drones/{id}/commands")
+    @Operation(summary = "List a drone's last commands", description = "Newest first, at most 50.")
+    public Commands commandsOf(@PathVariable String id) {
+        current.principal();
+        return new Commands(commands.commandsOf(id));
+    }
+
+    @GetMapping("/commands/{id}")
+    @Operation(summary = "Look at one command")
+    public CommandView command(@PathVariable String id) {
+        current.principal();
+        return commands.command(id);
+    }
+
+    private static ResponseEntity<CommandView> answer(CommandView command) {
+        HttpStatus status = command.outcome() == null ? HttpStatus.ACCEPTED : HttpStatus.OK;
+        return ResponseEntity.status(status)
+                .location(URI.create("/api/v1/commands/" + command.id()))
+                .body(command);
+    }
+
+    private static Duration wait(@Nullable Double seconds) {
+        if (seconds == null) {
+            return Duration.ZERO;
+        }
+        if (!(seconds >= 0 && seconds <= LONGEST_WAIT_SECONDS)) {
+            throw InvalidInput.outside("wait", "0 to " + LONGEST_WAIT_SECONDS + " seconds", seconds);
+        }
+        return Duration.ofMillis(Math.round(seconds * 1000));
+    }
+}

@@ -1,0 +1,60 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.DroneView;
+import org.dronemap.ws.service.RenameRequest;
+import org.springframework.http.HttpStatus;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PatchMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Drones as they are now. */
+@RestController
+@RequestMapping("/api/v1/drones")
+@Tag(name = "Drones", description = "Every vehicle that the cloud knows, with its state now.")
+public class DroneController {
+    private final DroneService drones;
+    private final CurrentPrincipal current;
+
+    /** All drones. */
+    public record Drones(List<DroneView> drones) {}
+
+    public DroneController(DroneService drones, CurrentPrincipal current) {
+        this.drones = drones;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List the drones")
+    public Drones drones() {
+        return new Drones(drones.drones(current.principal()));
+    }
+
+    @GetMapping("/{id}")
+    @Operation(summary = "Look at one drone")
+    public DroneView drone(@PathVariable String id) {
+        return drones.drone(current.principal(), id);
+    }
+
+    @PatchMapping("/{id}")
+    @Operation(summary = "Give a drone another name (operator)")
+    public DroneView rename(@PathVariable String id, @RequestBody RenameRequest request) {
+        return drones.rename(current.principal(), id, request);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Forget a lost drone (administrator)")
+    public void remove(@PathVariable String id) {
+        drones.remove(current.principal(), id);
+    }
+}

@@ -1,0 +1,72 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.MissionService;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** The mission library. */
+@RestController
+@RequestMapping("/api/v1/missions")
+@Tag(name = "Missions", description = "Missions kept in the cloud, ready to be uploaded to a drone.")
+public class MissionController {
+    private final MissionService missions;
+    private final CurrentPrincipal current;
+
+    /** All saved missions. */
+    public record Missions(List<MissionService.SavedMissionView> missions) {}
+
+    public MissionController(MissionService missions, CurrentPrincipal current) {
+        this.missions = missions;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List the saved missions")
+    public Missions missions() {
+        current.principal();
+        return new Missions(missions.missions());
+    }
+
+    @GetMapping("/{id}")
+    @Operation(summary = "Look at one saved mission")
+    public MissionService.SavedMissionView mission(@PathVariable String id) {
+        current.principal();
+        return missions.mission(id);
+    }
+
+    @PostMapping
+    @Operation(summary = "Save a mission (operator)")
+    public ResponseEntity<MissionService.SavedMissionView> add(@RequestBody MissionService.MissionRequest request) {
+        MissionService.SavedMissionView saved = missions.add(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/missions/" + saved.id()))
+                .body(saved);
+    }
+
+    @PutMapping("/{id}")
+    @Operation(summary = "Replace a saved mission (operator)")
+    public MissionService.SavedMissionView replace(
+            @PathVariable String id, @RequestBody MissionService.MissionRequest request) {
+        return missions.replace(current.principal(), id, request);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove a saved mission (operator)")
+    public void delete(@PathVariable String id) {
+        missions.delete(current.principal(), id);
+    }
+}

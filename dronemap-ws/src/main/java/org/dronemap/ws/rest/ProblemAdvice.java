@@ -1,0 +1,130 @@
+package org.dronemap.ws.rest;
+
+import jakarta.servlet.http.HttpServletRequest;
+import java.util.Set;
+import java.util.concurrent.CompletionException;
+import java.util.stream.Collectors;
+import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.springframework.http.HttpMethod;
+import org.springframework.http.MediaType;
+import org.springframework.http.ResponseEntity;
+import org.springframework.http.converter.HttpMessageNotReadableException;
+import org.springframework.web.HttpMediaTypeNotAcceptableException;
+import org.springframework.web.HttpMediaTypeNotSupportedException;
+import org.springframework.web.HttpRequestMethodNotSupportedException;
+import org.springframework.web.bind.MissingServletRequestParameterException;
+import org.springframework.web.bind.annotation.ExceptionHandler;
+import org.springframework.web.bind.annotation.RestControllerAdvice;
+import org.springframework.web.context.request.async.AsyncRequestNotUsableException;
+import org.springframework.web.method.annotation.MethodArgumentTypeMismatchException;
+import org.springframework.web.servlet.resource.NoResourceFoundException;
+import tools.jackson.core.JacksonException;
+
+/** Turns everything that goes wrong in a request into a problem with a sentence; never a stack trace. */
+@RestControllerAdvice
+public class ProblemAdvice {
+    private static final Logger LOG = LoggerFactory.getLogger(ProblemAdvice.class);
+
+    @ExceptionHandler(Rejection.class)
+    public ResponseEntity<Problem> rejected(Rejection rejection) {
+        return answer(rejection);
+    }
+
+    @ExceptionHandler(HttpMessageNotReadableException.class)
+    public ResponseEntity<Problem> unreadable(HttpMessageNotReadableException e) {
+        for (Throwable cause = e.getCause(); cause != null; cause = cause.getCause()) {
+            if (cause instanceof Rejection rejection) {
+                return answer(rejection);
+            }
+            if (cause instanceof JacksonException json) {
+                return answer(JsonReader.rejection(json));
+            }
+        }
+        return answer(Rejection.malformed("A JSON object is needed as the body of this request."));
+    }
+
+    @ExceptionHandler(MethodArgumentTypeMismatchException.class)
+    public ResponseEntity<Problem> wrongParameter(MethodArgumentTypeMismatchException e) {
+        Class<?> type = e.getRequiredType();
+        boolean number = type != null && (Number.class.isAssignableFrom(type) || type.isPrimitive());
+        return answer(
+                InvalidInput.outside(e.getName(), number ? "a number" : "another value", "\"" + e.getValue() + "\""));
+    }
+
+    @ExceptionHandler(MissingServletRequestParameterException.class)
+    public ResponseEntity<Problem> missingParameter(MissingServletRequestParameterException e) {
+        return answer(InvalidInput.missing(e.getParameterName(), "given in the address"));
+    }
+
+    @ExceptionHandler(HttpRequestMethodNotSupportedException.class)
+    public ResponseEntity<Problem> wrongMethod(HttpRequestMethodNotSupportedException e) {
+        Set<HttpMethod> supported = e.getSupportedHttpMethods();
+        String allowed = supported == null
+                ? "another method"
+                : supported.stream().map(HttpMethod::name).sorted().collect(Collectors.joining(", "));
+        Rejection rejection = new Rejection(
+                RejectionKind.METHOD, "This address does not take " + e.getMethod() + "; it takes " + allowed + ".");
+        return ResponseEntity.status(RejectionKind.METHOD.status())
+                .header("Allow", allowed)
+                .contentType(MediaType.APPLICATION_PROBLEM_JSON)
+                .body(Problem.of(rejection));
+    }
+
+    @ExceptionHandler(HttpMediaTypeNotSupportedException.class)
+    public ResponseEntity<Problem> wrongContent(HttpMediaTypeNotSupportedException e) {
+        return answer(new Rejection(
+                RejectionKind.MEDIA_TYPE,
+                "The body must be "
+                        + e.getSupportedMediaTypes().stream()
+                                .map(MediaType::toString)
+                                .filter(type -> !type.contains("+") && !type.contains("*"))
+                                .distinct()
+                                .collect(Collectors.joining(" or "))
+                        + "; say so in Content-Type."));
+    }
+
+    @ExceptionHandler(HttpMediaTypeNotAcceptableException.class)
+    public ResponseEntity<Problem> wrongAccept(HttpMediaTypeNotAcceptableException e) {
+        return answer(new Rejection(RejectionKind.MEDIA_TYPE, "The answer is JSON; the Accept header rules that out."));
+    }
+
+    @ExceptionHandler(NoResourceFoundException.class)
+    public ResponseEntity<Problem> noSuchAddress(HttpServletRequest request) {
+        return answer(new Rejection(
+                RejectionKind.UNKNOWN,
+                "There is nothing at " + request.getRequestURI() + "; /api/docs lists the addresses."));
+    }
+
+    /** The client went away while the answer was on its way: nobody to answer. */
+    @ExceptionHandler(AsyncRequestNotUsableException.class)
+    public void gone(AsyncRequestNotUsableException e) {
+        LOG.debug("A client went away: {}", e.getMessage());
+    }
+
+    @ExceptionHandler(Exception.class)
+    public ResponseEntity<Problem> broken(Exception e, HttpServletRequest request) {
+        Throwable cause = e instanceof CompletionException ? e.getCause() : e;
+        if (cause instanceof Rejection rejection) {
+            return answer(rejection);
+        }
+        LOG.error("{} {} failed", request.getMethod(), request.getRequestURI(), e);
+        return body(Problem.internal());
+    }
+
+    private static ResponseEntity<Problem> answer(@Nullable Rejection rejection) {
+        return body(rejection == null ? Problem.internal() : Problem.of(rejection));
+    }
+
+    private static ResponseEntity<Problem> body(Problem problem) {
+        return ResponseEntity.status(problem.status())
+                .contentType(MediaType.APPLICATION_PROBLEM_JSON)
+                .body(problem);
+    }
+}

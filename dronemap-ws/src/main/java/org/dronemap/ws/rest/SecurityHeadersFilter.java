@@ -1,0 +1,54 @@
+package org.dronemap.ws.rest;
+
+import jakarta.servlet.FilterChain;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.function.IntSupplier;
+import org.jspecify.annotations.Nullable;
+import org.springframework.web.filter.OncePerRequestFilter;
+
+/** Tells browsers what a page of this server may load and who may show it: nobody else. */
+public final class SecurityHeadersFilter extends OncePerRequestFilter {
+    private final IntSupplier streamPort;
+    private final String tiles;
+
+    public SecurityHeadersFilter(IntSupplier streamPort, @Nullable String tileAddress) {
+        this.streamPort = streamPort;
+        this.tiles = tileAddress == null ? "" : " " + origin(tileAddress);
+    }
+
+    @Override
+    protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
+            throws ServletException, IOException {
+        response.setHeader("Content-Security-Policy", policy(request));
+        response.setHeader("X-Content-Type-Options", "nosniff");
+        response.setHeader("X-Frame-Options", "DENY");
+        response.setHeader("Referrer-Policy", "same-origin");
+        response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
+        if (request.getRequestURI().startsWith("/api/")) {
+            response.setHeader("Cache-Control", "no-store");
+        }
+        chain.doFilter(request, response);
+    }
+
+    private String policy(HttpServletRequest request) {
+        String host = request.getServerName();
+        // an IPv6 literal cannot be written in a policy
+        String name = host.matches("[A-Za-z0-9.-]+") ? host : "*";
+        int port = streamPort.getAsInt();
+        String stream = (request.isSecure() ? "wss://" : "ws://") + name + ":" + port;
+        return "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
+                + tiles + "; font-src 'self' data:; connect-src 'self' blob: data: " + stream + tiles
+                + "; worker-src 'self' blob:; child-src 'self' blob:; object-src 'none'; base-uri 'none';"
+                + " form-action 'self'; frame-ancestors 'none'";
+    }
+
+    /** Scheme, host and port of a tile address; its placeholders may stand for a part of the host. */
+    private static String origin(String address) {
+        int path = address.indexOf('/', address.indexOf("://") + 3);
+        String origin = path < 0 ? address : address.substring(0, path);
+        return origin.replaceAll("^(https?://)[^/]*[}](?:[^./]*)\\.", "$1*.").replaceAll("[;,\\s'\"]", "");
+    }
+}

@@ -1,0 +1,68 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletRequest;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.Caller;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.security.SessionCookie;
+import org.dronemap.ws.service.AccessService;
+import org.springframework.http.HttpHeaders;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Signing in and out of a browser's session. */
+@RestController
+@RequestMapping("/api/v1/session")
+@Tag(name = "Session", description = "Sign in by name and password; the answer's cookie is the session.")
+public class SessionController {
+    private final Authentication authentication;
+    private final AccessService access;
+    private final CurrentPrincipal current;
+
+    public SessionController(Authentication authentication, AccessService access, CurrentPrincipal current) {
+        this.authentication = authentication;
+        this.access = access;
+        this.current = current;
+    }
+
+    @PostMapping
+    @Operation(summary = "Sign in", description = "After five wrong passwords in a row: 429 for 30 s.")
+    public ResponseEntity<Authentication.SessionView> signIn(
+            @RequestBody Authentication.Credentials credentials, HttpServletRequest request) {
+        Authentication.NewSession session = authentication.signIn(credentials, request.getRemoteAddr());
+        return ResponseEntity.ok()
+                .header(HttpHeaders.SET_COOKIE, SessionCookie.issue(session.token(), request.isSecure()))
+                .body(session.view());
+    }
+
+    @GetMapping
+    @Operation(summary = "Who is signed in")
+    public Authentication.SessionView session() {
+        return authentication.session(current.caller());
+    }
+
+    @DeleteMapping
+    @Operation(summary = "Sign out")
+    public ResponseEntity<Void> signOut(HttpServletRequest request) {
+        authentication.signOut(current.caller());
+        return ResponseEntity.noContent()
+                .header(HttpHeaders.SET_COOKIE, SessionCookie.clear(request.isSecure()))
+                .build();
+    }
+
+    @PostMapping("/password")
+    @Operation(summary = "Change one's own password", description = "Ends all other sessions of the user.")
+    public ResponseEntity<Void> changePassword(@RequestBody AccessService.PasswordRequest request) {
+        Caller caller = current.caller();
+        String session = caller.sessionHash();
+        access.changePassword(caller.principal(), session == null ? "" : session, request);
+        return ResponseEntity.noContent().build();
+    }
+}

@@ -1,0 +1,36 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.SystemService;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Health and settings of the server itself. */
+@RestController
+@RequestMapping("/api/v1")
+@Tag(name = "Server", description = "Health and settings.")
+public class SystemController {
+    private final SystemService system;
+    private final CurrentPrincipal current;
+
+    public SystemController(SystemService system, CurrentPrincipal current) {
+        this.system = system;
+        this.current = current;
+    }
+
+    @GetMapping("/health")
+    @Operation(summary = "Is the server well? (no sign-in)", description = "ready counts the drones that can be armed.")
+    public SystemService.HealthView health() {
+        return system.health();
+    }
+
+    @GetMapping("/settings")
+    @Operation(summary = "What a client has to know of the server")
+    public SystemService.SettingsView settings() {
+        current.principal();
+        return system.settings();
+    }
+}

@@ -1,0 +1,79 @@
+package org.dronemap.ws.security;
+
+import jakarta.servlet.FilterChain;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.jspecify.annotations.Nullable;
+import org.springframework.web.filter.OncePerRequestFilter;
+
+/** Finds out who asks under /api/v1 before anything else happens, and turns away who may not. */
+public final class AccessFilter extends OncePerRequestFilter {
+    private static final String API = "/api/v1/";
+    private static final String BEARER = "Bearer ";
+    private static final Set<String> READING = Set.of("GET", "HEAD", "OPTIONS");
+
+    private final Authentication authentication;
+    private final ProblemWriter problems;
+
+    public AccessFilter(Authentication authentication, ProblemWriter problems) {
+        this.authentication = authentication;
+        this.problems = problems;
+    }
+
+    @Override
+    protected boolean shouldNotFilter(HttpServletRequest request) {
+        return !request.getRequestURI().startsWith(API);
+    }
+
+    @Override
+    protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
+            throws ServletException, IOException {
+        try {
+            admit(request);
+        } catch (Rejection rejection) {
+            problems.write(response, Problem.of(rejection));
+            return;
+        }
+        chain.doFilter(request, response);
+    }
+
+    private void admit(HttpServletRequest request) {
+        String path = request.getRequestURI().substring(API.length());
+        if (path.equals("health")
+                || path.equals("session") && request.getMethod().equals("POST")) {
+            return;
+        }
+        Caller caller =
+                identify(request).orElseThrow(() -> Rejection.notSignedIn("Sign in first, or send an access key."));
+        if (!path.equals("session") && !path.equals("session/password")) {
+            authentication.requireOpen();
+        }
+        CurrentPrincipal.set(request, caller);
+    }
+
+    private Optional<Caller> identify(HttpServletRequest request) {
+        String header = request.getHeader("Authorization");
+        if (header != null) {
+            return Optional.of(authentication.byKey(bearer(header)));
+        }
+        Optional<Caller> caller = SessionCookie.read(request).flatMap(authentication::bySession);
+        if (caller.isPresent() && !READING.contains(request.getMethod()) && request.getHeader("X-Dronemap") == null) {
+            throw Rejection.forbidden(
+                    "A change with a browser's session needs the header X-Dronemap: 1, which other sites cannot send.");
+        }
+        return caller;
+    }
+
+    private static String bearer(@Nullable String header) {
+        if (header == null || !header.regionMatches(true, 0, BEARER, 0, BEARER.length())) {
+            throw Rejection.notSignedIn("The Authorization header must be: Bearer, a space, and an access key.");
+        }
+        return header.substring(BEARER.length()).strip();
+    }
+}

@@ -1,0 +1,141 @@
+package org.dronemap.ws.security;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.Optional;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.SignIn;
+import org.dronemap.core.access.User;
+import org.dronemap.ws.service.FirstPassword;
+import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.WireNames;
+import org.jspecify.annotations.Nullable;
+
+/** Proves who asks: by session, access key, or name and password. Any thread. */
+public final class Authentication {
+    /** How long a browser stays signed in. */
+    public static final Duration SESSION_LENGTH = Duration.ofHours(12);
+
+    private static final String WRONG = "The name or the password is not right.";
+    private static final String WRONG_KEY = "The access key is not valid; it may have been removed.";
+
+    private final AccessStore store;
+    private final PasswordHashing passwords;
+    private final Secrets secrets;
+    private final Clock clock;
+    private final SignInThrottle throttle;
+    private final FirstPassword firstPassword;
+    private final String localKeyHash;
+    private final String nobodysHash;
+
+    /** A name and a password as a client writes them. */
+    public record Credentials(
+            @Nullable String name, @Nullable String password) {}
+
+    /** Who is signed in. */
+    public record SessionView(String name, String role, boolean mustChangePassword) {}
+
+    /** A new session with the token that goes into the cookie. */
+    public record NewSession(String token, SessionView view) {}
+
+    /** What proof is judged by: the hashes, and the key of the machine's owner. */
+    public record Means(PasswordHashing passwords, Secrets secrets, String localKey) {}
+
+    public Authentication(AccessStore store, Means means, FirstPassword firstPassword, Clock clock) {
+        this.store = store;
+        this.passwords = means.passwords();
+        this.secrets = means.secrets();
+        this.localKeyHash = Secrets.hash(means.localKey());
+        this.firstPassword = firstPassword;
+        this.clock = clock;
+        this.throttle = new SignInThrottle(clock);
+        this.nobodysHash = passwords.hash(secrets.token());
+    }
+
+    public NewSession signIn(Credentials credentials, String address) {
+        User user = check(credentials, address);
+        String token = secrets.token();
+        store.addSignIn(
+                new SignIn(Secrets.hash(token), user.name(), clock.instant().plus(SESSION_LENGTH)));
+        return new NewSession(token, view(user));
+    }
+
+    public void signOut(Caller caller) {
+        String hash = caller.sessionHash();
+        if (hash != null) {
+            store.deleteSignIn(hash);
+        }
+    }
+
+    public SessionView session(Caller caller) {
+        Principal principal = caller.principal();
+        return store.user(principal.name())
+                .filter(user -> caller.proof() != Caller.Proof.KEY)
+                .map(Authentication::view)
+                .orElseGet(() -> new SessionView(principal.name(), WireNames.camel(principal.role()), false));
+    }
+
+    /** Empty when there is no such session any more. */
+    public Optional<Caller> bySession(String token) {
+        String hash = Secrets.hash(token);
+        return store.signIn(hash, clock.instant())
+                .flatMap(signIn -> store.user(signIn.user()))
+                .map(user -> new Caller(new Principal(user.name(), user.role()), Caller.Proof.SESSION, hash));
+    }
+
+    /** A key never does more than its owner may now. */
+    public Caller byKey(String key) {
+        String hash = Secrets.hash(key);
+        if (hash.equals(localKeyHash)) {
+            return new Caller(new Principal("local owner", Role.ADMINISTRATOR), Caller.Proof.KEY, null);
+        }
+        return store.accessKey(hash)
+                .flatMap(found -> store.user(found.owner())
+                        .map(owner -> owner.role().includes(found.role()) ? found.role() : owner.role())
+                        .map(role -> new Caller(new Principal(found.owner(), role), Caller.Proof.KEY, null)))
+                .orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+    }
+
+    public Caller byPassword(String name, String password, String address) {
+        User user = check(new Credentials(name, password), address);
+        return new Caller(new Principal(user.name(), user.role()), Caller.Proof.PASSWORD, null);
+    }
+
+    /** Refuses everything but sign-in and password change while the first password is in use on an open network. */
+    public void requireOpen() {
+        Optional<String> closed = firstPassword.closed();
+        if (closed.isPresent()) {
+            throw Rejection.forbidden(closed.get());
+        }
+    }
+
+    private User check(Credentials credentials, String address) {
+        String name = credentials.name();
+        String password = credentials.password();
+        if (name == null || name.isEmpty()) {
+            throw InvalidInput.missing("name", "your user name");
+        }
+        if (password == null) {
+            throw InvalidInput.missing("password", "your password");
+        }
+        throttle.check(name, address);
+        Optional<User> user = store.user(name);
+        // an unknown name takes as long as a wrong password, so that names cannot be found out
+        boolean right = passwords.matches(password, user.map(User::passwordHash).orElse(nobodysHash));
+        if (!right || user.isEmpty()) {
+            throttle.wrong(name, address);
+            throw Rejection.notSignedIn(WRONG);
+        }
+        throttle.right(name, address);
+        return user.get();
+    }
+
+    private static SessionView view(User user) {
+        return new SessionView(user.name(), WireNames.camel(user.role()), user.mustChangePassword());
+    }
+}

@@ -1,0 +1,24 @@
+package org.dronemap.ws.security;
+
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Problem;
+
+/** Writes a problem where no controller is at work. */
+public final class ProblemWriter {
+    private final JsonReader json;
+
+    public ProblemWriter(JsonReader json) {
+        this.json = json;
+    }
+
+    public void write(HttpServletResponse response, Problem problem) throws IOException {
+        byte[] body = json.write(problem).getBytes(StandardCharsets.UTF_8);
+        response.setStatus(problem.status());
+        response.setContentType("application/problem+json");
+        response.setContentLength(body.length);
+        response.getOutputStream().write(body);
+    }
+}

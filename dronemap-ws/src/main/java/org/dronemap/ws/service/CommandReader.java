@@ -1,0 +1,65 @@
+package org.dronemap.ws.service;
+
+import java.util.Arrays;
+import java.util.stream.Collectors;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
+
+/** Turns what a client wrote into a command, or says which member is wrong and what is allowed. */
+final class CommandReader {
+    private static final String KINDS =
+            Arrays.stream(Capability.values()).map(WireNames::camel).collect(Collectors.joining(", ", "one of ", ""));
+    private static final String CLOUD_LOSS = "continue or returnToLaunch";
+
+    private CommandReader() {}
+
+    static Command read(CommandRequest request, DroneState drone) {
+        String type = request.type();
+        if (type == null) {
+            throw InvalidInput.missing("type", KINDS);
+        }
+        return switch (type) {
+            case "arm" -> new Command.Arm();
+            case "disarm" -> new Command.Disarm(Boolean.TRUE.equals(request.force()));
+            case "setMode" -> new Command.SetMode(mode(request.mode(), drone));
+            case "takeOff" -> new Command.TakeOff(Ranges.takeOffAltitude("altitude", request.altitude()));
+            case "land" -> new Command.Land();
+            case "returnToLaunch" -> new Command.ReturnToLaunch();
+            case "hold" -> new Command.Hold();
+            case "goTo" -> goTo(request);
+            case "uploadMission" ->
+                new Command.UploadMission(TakeOffFirst.complete(MissionReader.read(request.items()), drone));
+            case "startMission" -> new Command.StartMission(cloudLoss(request.onCloudLoss()));
+            case "pauseMission" -> new Command.PauseMission();
+            case "clearMission" -> new Command.ClearMission();
+            default -> throw InvalidInput.outside("type", KINDS, "\"" + type + "\"");
+        };
+    }
+
+    private static Command.GoTo goTo(CommandRequest request) {
+        Geodetic point = new Geodetic(
+                Ranges.latitude("latitude", request.latitude()), Ranges.longitude("longitude", request.longitude()));
+        return new Command.GoTo(point, MissionReader.altitude("", request.altitude(), request.altitudeReference()));
+    }
+
+    /** The exact name; names differ by vehicle, so the gate judges which there are. */
+    private static String mode(@Nullable String mode, DroneState drone) {
+        if (mode == null || mode.isBlank()) {
+            throw InvalidInput.missing(
+                    "mode", "one of " + String.join(", ", drone.capabilities().modes()));
+        }
+        return mode.strip();
+    }
+
+    private static CloudLoss cloudLoss(@Nullable String value) {
+        return switch (value == null ? "continue" : value) {
+            case "continue" -> CloudLoss.CONTINUE;
+            case "returnToLaunch" -> CloudLoss.RETURN_TO_LAUNCH;
+            default -> throw InvalidInput.outside("onCloudLoss", CLOUD_LOSS, "\"" + value + "\"");
+        };
+    }
+}

@@ -1,0 +1,48 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A command as a client writes it; which members are needed depends on the type. Nothing is checked yet. */
+@Schema(description = "A command; which members are needed depends on the type.")
+public record CommandRequest(
+        @Schema(
+                description = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
+                        + " startMission, pauseMission or clearMission",
+                requiredMode = Schema.RequiredMode.REQUIRED)
+        @Nullable
+        String type,
+
+        @Schema(description = "Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once") @Nullable
+        String id,
+
+        @Schema(description = "disarm: stop the motors even in the air") @Nullable
+        Boolean force,
+
+        @Schema(description = "setMode: one of the drone's modes") @Nullable
+        String mode,
+
+        @Schema(description = "goTo: degrees") @Nullable Double latitude,
+        @Schema(description = "goTo: degrees") @Nullable Double longitude,
+
+        @Schema(description = "takeOff, goTo: metres") @Nullable
+        Double altitude,
+
+        @Schema(description = "goTo: home (the default) or amsl") @Nullable
+        String altitudeReference,
+
+        @Schema(description = "uploadMission: 1 to 500 items") @Nullable
+        List<MissionItemView> items,
+
+        @Schema(
+                description = "startMission: what the vehicle does by itself when it no longer hears the cloud:"
+                        + " continue (the default) or returnToLaunch")
+        @Nullable
+        String onCloudLoss) {
+
+    /** A command without parameters. */
+    public static CommandRequest simple(String type) {
+        return new CommandRequest(type, null, null, null, null, null, null, null, null, null);
+    }
+}

@@ -1,0 +1,100 @@
+package org.dronemap.ws.service;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.CommandGate;
+import org.dronemap.core.cloud.UnknownDroneException;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneState;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around commands; the one way from any face to the gate. Any thread. */
+public final class CommandService {
+    private static final String ID_FORM = "8 to 64 of A-Z, a-z, 0-9, _ and -";
+    private static final int MOST_SHOWN = 50;
+
+    private final CloudManager cloud;
+    private final DroneService drones;
+
+    public CommandService(CloudManager cloud, DroneService drones) {
+        this.cloud = cloud;
+        this.drones = drones;
+    }
+
+    /** Checks everything, then asks the gate; the answer is under way, or ended when the id is an old one. */
+    public CommandView submit(Principal principal, String face, String droneId, CommandRequest request) {
+        Roles.require(principal, Role.OPERATOR);
+        DroneState drone = drones.state(droneId);
+        CommandId id = id(request.id());
+        Command command = CommandReader.read(request, drone);
+        CommandRecord record = ask(new CommandGate.Source(principal, face), drone, id, command);
+        if (!record.drone().equals(drone.id())
+                || !record.type().equals(command.getClass().getSimpleName())) {
+            throw Rejection.conflict(
+                    "The id " + id + " belongs to another command already (" + record.summary() + "); take a new one.");
+        }
+        if (record.outcome() instanceof Outcome.Refused refused && refused.by().equals("gate")) {
+            throw Rejection.refused(refused.reason(), id.value());
+        }
+        return CommandView.of(record);
+    }
+
+    private CommandRecord ask(CommandGate.Source source, DroneState drone, CommandId id, Command command) {
+        try {
+            return cloud.gate().submit(source, drone.id(), id, command);
+        } catch (UnknownDroneException removedMeanwhile) {
+            throw Rejection.unknown("drone", drone.id().value());
+        }
+    }
+
+    /** The command once it has ended, or as it stands when the wait is over. */
+    public CompletableFuture<CommandView> awaitEnd(CommandView command, Duration wait) {
+        CommandId id = new CommandId(command.id());
+        return cloud.gate()
+                .end(id)
+                .<Optional<CommandRecord>>thenApply(Optional::of)
+                .completeOnTimeout(Optional.empty(), wait.toMillis(), TimeUnit.MILLISECONDS)
+                .thenApply(ended -> ended.or(() -> cloud.gate().find(id))
+                        .map(CommandView::of)
+                        .orElse(command));
+    }
+
+    public CommandView command(String id) {
+        return Optional.of(id)
+                .filter(CommandService::isId)
+                .flatMap(text -> cloud.gate().find(new CommandId(text)))
+                .map(CommandView::of)
+                .orElseThrow(() -> Rejection.unknown("command", id));
+    }
+
+    /** Newest first. */
+    public List<CommandView> commandsOf(String droneId) {
+        return cloud.gate().commandsOf(drones.state(droneId).id(), MOST_SHOWN).stream()
+                .map(CommandView::of)
+                .toList();
+    }
+
+    private static CommandId id(@Nullable String given) {
+        if (given == null) {
+            return new CommandId(UUID.randomUUID().toString());
+        }
+        if (!isId(given)) {
+            throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");
+        }
+        return new CommandId(given);
+    }
+
+    private static boolean isId(String text) {
+        return text.matches("[A-Za-z0-9_-]{8,64}");
+    }
+}

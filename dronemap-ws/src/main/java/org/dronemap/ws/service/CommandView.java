@@ -1,0 +1,67 @@
+package org.dronemap.ws.service;
+
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.jspecify.annotations.Nullable;
+
+/** A command as clients see it. */
+public record CommandView(
+        String id,
+        String drone,
+        String by,
+        String face,
+        String type,
+        String summary,
+        Instant at,
+        String phase,
+        @Nullable OutcomeView outcome,
+        @Nullable Instant finishedAt,
+        @Nullable ProgressView progress) {
+
+    /** How it ended; {@code by} says who refused. */
+    public record OutcomeView(
+            String result, @Nullable String by, @Nullable String reason) {}
+
+    /** Steps done of steps in all. */
+    public record ProgressView(int done, int total) {}
+
+    public static CommandView of(CommandRecord command) {
+        CommandRecord.Progress progress = command.progress();
+        Outcome outcome = command.outcome();
+        Instant finishedAt = command.finishedAt();
+        return new CommandView(
+                command.id().value(),
+                command.drone().value(),
+                command.by(),
+                command.face(),
+                WireNames.lowerFirst(command.type()),
+                command.summary(),
+                command.at().truncatedTo(ChronoUnit.MILLIS),
+                WireNames.camel(command.phase()),
+                outcome == null ? null : outcomeView(outcome),
+                finishedAt == null ? null : finishedAt.truncatedTo(ChronoUnit.MILLIS),
+                progress == null ? null : new ProgressView(progress.done(), progress.total()));
+    }
+
+    /** The one naming of outcomes for all faces. */
+    public static OutcomeView outcomeView(Outcome outcome) {
+        if (outcome instanceof Outcome.Refused refused) {
+            return new OutcomeView("refused", refused.by(), refused.reason());
+        }
+        if (outcome instanceof Outcome.Failed failed) {
+            return new OutcomeView("failed", null, failed.reason());
+        }
+        if (outcome instanceof Outcome.TimedOut timedOut) {
+            return new OutcomeView("timedOut", null, timedOut.reason());
+        }
+        if (outcome instanceof Outcome.Superseded superseded) {
+            return new OutcomeView("superseded", null, superseded.reason());
+        }
+        if (outcome instanceof Outcome.Unknown unknown) {
+            return new OutcomeView("unknown", null, unknown.reason());
+        }
+        return new OutcomeView("succeeded", null, null);
+    }
+}

@@ -1,0 +1,60 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+
+/** Use cases around drones: list, look, name, remove. Any thread. */
+public final class DroneService {
+    private static final int LONGEST_NAME = 60;
+
+    private final CloudManager cloud;
+    private final DroneViews views;
+
+    public DroneService(CloudManager cloud, DroneViews views) {
+        this.cloud = cloud;
+        this.views = views;
+    }
+
+    public List<DroneView> drones(Principal principal) {
+        return cloud.drones().stream()
+                .map(state -> views.view(state, principal.role()))
+                .toList();
+    }
+
+    public DroneView drone(Principal principal, String id) {
+        return views.view(state(id), principal.role());
+    }
+
+    public DroneView rename(Principal principal, String id, RenameRequest request) {
+        Roles.require(principal, Role.OPERATOR);
+        DroneId drone = state(id).id();
+        cloud.rename(drone, Names.checked("name", request.name(), LONGEST_NAME));
+        return drone(principal, id);
+    }
+
+    /** Only a lost drone goes: one in contact would come back at once. */
+    public void remove(Principal principal, String id) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        Optional<String> why = cloud.forget(state(id).id());
+        if (why.isPresent()) {
+            throw Rejection.conflict(why.get());
+        }
+    }
+
+    DroneState state(String id) {
+        return parse(id).flatMap(cloud::drone).orElseThrow(() -> Rejection.unknown("drone", id));
+    }
+
+    private static Optional<DroneId> parse(String id) {
+        try {
+            return Optional.of(new DroneId(id));
+        } catch (IllegalArgumentException notAnId) {
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** A drone as clients see it; a fact that nobody knows is null. */
+@Schema(description = "A drone now. A fact that nobody knows is null, never 0.")
+public record DroneView(
+        String id,
+        String name,
+        boolean replay,
+        LinkView link,
+        String kind,
+        String autopilot,
+        String vehicle,
+        @Nullable String firmware,
+        @Nullable String mode,
+        List<String> modes,
+        @Nullable Boolean armed,
+        @Nullable String flight,
+        @Nullable PositionView position,
+        @Nullable String place,
+        @Nullable MotionView motion,
+        @Nullable AttitudeView attitude,
+        @Nullable BatteryView battery,
+        @Nullable GpsView gps,
+        @Nullable HomeView home,
+        MissionView mission,
+        List<MessageView> messages,
+        Map<String, ActionView> actions,
+        Instant lastUpdate,
+        long version) {
+
+    /** The link that it is reached by. */
+    public record LinkView(
+            String address,
+            int port,
+            int systemId,
+            String transport,
+            String state,
+            @Nullable Instant lastHeard) {}
+
+    /** Degrees, and metres above sea level and above home. */
+    public record PositionView(
+            @Nullable Double latitude,
+            @Nullable Double longitude,
+            @Nullable Double altitudeAmsl,
+            @Nullable Double altitudeAboveHome) {}
+
+    /** Metres a second; heading in degrees. */
+    public record MotionView(
+            @Nullable Double groundSpeed,
+            @Nullable Double airSpeed,
+            @Nullable Double climbRate,
+            @Nullable Double heading) {}
+
+    /** Degrees. */
+    public record AttitudeView(double roll, double pitch, double yaw) {}
+
+    /** Per cent, volts, amperes. */
+    public record BatteryView(
+            @Nullable Integer percent,
+            @Nullable Double volts,
+            @Nullable Double amps) {}
+
+    /** Satellite reception. */
+    public record GpsView(
+            String fix,
+            @Nullable Integer satellites,
+            @Nullable Double hdop) {}
+
+    /** Where it returns to; degrees and metres above sea level. */
+    public record HomeView(double latitude, double longitude, double altitudeAmsl) {}
+
+    /** The mission that is on the vehicle; indices are into the items. */
+    public record MissionView(
+            @Nullable List<MissionItemView> items,
+            @Nullable Integer current,
+            List<Integer> reached,
+            @Nullable Integer total,
+            boolean running,
+            @Nullable String notice) {}
+
+    /** A sentence of the vehicle or about it. */
+    public record MessageView(String severity, String text, Instant at) {}
+
+    /** Whether a command can be given now, and if not, why. */
+    public record ActionView(boolean allowed, @Nullable String why) {}
+}

@@ -1,0 +1,150 @@
+package org.dronemap.ws.service;
+
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CommandRules;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.GpsFix;
+import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Position;
+import org.jspecify.annotations.Nullable;
+
+/** Maps a drone's state to what clients see, once for all faces. Any thread. */
+public final class DroneViews {
+    private final DronePlaces places;
+
+    public DroneViews(DronePlaces places) {
+        this.places = places;
+    }
+
+    public DroneView view(DroneState state, Role role) {
+        return new DroneView(
+                state.id().value(),
+                state.name(),
+                state.replay(),
+                link(state.link()),
+                WireNames.camel(state.identification().kind()),
+                state.identification().autopilot(),
+                state.identification().vehicle(),
+                state.identification().firmware(),
+                state.mode(),
+                state.capabilities().modes(),
+                state.armed(),
+                state.phase() == null ? null : WireNames.camel(state.phase()),
+                position(state.position()),
+                places.place(state),
+                motion(state),
+                attitude(state),
+                battery(state),
+                gps(state),
+                home(state),
+                mission(state),
+                messages(state),
+                actions(state, role),
+                millis(state.lastUpdate()),
+                state.version());
+    }
+
+    private static DroneView.LinkView link(LinkStatus link) {
+        Instant heard = link.lastHeard();
+        return new DroneView.LinkView(
+                link.key().address(),
+                link.key().port(),
+                link.key().systemId(),
+                link.transport(),
+                WireNames.camel(link.state()),
+                heard == null ? null : millis(heard));
+    }
+
+    private static DroneView.@Nullable PositionView position(@Nullable Position position) {
+        if (position == null) {
+            return null;
+        }
+        var point = position.point();
+        return new DroneView.PositionView(
+                point == null ? null : point.latitudeDegrees(),
+                point == null ? null : point.longitudeDegrees(),
+                position.altitudeAmslMeters(),
+                position.altitudeAboveHomeMeters());
+    }
+
+    private static DroneView.@Nullable MotionView motion(DroneState state) {
+        var motion = state.motion();
+        return motion == null
+                ? null
+                : new DroneView.MotionView(
+                        motion.groundSpeed(), motion.airSpeed(), motion.climbRate(), motion.headingDegrees());
+    }
+
+    private static DroneView.@Nullable AttitudeView attitude(DroneState state) {
+        var attitude = state.attitude();
+        return attitude == null
+                ? null
+                : new DroneView.AttitudeView(attitude.rollDegrees(), attitude.pitchDegrees(), attitude.yawDegrees());
+    }
+
+    private static DroneView.@Nullable BatteryView battery(DroneState state) {
+        var battery = state.battery();
+        return battery == null ? null : new DroneView.BatteryView(battery.percent(), battery.volts(), battery.amps());
+    }
+
+    private static DroneView.@Nullable GpsView gps(DroneState state) {
+        var gps = state.gps();
+        if (gps == null) {
+            return null;
+        }
+        GpsFix fix = gps.fix();
+        return new DroneView.GpsView(fix.label(), gps.satellites(), gps.hdop());
+    }
+
+    private static DroneView.@Nullable HomeView home(DroneState state) {
+        var home = state.home();
+        return home == null
+                ? null
+                : new DroneView.HomeView(
+                        home.point().latitudeDegrees(), home.point().longitudeDegrees(), home.altitudeAmslMeters());
+    }
+
+    private static DroneView.MissionView mission(DroneState state) {
+        MissionProgress mission = state.mission();
+        var items = mission.items();
+        boolean running = Boolean.TRUE.equals(state.armed()) && mission.current() != null;
+        return new DroneView.MissionView(
+                items == null ? null : MissionItemView.of(items),
+                mission.current(),
+                mission.reached(),
+                items == null ? null : items.size(),
+                running,
+                mission.notice());
+    }
+
+    private static List<DroneView.MessageView> messages(DroneState state) {
+        return state.messages().stream()
+                .map(message -> new DroneView.MessageView(
+                        WireNames.camel(message.severity()), message.text(), millis(message.at())))
+                .toList();
+    }
+
+    /** For every kind of command: whether this role may give it now, with the gate's own sentence when not. */
+    private static Map<String, DroneView.ActionView> actions(DroneState state, Role role) {
+        Map<String, DroneView.ActionView> actions = new LinkedHashMap<>();
+        for (Capability capability : Capability.values()) {
+            Optional<String> why = role.includes(Role.OPERATOR)
+                    ? CommandRules.whyNot(state, capability)
+                    : Optional.of(Roles.MAY_LOOK_NOT_COMMAND);
+            actions.put(WireNames.camel(capability), new DroneView.ActionView(why.isEmpty(), why.orElse(null)));
+        }
+        return actions;
+    }
+
+    private static Instant millis(Instant instant) {
+        return instant.truncatedTo(ChronoUnit.MILLIS);
+    }
+}

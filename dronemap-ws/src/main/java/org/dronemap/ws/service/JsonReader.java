@@ -1,0 +1,109 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.StreamReadException;
+import tools.jackson.databind.DatabindException;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.exc.MismatchedInputException;
+import tools.jackson.databind.exc.UnrecognizedPropertyException;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Reads and writes JSON for the faces, and says in a sentence what is wrong with what a client wrote. Any thread. */
+public final class JsonReader {
+    private final JsonMapper mapper;
+
+    public JsonReader() {
+        this(JsonMapper.builder()
+                // a misspelt optional member must not be silently left out of a flight
+                .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+                .build());
+    }
+
+    JsonReader(JsonMapper mapper) {
+        this.mapper = mapper;
+    }
+
+    public JsonMapper mapper() {
+        return mapper;
+    }
+
+    public <T> T read(String json, Class<T> type) {
+        try {
+            T value = mapper.readValue(json, type);
+            if (value == null) {
+                throw Rejection.malformed("A JSON object is needed, not null.");
+            }
+            return value;
+        } catch (JacksonException e) {
+            throw rejection(e);
+        }
+    }
+
+    public String write(Object value) {
+        return mapper.writeValueAsString(value);
+    }
+
+    /** What a client did wrong, with line and column, or with the field. */
+    public static Rejection rejection(JacksonException e) {
+        if (e instanceof UnrecognizedPropertyException unknown) {
+            String known = unknown.getKnownPropertyIds() == null
+                    ? ""
+                    : unknown.getKnownPropertyIds().stream()
+                            .map(String::valueOf)
+                            .collect(Collectors.joining(", "));
+            String field = path(unknown);
+            return new InvalidInput(
+                    field, known, "There is no member \"" + field + "\" here; there are: " + known + ".");
+        }
+        if (e instanceof MismatchedInputException mismatch
+                && !mismatch.getPath().isEmpty()) {
+            String field = path(mismatch);
+            String allowed = wanted(mismatch.getTargetType());
+            return new InvalidInput(field, allowed, "\"" + field + "\" must be " + allowed + ".");
+        }
+        if (e instanceof StreamReadException && e.getLocation() != null) {
+            TokenStreamLocation at = e.getLocation();
+            return Rejection.malformed("This is not JSON: line " + at.getLineNr() + ", column " + at.getColumnNr()
+                    + ": " + firstLine(e.getOriginalMessage()) + ".");
+        }
+        return Rejection.malformed("A JSON object is needed here.");
+    }
+
+    private static String firstLine(String text) {
+        String line = text.lines().findFirst().orElse("it ends too soon");
+        int internals = line.indexOf(" (start marker");
+        String trimmed = internals < 0 ? line : line.substring(0, internals);
+        return trimmed.endsWith(".") ? trimmed.substring(0, trimmed.length() - 1) : trimmed;
+    }
+
+    private static String path(DatabindException e) {
+        StringBuilder text = new StringBuilder();
+        for (JacksonException.Reference step : e.getPath()) {
+            if (step.getPropertyName() == null) {
+                text.append('[').append(step.getIndex()).append(']');
+            } else {
+                text.append(text.isEmpty() ? "" : ".").append(step.getPropertyName());
+            }
+        }
+        return text.toString();
+    }
+
+    private static String wanted(Class<?> type) {
+        if (type == null) {
+            return "of another type";
+        }
+        if (Number.class.isAssignableFrom(type) || type.isPrimitive() && type != boolean.class) {
+            return "a number";
+        }
+        if (type == Boolean.class || type == boolean.class) {
+            return "true or false";
+        }
+        if (List.class.isAssignableFrom(type)) {
+            return "a list";
+        }
+        return type == String.class ? "a text" : "an object";
+    }
+}

@@ -1,0 +1,81 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.UUID;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.mission.MissionStore;
+import org.dronemap.core.mission.SavedMission;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around the mission library. Any thread. */
+public final class MissionService {
+    private static final int LONGEST_NAME = 80;
+
+    private final MissionStore store;
+    private final Clock clock;
+
+    /** A mission as a client writes it. */
+    public record MissionRequest(
+            @Nullable String name, @Nullable List<MissionItemView> items) {}
+
+    /** A saved mission as clients see it. */
+    public record SavedMissionView(String id, String name, List<MissionItemView> items, String by, Instant changedAt) {
+        static SavedMissionView of(SavedMission saved) {
+            return new SavedMissionView(
+                    saved.id(),
+                    saved.name(),
+                    MissionItemView.of(saved.mission().items()),
+                    saved.changedBy(),
+                    saved.changedAt().truncatedTo(ChronoUnit.MILLIS));
+        }
+    }
+
+    public MissionService(MissionStore store, Clock clock) {
+        this.store = store;
+        this.clock = clock;
+    }
+
+    public List<SavedMissionView> missions() {
+        return store.missions().stream().map(SavedMissionView::of).toList();
+    }
+
+    public SavedMissionView mission(String id) {
+        return SavedMissionView.of(find(id));
+    }
+
+    public SavedMissionView add(Principal principal, MissionRequest request) {
+        return save(principal, UUID.randomUUID().toString(), request);
+    }
+
+    public SavedMissionView replace(Principal principal, String id, MissionRequest request) {
+        Roles.require(principal, Role.OPERATOR);
+        return save(principal, find(id).id(), request);
+    }
+
+    public void delete(Principal principal, String id) {
+        Roles.require(principal, Role.OPERATOR);
+        if (!store.delete(id)) {
+            throw Rejection.unknown("mission", id);
+        }
+    }
+
+    private SavedMissionView save(Principal principal, String id, MissionRequest request) {
+        Roles.require(principal, Role.OPERATOR);
+        SavedMission saved = new SavedMission(
+                id,
+                Names.checked("name", request.name(), LONGEST_NAME),
+                MissionReader.read(request.items()),
+                principal.name(),
+                clock.instant());
+        store.save(saved);
+        return SavedMissionView.of(saved);
+    }
+
+    private SavedMission find(String id) {
+        return store.mission(id).orElseThrow(() -> Rejection.unknown("mission", id));
+    }
+}

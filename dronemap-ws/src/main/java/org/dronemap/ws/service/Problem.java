@@ -1,0 +1,38 @@
+package org.dronemap.ws.service;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import io.swagger.v3.oas.annotations.media.Schema;
+import org.jspecify.annotations.Nullable;
+
+/** A rejection as clients see it (RFC 9457). */
+@JsonInclude(JsonInclude.Include.NON_NULL)
+@Schema(description = "Why a request was not carried out (RFC 9457); the detail is a sentence for people.")
+public record Problem(
+        String type,
+        String title,
+        int status,
+        String detail,
+        @Nullable String field,
+        @Nullable String allowed,
+        @Nullable String commandId) {
+
+    public static Problem of(Rejection rejection) {
+        RejectionKind kind = rejection.kind();
+        String field = rejection instanceof InvalidInput input ? input.field() : null;
+        String allowed = rejection instanceof InvalidInput input ? input.allowed() : null;
+        return new Problem(
+                "urn:dronemap:problem:" + kind.code(),
+                kind.title(),
+                kind.status(),
+                rejection.sentence(),
+                field,
+                allowed,
+                rejection.commandId());
+    }
+
+    /** Our own fault: logged where it happened, told without its inside. */
+    public static Problem internal() {
+        return of(new Rejection(
+                RejectionKind.BROKEN, "Something went wrong inside the server; its log has the details."));
+    }
+}

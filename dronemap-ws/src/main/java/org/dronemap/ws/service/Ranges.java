@@ -1,0 +1,39 @@
+package org.dronemap.ws.service;
+
+import org.jspecify.annotations.Nullable;
+
+/** Checks numbers against the range of their field. */
+final class Ranges {
+    private Ranges() {}
+
+    static double latitude(String field, @Nullable Double value) {
+        return checked(field, value, -90, 90, "degrees");
+    }
+
+    static double longitude(String field, @Nullable Double value) {
+        return checked(field, value, -180, 180, "degrees");
+    }
+
+    static double takeOffAltitude(String field, @Nullable Double value) {
+        return checked(field, value, 1, 500, "m");
+    }
+
+    static double altitude(String field, @Nullable Double value) {
+        return checked(field, value, -10_000, 10_000, "m");
+    }
+
+    static double holdSeconds(String field, double value) {
+        return checked(field, value, 0, 3600, "seconds");
+    }
+
+    static double checked(String field, @Nullable Double value, int least, int most, String unit) {
+        String allowed = least + " to " + most + " " + unit;
+        if (value == null) {
+            throw InvalidInput.missing(field, allowed);
+        }
+        if (!(value >= least && value <= most)) {
+            throw InvalidInput.outside(field, allowed, value);
+        }
+        return value;
+    }
+}

@@ -1,0 +1,65 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Position;
+import org.jspecify.annotations.Nullable;
+
+/** What the server says of itself. Any thread. */
+public final class SystemService {
+    private final CloudManager cloud;
+    private final BooleanSupplier databaseUp;
+    private final SettingsView settings;
+    private final long startedNanos = System.nanoTime();
+
+    /** How many drones there are of each sort. */
+    public record DroneCounts(long live, long suspect, long lost, long ready) {}
+
+    /** How the server is. */
+    public record HealthView(String status, String database, DroneCounts drones, String version, long uptimeSeconds) {}
+
+    /** What clients have to know. */
+    public record SettingsView(int streamPort, @Nullable String tileAddress, String version, boolean publicMode) {}
+
+    public SystemService(CloudManager cloud, BooleanSupplier databaseUp, SettingsView settings) {
+        this.cloud = cloud;
+        this.databaseUp = databaseUp;
+        this.settings = settings;
+    }
+
+    public HealthView health() {
+        List<DroneState> drones =
+                cloud.drones().stream().filter(drone -> !drone.replay()).toList();
+        boolean up = databaseUp.getAsBoolean();
+        return new HealthView(
+                up ? "up" : "degraded",
+                up ? "up" : "down",
+                new DroneCounts(
+                        count(drones, LinkState.LIVE),
+                        count(drones, LinkState.SUSPECT),
+                        count(drones, LinkState.LOST),
+                        drones.stream().filter(SystemService::isReady).count()),
+                settings.version(),
+                (System.nanoTime() - startedNanos) / 1_000_000_000L);
+    }
+
+    public SettingsView settings() {
+        return settings;
+    }
+
+    private static long count(List<DroneState> drones, LinkState state) {
+        return drones.stream().filter(drone -> drone.link().state() == state).count();
+    }
+
+    /** It can be armed: in contact, knows where it is, and its own checks say nothing against it. */
+    private static boolean isReady(DroneState drone) {
+        Position position = drone.position();
+        return drone.link().state() == LinkState.LIVE
+                && !Boolean.FALSE.equals(drone.readyToArm())
+                && position != null
+                && position.point() != null;
+    }
+}

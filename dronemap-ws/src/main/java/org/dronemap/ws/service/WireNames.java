@@ -1,0 +1,28 @@
+package org.dronemap.ws.service;
+
+import java.util.Locale;
+
+/** Turns names of the code into the names that clients see. */
+public final class WireNames {
+    private WireNames() {}
+
+    /** {@code TAKING_OFF} becomes {@code takingOff}. */
+    public static String camel(Enum<?> constant) {
+        StringBuilder text = new StringBuilder();
+        boolean upper = false;
+        for (char letter : constant.name().toCharArray()) {
+            if (letter == '_') {
+                upper = true;
+            } else {
+                text.append(upper ? letter : Character.toLowerCase(letter));
+                upper = false;
+            }
+        }
+        return text.toString();
+    }
+
+    /** {@code TakeOff} becomes {@code takeOff}. */
+    public static String lowerFirst(String name) {
+        return name.substring(0, 1).toLowerCase(Locale.ROOT) + name.substring(1);
+    }
+}

@@ -1,0 +1,11 @@
+package org.dronemap.ws.wiring;
+
+import org.springframework.boot.SpringBootConfiguration;
+import org.springframework.boot.autoconfigure.EnableAutoConfiguration;
+import org.springframework.context.annotation.Import;
+
+/** The web server with all faces; wants a {@link House} and {@link Settings} in its context. */
+@SpringBootConfiguration(proxyBeanMethods = false)
+@EnableAutoConfiguration
+@Import({ServiceConfiguration.class, RestConfiguration.class})
+public class FacesApplication {}

@@ -1,0 +1,43 @@
+package org.dronemap.ws.wiring;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.springframework.boot.Banner;
+import org.springframework.boot.SpringApplication;
+import org.springframework.boot.builder.SpringApplicationBuilder;
+import org.springframework.context.ConfigurableApplicationContext;
+import org.springframework.context.support.GenericApplicationContext;
+
+/** Starts the faces around a house. */
+public final class FacesServer {
+    private FacesServer() {}
+
+    public static ConfigurableApplicationContext start(Settings settings, House house) {
+        SpringApplication application = new SpringApplicationBuilder(FacesApplication.class)
+                .bannerMode(Banner.Mode.OFF)
+                .logStartupInfo(false)
+                .registerShutdownHook(false)
+                .properties(properties(settings))
+                .initializers(context -> {
+                    if (context instanceof GenericApplicationContext generic) {
+                        generic.registerBean(Settings.class, () -> settings);
+                        generic.registerBean(House.class, () -> house);
+                    }
+                })
+                .build();
+        return application.run();
+    }
+
+    private static Map<String, Object> properties(Settings settings) {
+        Map<String, Object> properties = new LinkedHashMap<>();
+        properties.put("server.address", settings.bindAddress());
+        properties.put("server.port", settings.httpPort());
+        Settings.Tls tls = settings.tls();
+        if (tls != null) {
+            properties.put("spring.ssl.bundle.pem.faces.keystore.certificate", "file:" + tls.certificate());
+            properties.put("spring.ssl.bundle.pem.faces.keystore.private-key", "file:" + tls.key());
+            properties.put("server.ssl.bundle", "faces");
+        }
+        return properties;
+    }
+}

@@ -1,0 +1,9 @@
+package org.dronemap.ws.wiring;
+
+import java.util.function.BooleanSupplier;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.mission.MissionStore;
+
+/** Everything behind the faces, built and running. */
+public record House(CloudManager cloud, AccessStore access, MissionStore missions, BooleanSupplier databaseUp) {}

@@ -1,0 +1,91 @@
+package org.dronemap.ws.wiring;
+
+import io.swagger.v3.oas.models.OpenAPI;
+import org.dronemap.ws.rest.AccessController;
+import org.dronemap.ws.rest.AccessLogFilter;
+import org.dronemap.ws.rest.ApiDescription;
+import org.dronemap.ws.rest.BodyLimitFilter;
+import org.dronemap.ws.rest.CommandController;
+import org.dronemap.ws.rest.DroneController;
+import org.dronemap.ws.rest.ErrorAnswer;
+import org.dronemap.ws.rest.MissionController;
+import org.dronemap.ws.rest.ProblemAdvice;
+import org.dronemap.ws.rest.SecurityHeadersFilter;
+import org.dronemap.ws.rest.SessionController;
+import org.dronemap.ws.rest.SystemController;
+import org.dronemap.ws.rest.WebClientPages;
+import org.dronemap.ws.security.AccessFilter;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.ProblemWriter;
+import org.dronemap.ws.service.JsonReader;
+import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
+import org.springframework.boot.web.servlet.FilterRegistrationBean;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.context.annotation.Import;
+import org.springframework.core.Ordered;
+import org.springframework.web.filter.OncePerRequestFilter;
+import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
+import tools.jackson.databind.DeserializationFeature;
+
+/** Constructs the REST face and the filters before it. */
+@Configuration(proxyBeanMethods = false)
+@Import({
+    SessionController.class,
+    AccessController.class,
+    DroneController.class,
+    CommandController.class,
+    MissionController.class,
+    SystemController.class,
+    ProblemAdvice.class,
+    ErrorAnswer.class
+})
+public class RestConfiguration {
+
+    @Bean
+    JsonMapperBuilderCustomizer strictJson() {
+        return builder -> builder.enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES);
+    }
+
+    @Bean
+    ProblemWriter problemWriter(JsonReader json) {
+        return new ProblemWriter(json);
+    }
+
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> accessLog() {
+        return first(new AccessLogFilter(), 0);
+    }
+
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> securityHeaders(Settings settings) {
+        return first(new SecurityHeadersFilter(settings::streamPort, settings.tileAddress()), 1);
+    }
+
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> bodyLimit(ProblemWriter problems) {
+        return first(new BodyLimitFilter(problems), 2);
+    }
+
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> access(Authentication authentication, ProblemWriter problems) {
+        return first(new AccessFilter(authentication, problems), 3);
+    }
+
+    @Bean
+    WebMvcConfigurer webClientPages() {
+        return new WebClientPages();
+    }
+
+    @Bean
+    OpenAPI apiDescription() {
+        return ApiDescription.of(Version.current());
+    }
+
+    private static FilterRegistrationBean<OncePerRequestFilter> first(OncePerRequestFilter filter, int place) {
+        FilterRegistrationBean<OncePerRequestFilter> registration = new FilterRegistrationBean<>(filter);
+        registration.setOrder(Ordered.HIGHEST_PRECEDENCE + 100 + place);
+        registration.addUrlPatterns("/*");
+        return registration;
+    }
+}

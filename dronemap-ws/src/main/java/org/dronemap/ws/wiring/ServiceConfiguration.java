@@ -1,0 +1,105 @@
+package org.dronemap.ws.wiring;
+
+import java.time.Clock;
+import org.dronemap.ws.security.Argon2Passwords;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.security.FirstStart;
+import org.dronemap.ws.service.AccessService;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.DronePlaces;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.FirstPassword;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.MissionService;
+import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.SystemService;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+
+/** Constructs the use cases and the sign-in around a {@link House}. */
+@Configuration(proxyBeanMethods = false)
+public class ServiceConfiguration {
+
+    @Bean
+    Clock clock() {
+        return Clock.systemUTC();
+    }
+
+    @Bean
+    Secrets secrets() {
+        return new Secrets();
+    }
+
+    @Bean
+    PasswordHashing passwordHashing() {
+        return new Argon2Passwords();
+    }
+
+    @Bean
+    FirstPassword firstPassword(House house, PasswordHashing passwords, Secrets secrets, Settings settings) {
+        return FirstStart.prepare(house.access(), passwords, secrets, settings.dataDirectory(), settings.publicMode());
+    }
+
+    @Bean
+    Authentication authentication(
+            House house,
+            PasswordHashing passwords,
+            Secrets secrets,
+            FirstPassword firstPassword,
+            Settings settings,
+            Clock clock) {
+        String localKey = FirstStart.localKey(secrets, settings.dataDirectory());
+        return new Authentication(
+                house.access(), new Authentication.Means(passwords, secrets, localKey), firstPassword, clock);
+    }
+
+    @Bean
+    AccessService accessService(
+            House house, PasswordHashing passwords, FirstPassword firstPassword, Secrets secrets, Clock clock) {
+        return new AccessService(house.access(), passwords, firstPassword, secrets, clock);
+    }
+
+    @Bean
+    CurrentPrincipal currentPrincipal() {
+        return new CurrentPrincipal();
+    }
+
+    @Bean
+    JsonReader jsonReader() {
+        return new JsonReader();
+    }
+
+    @Bean
+    DroneViews droneViews(House house) {
+        DronePlaces places = new DronePlaces(point -> null);
+        house.cloud().addListener(places);
+        return new DroneViews(places);
+    }
+
+    @Bean
+    DroneService droneService(House house, DroneViews views) {
+        return new DroneService(house.cloud(), views);
+    }
+
+    @Bean
+    CommandService commandService(House house, DroneService drones) {
+        return new CommandService(house.cloud(), drones);
+    }
+
+    @Bean
+    MissionService missionService(House house, Clock clock) {
+        return new MissionService(house.missions(), clock);
+    }
+
+    @Bean
+    SystemService systemService(House house, Settings settings) {
+        return new SystemService(
+                house.cloud(),
+                house.databaseUp(),
+                new SystemService.SettingsView(
+                        settings.streamPort(), settings.tileAddress(), Version.current(), settings.publicMode()));
+    }
+}

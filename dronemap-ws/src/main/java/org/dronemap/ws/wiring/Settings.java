@@ -1,0 +1,161 @@
+package org.dronemap.ws.wiring;
+
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.cloud.Watchdog;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Everything that can be set, from the environment; checked here, so that a wrong value ends the start with a sentence.
+ *
+ * @param databaseUrl null: the server runs its own database in the data directory
+ * @param tls null: plain HTTP and WebSocket
+ * @param tileAddress null: only the base map that ships
+ */
+public record Settings(
+        Path dataDirectory,
+        String bindAddress,
+        int httpPort,
+        int streamPort,
+        List<String> endpoints,
+        @Nullable String databaseUrl,
+        boolean publicMode,
+        @Nullable Tls tls,
+        @Nullable String tileAddress,
+        Watchdog watchdog) {
+
+    private static final int DEFAULT_HTTP_PORT = 8080;
+    private static final int DEFAULT_STREAM_PORT = 8081;
+
+    /** PEM files of the certificate chain and its private key. */
+    public record Tls(Path certificate, Path key) {}
+
+    public Settings {
+        endpoints = List.copyOf(endpoints);
+        if (httpPort != 0 && httpPort == streamPort) {
+            throw new SetupException("DRONEMAP_HTTP_PORT and DRONEMAP_STREAM_PORT are both " + httpPort
+                    + "; they must be different ports.");
+        }
+        if (publicMode && tls == null) {
+            throw new SetupException("DRONEMAP_PUBLIC is on without TLS: passwords would cross the network in clear;"
+                    + " set DRONEMAP_TLS_CERT and DRONEMAP_TLS_KEY.");
+        }
+    }
+
+    public static Settings fromEnvironment(Map<String, String> environment) {
+        String bind = environment.getOrDefault("DRONEMAP_BIND", "127.0.0.1").strip();
+        String tile = text(environment, "DRONEMAP_TILE_ADDRESS");
+        if (tile != null) {
+            checkTile(tile);
+        }
+        return new Settings(
+                Path.of(environment.getOrDefault("DRONEMAP_DATA_DIR", ".data")).toAbsolutePath(),
+                bind,
+                port(environment, "DRONEMAP_HTTP_PORT", DEFAULT_HTTP_PORT),
+                port(environment, "DRONEMAP_STREAM_PORT", DEFAULT_STREAM_PORT),
+                endpoints(environment, bind),
+                text(environment, "DRONEMAP_DATABASE_URL"),
+                flag(environment, "DRONEMAP_PUBLIC"),
+                tls(environment),
+                tile,
+                watchdog(environment));
+    }
+
+    private static @Nullable String text(Map<String, String> environment, String name) {
+        String value = environment.get(name);
+        return value == null || value.isBlank() ? null : value.strip();
+    }
+
+    private static int port(Map<String, String> environment, String name, int otherwise) {
+        String value = text(environment, name);
+        if (value == null) {
+            return otherwise;
+        }
+        if (value.matches("\\d{1,5}")) {
+            int port = Integer.parseInt(value);
+            if (port <= 65_535) {
+                return port;
+            }
+        }
+        throw new SetupException(name + " must be a port from 0 to 65535 (0: any free one), not \"" + value + "\".");
+    }
+
+    private static boolean flag(Map<String, String> environment, String name) {
+        String value = text(environment, name);
+        return switch (value == null ? "false" : value) {
+            case "1", "true", "yes" -> true;
+            case "0", "false", "no" -> false;
+            default -> throw new SetupException(name + " must be true or false, not \"" + value + "\".");
+        };
+    }
+
+    private static List<String> endpoints(Map<String, String> environment, String bind) {
+        String value = text(environment, "DRONEMAP_ENDPOINTS");
+        if (value == null) {
+            String host = bind.contains(":") && !bind.startsWith("[") ? "[" + bind + "]" : bind;
+            return List.of("udpserver://" + host + ":14550", "tcpserver://" + host + ":5760");
+        }
+        return Arrays.stream(value.split(",", -1))
+                .map(String::strip)
+                .filter(endpoint -> !endpoint.isEmpty())
+                .toList();
+    }
+
+    private static @Nullable Tls tls(Map<String, String> environment) {
+        Path certificate = file(environment, "DRONEMAP_TLS_CERT");
+        Path key = file(environment, "DRONEMAP_TLS_KEY");
+        if (certificate == null && key == null) {
+            return null;
+        }
+        if (certificate == null || key == null) {
+            throw new SetupException(
+                    "DRONEMAP_TLS_CERT and DRONEMAP_TLS_KEY belong together; only one of them is set.");
+        }
+        return new Tls(certificate, key);
+    }
+
+    private static @Nullable Path file(Map<String, String> environment, String name) {
+        String value = text(environment, name);
+        if (value == null) {
+            return null;
+        }
+        Path file = Path.of(value).toAbsolutePath();
+        if (!Files.isReadable(file)) {
+            throw new SetupException(name + " names the file " + file + ", which is not there or cannot be read.");
+        }
+        return file;
+    }
+
+    private static Watchdog watchdog(Map<String, String> environment) {
+        String value = text(environment, "DRONEMAP_WATCHDOG_LOST_SECONDS");
+        if (value == null) {
+            return Watchdog.DEFAULT;
+        }
+        if (!value.matches("\\d{1,4}(\\.\\d+)?") || Double.parseDouble(value) < 2 || Double.parseDouble(value) > 600) {
+            throw new SetupException("DRONEMAP_WATCHDOG_LOST_SECONDS must be 2 to 600 seconds, not \"" + value + "\".");
+        }
+        Duration lost = Duration.ofMillis(Math.round(Double.parseDouble(value) * 1000));
+        Duration probe = lost.multipliedBy(3).dividedBy(5);
+        return new Watchdog(probe, probe, lost);
+    }
+
+    private static void checkTile(String address) {
+        String plain = address.replace("{s}", "a").replaceAll("[{][a-z]+[}]", "0");
+        try {
+            String scheme = URI.create(plain).getScheme();
+            if ("http".equals(scheme) || "https".equals(scheme)) {
+                return;
+            }
+        } catch (IllegalArgumentException notAnAddress) {
+            // answered below
+        }
+        throw new SetupException(
+                "DRONEMAP_TILE_ADDRESS must be an address such as https://tiles.example/{z}/{x}/{y}.png," + " not \""
+                        + address + "\".");
+    }
+}
