@@ -46,7 +46,7 @@ public final class AccessFilter extends OncePerRequestFilter {
     private void admit(HttpServletRequest request) {
         String path = request.getRequestURI().substring(API.length());
         if (path.equals("health")
-                || path.equals("session") && request.getMethod().equals("POST")) {
+                || (path.equals("session") && request.getMethod().equals("POST"))) {
             return;
         }
         Caller caller =

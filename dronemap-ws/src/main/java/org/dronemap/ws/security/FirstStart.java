@@ -41,7 +41,7 @@ public final class FirstStart implements FirstPassword {
         Optional<User> admin = store.user(ADMIN);
         boolean nobody = store.users().stream().noneMatch(user -> user.role() == Role.ADMINISTRATOR);
         boolean unchanged = admin.map(User::mustChangePassword).orElse(false);
-        if (nobody || unchanged && !Files.exists(file)) {
+        if (nobody || (unchanged && !Files.exists(file))) {
             String password = secrets.password();
             User user = new User(ADMIN, Role.ADMINISTRATOR, passwords.hash(password), true);
             if (!store.addUser(user)) {

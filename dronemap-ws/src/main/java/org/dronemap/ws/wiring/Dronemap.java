@@ -1,0 +1,61 @@
+package org.dronemap.ws.wiring;
+
+import java.util.Map;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.springframework.context.ConfigurableApplicationContext;
+
+/** The server's entry: reads the settings, builds the house, starts the faces, and takes all down again at the end. */
+public final class Dronemap {
+    private static final Logger LOG = LoggerFactory.getLogger(Dronemap.class);
+
+    private Dronemap() {}
+
+    public static void main(String[] arguments) {
+        System.exit(run(System.getenv()));
+    }
+
+    /** The exit code; returns when the server was stopped. */
+    private static int run(Map<String, String> environment) {
+        Closing closing = new Closing();
+        try {
+            Settings settings = Settings.fromEnvironment(environment);
+            start(settings, closing);
+        } catch (RuntimeException | LinkageError e) {
+            closing.close();
+            System.err.println(StartFailure.sentence(e));
+            return 1;
+        }
+        return waitForTheEnd(closing);
+    }
+
+    private static void start(Settings settings, Closing closing) {
+        House house = HouseBuilder.open(settings, closing);
+        ConfigurableApplicationContext faces = FacesServer.start(settings, house);
+        closing.add("the faces", faces);
+        String scheme = settings.tls() == null ? "http" : "https";
+        LOG.info(
+                "Dronemap {} is ready at {}://{}:{}",
+                Version.current(),
+                scheme,
+                settings.bindAddress(),
+                faces.getEnvironment().getProperty("local.server.port"));
+    }
+
+    private static int waitForTheEnd(Closing closing) {
+        Thread hook = new Thread(
+                () -> {
+                    LOG.info("Stopping");
+                    closing.close();
+                    LOG.info("Stopped");
+                },
+                "stop");
+        Runtime.getRuntime().addShutdownHook(hook);
+        try {
+            Thread.currentThread().join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        return 0;
+    }
+}

@@ -1,0 +1,64 @@
+package org.dronemap.ws.wiring;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Clock;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.store.postgres.Database;
+import org.dronemap.store.postgres.DatabaseSettings;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Builds what is behind the faces: database, journal, lanes, cloud manager. */
+final class HouseBuilder {
+    private static final Logger LOG = LoggerFactory.getLogger(HouseBuilder.class);
+    private static final int LANES = 2;
+
+    private HouseBuilder() {}
+
+    /** What was opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
+    static House open(Settings settings, Closing closing) {
+        Clock clock = Clock.systemUTC();
+        Database database = database(settings);
+        closing.add("the database", database);
+        int ended = database.commands()
+                .endUnfinished(new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
+        if (ended > 0) {
+            LOG.warn("{} commands were under way when the server stopped; their outcome is unknown", ended);
+        }
+        Journal journal = new Journal();
+        closing.add("the journal", journal);
+        Lanes lanes = new Lanes(LANES);
+        closing.add("the lanes", lanes);
+        CloudManager cloud = new CloudManager(
+                lanes,
+                settings.watchdog(),
+                clock,
+                new CloudManager.Keeping(database.drones(), database.commands(), journal),
+                new DroneIds());
+        return new House(
+                cloud,
+                database.access(),
+                database.missions(),
+                () -> database.health().isUp());
+    }
+
+    private static Database database(Settings settings) {
+        Path directory = settings.dataDirectory();
+        try {
+            Files.createDirectories(directory);
+        } catch (IOException e) {
+            throw new SetupException(
+                    "The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be made: " + e.getMessage(), e);
+        }
+        if (!Files.isWritable(directory)) {
+            throw new SetupException("The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be written to.");
+        }
+        String url = settings.databaseUrl();
+        return url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
+    }
+}
