@@ -84,7 +84,7 @@ public class ProblemAdvice {
                 "The body must be "
                         + e.getSupportedMediaTypes().stream()
                                 .map(MediaType::toString)
-                                .filter(type -> !type.contains("+") && !type.contains("*"))
+                                .filter(type -> !type.contains("+") && !type.contains("*") && !type.contains("yaml"))
                                 .distinct()
                                 .collect(Collectors.joining(" or "))
                         + "; say so in Content-Type."));

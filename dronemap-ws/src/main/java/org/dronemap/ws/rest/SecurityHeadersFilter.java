@@ -5,16 +5,15 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.util.function.IntSupplier;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /** Tells browsers what a page of this server may load and who may show it: nobody else. */
 public final class SecurityHeadersFilter extends OncePerRequestFilter {
-    private final IntSupplier streamPort;
+    private final int streamPort;
     private final String tiles;
 
-    public SecurityHeadersFilter(IntSupplier streamPort, @Nullable String tileAddress) {
+    public SecurityHeadersFilter(int streamPort, @Nullable String tileAddress) {
         this.streamPort = streamPort;
         this.tiles = tileAddress == null ? "" : " " + origin(tileAddress);
     }
@@ -37,8 +36,7 @@ public final class SecurityHeadersFilter extends OncePerRequestFilter {
         String host = request.getServerName();
         // an IPv6 literal cannot be written in a policy
         String name = host.matches("[A-Za-z0-9.-]+") ? host : "*";
-        int port = streamPort.getAsInt();
-        String stream = (request.isSecure() ? "wss://" : "ws://") + name + ":" + port;
+        String stream = (request.isSecure() ? "wss://" : "ws://") + name + ":" + streamPort;
         return "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
                 + tiles + "; font-src 'self' data:; connect-src 'self' blob: data: " + stream + tiles
                 + "; worker-src 'self' blob:; child-src 'self' blob:; object-src 'none'; base-uri 'none';"

@@ -10,6 +10,8 @@ import org.springframework.context.support.GenericApplicationContext;
 
 /** Starts the faces around a house. */
 public final class FacesServer {
+    static final String TLS_BUNDLE = "faces";
+
     private FacesServer() {}
 
     public static ConfigurableApplicationContext start(Settings settings, House house) {
@@ -34,9 +36,10 @@ public final class FacesServer {
         properties.put("server.port", settings.httpPort());
         Settings.Tls tls = settings.tls();
         if (tls != null) {
-            properties.put("spring.ssl.bundle.pem.faces.keystore.certificate", "file:" + tls.certificate());
-            properties.put("spring.ssl.bundle.pem.faces.keystore.private-key", "file:" + tls.key());
-            properties.put("server.ssl.bundle", "faces");
+            properties.put(
+                    "spring.ssl.bundle.pem." + TLS_BUNDLE + ".keystore.certificate", "file:" + tls.certificate());
+            properties.put("spring.ssl.bundle.pem." + TLS_BUNDLE + ".keystore.private-key", "file:" + tls.key());
+            properties.put("server.ssl.bundle", TLS_BUNDLE);
         }
         return properties;
     }

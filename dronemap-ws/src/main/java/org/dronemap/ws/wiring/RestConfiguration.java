@@ -12,6 +12,7 @@ import org.dronemap.ws.rest.MissionController;
 import org.dronemap.ws.rest.ProblemAdvice;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
+import org.dronemap.ws.rest.StreamTicketController;
 import org.dronemap.ws.rest.SystemController;
 import org.dronemap.ws.rest.WebClientPages;
 import org.dronemap.ws.security.AccessFilter;
@@ -37,6 +38,7 @@ import tools.jackson.databind.DeserializationFeature;
     CommandController.class,
     MissionController.class,
     SystemController.class,
+    StreamTicketController.class,
     ProblemAdvice.class,
     ErrorAnswer.class
 })
@@ -58,8 +60,8 @@ public class RestConfiguration {
     }
 
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> securityHeaders(Settings settings) {
-        return first(new SecurityHeadersFilter(settings::streamPort, settings.tileAddress()), 1);
+    FilterRegistrationBean<OncePerRequestFilter> securityHeaders(Settings settings, StreamPort stream) {
+        return first(new SecurityHeadersFilter(stream.number(), settings.tileAddress()), 1);
     }
 
     @Bean

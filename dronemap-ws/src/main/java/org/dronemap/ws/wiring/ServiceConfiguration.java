@@ -95,11 +95,11 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    SystemService systemService(House house, Settings settings) {
+    SystemService systemService(House house, Settings settings, StreamPort stream) {
         return new SystemService(
                 house.cloud(),
                 house.databaseUp(),
                 new SystemService.SettingsView(
-                        settings.streamPort(), settings.tileAddress(), Version.current(), settings.publicMode()));
+                        stream.number(), settings.tileAddress(), Version.current(), settings.publicMode()));
     }
 }

@@ -1,0 +1,50 @@
+package org.dronemap.ws.security;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.ws.service.Secrets;
+
+/** One-use tickets that carry a sign-in from the page to the stream's port within 30 s. Any thread. */
+public final class StreamTickets {
+    private static final Duration LENGTH = Duration.ofSeconds(30);
+    private static final int MOST = 10_000;
+
+    private final Secrets secrets;
+    private final Clock clock;
+
+    /** Guarded by this; the eldest goes when it is full. */
+    private final Map<String, Ticket> tickets = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Ticket> eldest) {
+            return size() > MOST;
+        }
+    };
+
+    private record Ticket(Caller caller, Instant until) {}
+
+    public StreamTickets(Secrets secrets, Clock clock) {
+        this.secrets = secrets;
+        this.clock = clock;
+    }
+
+    public synchronized String issue(Caller caller) {
+        Instant now = clock.instant();
+        tickets.values().removeIf(ticket -> !ticket.until().isAfter(now));
+        String token = secrets.token();
+        tickets.put(Secrets.hash(token), new Ticket(caller, now.plus(LENGTH)));
+        return token;
+    }
+
+    /** Empty when there is no such ticket, or it was used, or it is too old. */
+    public synchronized Optional<Caller> redeem(String token) {
+        return Optional.ofNullable(tickets.remove(Secrets.hash(token)))
+                .filter(ticket -> ticket.until().isAfter(clock.instant()))
+                .map(Ticket::caller);
+    }
+}

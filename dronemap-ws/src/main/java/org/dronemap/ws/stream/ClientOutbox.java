@@ -1,0 +1,62 @@
+package org.dronemap.ws.stream;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.drone.DroneId;
+
+/**
+ * What waits for one client: of each drone only the newest picture, of commands and answers everything, in order, up
+ * to a bound. Any thread.
+ */
+final class ClientOutbox {
+    static final int MOST_DISCRETE = 1_000;
+
+    // all guarded by this
+    private final Deque<String> discrete = new ArrayDeque<>();
+    private final Map<DroneId, String> newest = new LinkedHashMap<>();
+    private long replaced;
+    private boolean overflown;
+
+    /** A picture that the next one of the same drone replaces. */
+    synchronized void offer(DroneId drone, String json) {
+        if (newest.put(drone, json) != null) {
+            replaced++;
+        }
+    }
+
+    synchronized void forget(DroneId drone) {
+        newest.remove(drone);
+    }
+
+    /** Something that must arrive; when there is no room for it the client is to be closed. */
+    synchronized void add(String json) {
+        if (discrete.size() == MOST_DISCRETE) {
+            overflown = true;
+        } else {
+            discrete.add(json);
+        }
+    }
+
+    /** All that waits: first what must arrive, then the pictures. */
+    synchronized List<String> drain() {
+        List<String> all = new ArrayList<>(discrete.size() + newest.size());
+        all.addAll(discrete);
+        all.addAll(newest.values());
+        discrete.clear();
+        newest.clear();
+        return all;
+    }
+
+    synchronized boolean isOverflown() {
+        return overflown;
+    }
+
+    /** Pictures that a newer one replaced before they were sent. */
+    synchronized long replacedCount() {
+        return replaced;
+    }
+}

@@ -1,0 +1,79 @@
+package org.dronemap.ws.stream;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.drone.DroneId;
+import org.java_websocket.WebSocket;
+import org.java_websocket.framing.CloseFrame;
+import org.jspecify.annotations.Nullable;
+
+/** One connection of the stream. Any thread; its sending belongs to the pump. */
+final class StreamClient {
+    private static final int TOO_SLOW = CloseFrame.TRY_AGAIN_LATER;
+
+    private final WebSocket socket;
+    private final ClientOutbox outbox = new ClientOutbox();
+    private final long connectedNanos;
+    private volatile @Nullable Principal principal;
+    private volatile @Nullable Set<String> wanted;
+    private volatile long closingSinceNanos;
+
+    StreamClient(WebSocket socket, long nowNanos) {
+        this.socket = socket;
+        this.connectedNanos = nowNanos;
+    }
+
+    Optional<Principal> principal() {
+        return Optional.ofNullable(principal);
+    }
+
+    void admit(Principal who) {
+        principal = who;
+    }
+
+    long connectedNanos() {
+        return connectedNanos;
+    }
+
+    ClientOutbox outbox() {
+        return outbox;
+    }
+
+    /** Null: all drones. */
+    void subscribe(@Nullable List<String> drones) {
+        wanted = drones == null ? null : drones.stream().collect(Collectors.toUnmodifiableSet());
+    }
+
+    boolean wants(DroneId drone) {
+        Set<String> only = wanted;
+        return only == null || only.contains(drone.value());
+    }
+
+    void close(int code, String reason) {
+        if (closingSinceNanos == 0) {
+            closingSinceNanos = Math.max(1, System.nanoTime());
+            socket.close(code, reason);
+        }
+    }
+
+    /** Hands waiting messages to the socket as soon as it has sent all that it had: its own queue has no bound. */
+    void pump(long nowNanos) {
+        if (closingSinceNanos != 0) {
+            if (nowNanos - closingSinceNanos > 2_000_000_000L) {
+                // it does not even take the farewell
+                socket.closeConnection(TOO_SLOW, "too slow");
+            }
+            return;
+        }
+        if (outbox.isOverflown()) {
+            close(TOO_SLOW, "Too slow: more than " + ClientOutbox.MOST_DISCRETE + " messages were waiting; reconnect.");
+            return;
+        }
+        if (socket.isOpen() && !socket.hasBufferedData()) {
+            outbox.drain().forEach(socket::send);
+        }
+    }
+}

@@ -1,0 +1,170 @@
+package org.dronemap.ws.stream;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.time.Clock;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import javax.net.ssl.SSLContext;
+import org.dronemap.core.cloud.CloudListener;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.java_websocket.framing.CloseFrame;
+import org.java_websocket.server.DefaultSSLWebSocketServerFactory;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The WebSocket face as a whole. Lanes only put news down; one pump thread carries them to the clients. */
+public final class StreamFace implements CloudListener, AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(StreamFace.class);
+    private static final long ROUND_MILLIS = 40;
+    private static final long PING_NANOS = TimeUnit.SECONDS.toNanos(5);
+    private static final long TIME_TO_SIGN_IN_NANOS = TimeUnit.SECONDS.toNanos(5);
+
+    private final CloudManager cloud;
+    private final Services services;
+    private final StreamServer server;
+    private final StreamRequests requests;
+    private final DroneFeed feed;
+    private final Clock clock;
+    private final ScheduledExecutorService pump = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread thread = new Thread(task, "stream-pump");
+        thread.setDaemon(true);
+        return thread;
+    });
+    // owned by the pump
+    private long lastPingNanos = System.nanoTime();
+
+    /** The use cases behind the stream. */
+    public record Services(
+            Authentication authentication,
+            StreamTickets tickets,
+            DroneService drones,
+            DroneViews views,
+            CommandService commands,
+            JsonReader json) {}
+
+    public StreamFace(
+            CloudManager cloud, Services services, InetSocketAddress address, @Nullable SSLContext tls, Clock clock) {
+        this.cloud = cloud;
+        this.services = services;
+        this.clock = clock;
+        this.feed = new DroneFeed(services.views(), services.json());
+        this.requests =
+                new StreamRequests(services.authentication(), services.drones(), services.commands(), services.json());
+        this.server = new StreamServer(address, requests, services.authentication(), services.tickets());
+        if (tls != null) {
+            server.setWebSocketFactory(new DefaultSSLWebSocketServerFactory(tls));
+        }
+    }
+
+    /** Returns the port when it listens. */
+    public int start() throws IOException {
+        server.start();
+        int port = awaitListening();
+        cloud.addListener(this);
+        var unused = pump.scheduleWithFixedDelay(this::round, ROUND_MILLIS, ROUND_MILLIS, TimeUnit.MILLISECONDS);
+        return port;
+    }
+
+    private int awaitListening() throws IOException {
+        try {
+            return server.listening().get(10, TimeUnit.SECONDS);
+        } catch (ExecutionException e) {
+            throw new IOException(e.getCause());
+        } catch (TimeoutException e) {
+            throw new IOException("it does not listen after 10 s", e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("interrupted", e);
+        }
+    }
+
+    @Override
+    public void droneChanged(DroneState state) {
+        feed.changed(state);
+    }
+
+    @Override
+    public void droneRemoved(DroneId id) {
+        feed.removed(id);
+        String message = services.json().write(new StreamMessage.DroneRemoved(id.value()));
+        for (StreamClient client : server.clients()) {
+            client.outbox().forget(id);
+            if (client.principal().isPresent()) {
+                client.outbox().add(message);
+            }
+        }
+    }
+
+    @Override
+    public void commandChanged(CommandRecord command) {
+        String message = services.json().write(new StreamMessage.Command(CommandView.of(command)));
+        for (StreamClient client : server.clients()) {
+            if (client.principal().isPresent() && client.wants(command.drone())) {
+                client.outbox().add(message);
+            }
+        }
+    }
+
+    private void round() {
+        try {
+            long now = System.nanoTime();
+            feed.publish(server.clients(), now);
+            boolean pingDue = now - lastPingNanos >= PING_NANOS;
+            if (pingDue) {
+                lastPingNanos = now;
+            }
+            for (StreamClient client : server.clients()) {
+                attend(client, pingDue, now);
+            }
+        } catch (RuntimeException e) {
+            LOG.error("A round of the stream failed", e);
+        }
+    }
+
+    private void attend(StreamClient client, boolean pingDue, long now) {
+        if (client.principal().isEmpty()) {
+            if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
+                Rejection late = Rejection.notSignedIn("No ticket, key or authenticate message came within 5 s.");
+                requests.say(client, new StreamMessage.Failure(Problem.of(late), null));
+                client.pump(now);
+                client.close(CloseFrame.POLICY_VALIDATION, late.sentence());
+            }
+        } else if (pingDue) {
+            requests.say(client, new StreamMessage.Ping(clock.instant()));
+        }
+        client.pump(now);
+    }
+
+    /** How many clients are connected. */
+    public int clientCount() {
+        return server.clients().size();
+    }
+
+    @Override
+    public void close() {
+        cloud.removeListener(this);
+        pump.shutdown();
+        try {
+            server.stop(1_000, "The server stops.");
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

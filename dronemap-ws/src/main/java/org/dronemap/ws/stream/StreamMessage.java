@@ -1,0 +1,79 @@
+package org.dronemap.ws.stream;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.ws.service.CommandRequest;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.DroneView;
+import org.dronemap.ws.service.Problem;
+import org.jspecify.annotations.Nullable;
+
+/** The messages of the stream, each with its type as clients see it. */
+final class StreamMessage {
+    private StreamMessage() {}
+
+    /** From a client; which members are there depends on the type. */
+    record FromClient(
+            @Nullable String type,
+            @Nullable String key,
+            @Nullable String requestId,
+            @Nullable String drone,
+            @Nullable CommandRequest command,
+            @Nullable List<String> drones) {}
+
+    record Hello(String type, String user, String role) {
+        Hello(String user, String role) {
+            this("hello", user, role);
+        }
+    }
+
+    record Drones(String type, List<DroneView> drones) {
+        Drones(List<DroneView> drones) {
+            this("drones", drones);
+        }
+    }
+
+    record Drone(String type, DroneView drone) {
+        Drone(DroneView drone) {
+            this("drone", drone);
+        }
+    }
+
+    record DroneRemoved(String type, String id) {
+        DroneRemoved(String id) {
+            this("droneRemoved", id);
+        }
+    }
+
+    record Command(String type, CommandView command) {
+        Command(CommandView command) {
+            this("command", command);
+        }
+    }
+
+    record CommandAccepted(String type, @Nullable String requestId, CommandView command) {
+        CommandAccepted(@Nullable String requestId, CommandView command) {
+            this("commandAccepted", requestId, command);
+        }
+    }
+
+    @JsonInclude(JsonInclude.Include.NON_NULL)
+    record Failure(String type, Problem problem, @Nullable String requestId) {
+        Failure(Problem problem, @Nullable String requestId) {
+            this("error", problem, requestId);
+        }
+    }
+
+    record Ping(String type, Instant at) {
+        Ping(Instant at) {
+            this("ping", at);
+        }
+    }
+
+    record Pong(String type) {
+        Pong() {
+            this("pong");
+        }
+    }
+}

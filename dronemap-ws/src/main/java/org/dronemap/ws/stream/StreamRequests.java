@@ -1,0 +1,110 @@
+package org.dronemap.ws.stream;
+
+import org.dronemap.core.access.Principal;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.service.CommandRequest;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.WireNames;
+import org.java_websocket.framing.CloseFrame;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Answers what clients of the stream say. Any thread. */
+final class StreamRequests {
+    private static final Logger LOG = LoggerFactory.getLogger(StreamRequests.class);
+    private static final String TYPES = "authenticate, command, subscribe or ping";
+
+    private final Authentication authentication;
+    private final DroneService drones;
+    private final CommandService commands;
+    private final JsonReader json;
+
+    StreamRequests(Authentication authentication, DroneService drones, CommandService commands, JsonReader json) {
+        this.authentication = authentication;
+        this.drones = drones;
+        this.commands = commands;
+        this.json = json;
+    }
+
+    /** Lets a client in, with the whole list first. */
+    void welcome(StreamClient client, Principal principal) {
+        authentication.requireOpen();
+        say(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
+        // from here on changes are queued for it, so that none falls between the list and the first change
+        client.admit(principal);
+        say(client, new StreamMessage.Drones(drones.drones(principal)));
+    }
+
+    void hear(StreamClient client, String text) {
+        String requestId = null;
+        try {
+            StreamMessage.FromClient message = json.read(text, StreamMessage.FromClient.class);
+            requestId = message.requestId();
+            answer(client, message);
+        } catch (Rejection rejection) {
+            say(client, new StreamMessage.Failure(Problem.of(rejection), requestId));
+            if (client.principal().isEmpty()) {
+                client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
+            }
+        } catch (RuntimeException e) {
+            LOG.error("A message of the stream failed", e);
+            say(client, new StreamMessage.Failure(Problem.internal(), requestId));
+        }
+    }
+
+    private void answer(StreamClient client, StreamMessage.FromClient message) {
+        String type = message.type();
+        if (type == null) {
+            throw InvalidInput.missing("type", TYPES);
+        }
+        if (type.equals("authenticate")) {
+            authenticate(client, message.key());
+            return;
+        }
+        Principal principal = client.principal()
+                .orElseThrow(() -> Rejection.notSignedIn(
+                        "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
+        switch (type) {
+            case "command" -> command(client, principal, message);
+            case "subscribe" -> client.subscribe(message.drones());
+            case "ping" -> say(client, new StreamMessage.Pong());
+            default -> throw InvalidInput.outside("type", TYPES, "\"" + type + "\"");
+        }
+    }
+
+    private void authenticate(StreamClient client, @Nullable String key) {
+        if (key == null) {
+            throw InvalidInput.missing("key", "an access key");
+        }
+        Principal principal = authentication.byKey(key).principal();
+        if (client.principal().isEmpty()) {
+            welcome(client, principal);
+        }
+    }
+
+    private void command(StreamClient client, Principal principal, StreamMessage.FromClient message) {
+        authentication.requireOpen();
+        String drone = message.drone();
+        CommandRequest command = message.command();
+        if (drone == null) {
+            throw InvalidInput.missing("drone", "the id of a drone");
+        }
+        if (command == null) {
+            throw InvalidInput.missing("command", "an object such as {\"type\":\"arm\"}");
+        }
+        say(
+                client,
+                new StreamMessage.CommandAccepted(
+                        message.requestId(), commands.submit(principal, "stream", drone, command)));
+    }
+
+    void say(StreamClient client, Object message) {
+        client.outbox().add(json.write(message));
+    }
+}

@@ -1,0 +1,145 @@
+package org.dronemap.ws.stream;
+
+import java.net.InetSocketAddress;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.Caller;
+import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
+import org.java_websocket.WebSocket;
+import org.java_websocket.drafts.Draft;
+import org.java_websocket.drafts.Draft_6455;
+import org.java_websocket.extensions.IExtension;
+import org.java_websocket.framing.CloseFrame;
+import org.java_websocket.handshake.ClientHandshake;
+import org.java_websocket.protocols.Protocol;
+import org.java_websocket.server.WebSocketServer;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Takes connections of the stream in; its own threads hand what clients say to {@link StreamRequests}. */
+final class StreamServer extends WebSocketServer {
+    private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
+    private static final int WORKERS = 2;
+    private static final int LARGEST_MESSAGE_BYTES = 1024 * 1024;
+    private static final int MOST_CLIENTS = 2_000;
+    private static final String PATH = "/stream";
+    private static final String TICKET = "ticket=";
+
+    private final StreamRequests requests;
+    private final Authentication authentication;
+    private final StreamTickets tickets;
+    private final ConcurrentHashMap<WebSocket, StreamClient> clients = new ConcurrentHashMap<>();
+    private final CompletableFuture<Integer> listening = new CompletableFuture<>();
+
+    StreamServer(
+            InetSocketAddress address, StreamRequests requests, Authentication authentication, StreamTickets tickets) {
+        super(address, WORKERS, List.of(draft()));
+        this.requests = requests;
+        this.authentication = authentication;
+        this.tickets = tickets;
+        setReuseAddr(true);
+        setTcpNoDelay(true);
+        setDaemon(true);
+        setConnectionLostTimeout(30);
+    }
+
+    /** The port once it listens. */
+    CompletableFuture<Integer> listening() {
+        return listening;
+    }
+
+    Collection<StreamClient> clients() {
+        return clients.values();
+    }
+
+    @Override
+    public void onOpen(WebSocket socket, ClientHandshake handshake) {
+        StreamClient client = new StreamClient(socket, System.nanoTime());
+        clients.put(socket, client);
+        try {
+            if (clients.size() > MOST_CLIENTS) {
+                throw new Rejection(RejectionKind.UNAVAILABLE, "Too many clients are connected.");
+            }
+            checkAddress(handshake);
+            identify(handshake).ifPresent(caller -> requests.welcome(client, caller.principal()));
+        } catch (Rejection rejection) {
+            requests.say(client, new StreamMessage.Failure(Problem.of(rejection), null));
+            client.pump(System.nanoTime());
+            client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
+        }
+    }
+
+    @Override
+    public void onClose(WebSocket socket, int code, String reason, boolean remote) {
+        clients.remove(socket);
+    }
+
+    @Override
+    public void onMessage(WebSocket socket, String message) {
+        StreamClient client = clients.get(socket);
+        if (client != null) {
+            requests.hear(client, message);
+        }
+    }
+
+    @Override
+    public void onError(@Nullable WebSocket socket, Exception e) {
+        if (socket == null) {
+            if (!listening.completeExceptionally(e)) {
+                LOG.error("The stream server failed", e);
+            }
+        } else {
+            LOG.debug("A connection of the stream broke: {}", e.getMessage());
+        }
+    }
+
+    @Override
+    public void onStart() {
+        listening.complete(getPort());
+    }
+
+    private Optional<Caller> identify(ClientHandshake handshake) {
+        String address = handshake.getResourceDescriptor();
+        int query = address.indexOf(TICKET);
+        if (query > 0) {
+            String ticket = address.substring(query + TICKET.length()).split("&", 2)[0];
+            return Optional.of(tickets.redeem(ticket)
+                    .orElseThrow(() -> Rejection.notSignedIn(
+                            "The ticket was used already or is older than 30 s; ask for a new one.")));
+        }
+        String header = handshake.getFieldValue("Authorization");
+        if (header.isEmpty()) {
+            return Optional.empty();
+        }
+        return Optional.of(authentication.byKey(header.replaceFirst("(?i)^Bearer +", "")));
+    }
+
+    /** A page of another site must not open the stream in a visitor's name. */
+    private static void checkAddress(ClientHandshake handshake) {
+        String path = handshake.getResourceDescriptor().split("\\?", 2)[0];
+        if (!path.equals(PATH)) {
+            throw new Rejection(RejectionKind.UNKNOWN, "The stream is at " + PATH + ", not at " + path + ".");
+        }
+        String origin = handshake.getFieldValue("Origin");
+        if (!origin.isEmpty()
+                && !hostOf(origin.replaceFirst("^[a-z]+://", "")).equals(hostOf(handshake.getFieldValue("Host")))) {
+            throw Rejection.forbidden("The stream serves only pages of its own host, not of " + origin + ".");
+        }
+    }
+
+    private static String hostOf(String hostAndPort) {
+        return hostAndPort.replaceFirst(":\\d+$", "");
+    }
+
+    private static Draft draft() {
+        return new Draft_6455(List.<IExtension>of(), List.of(new Protocol("")), LARGEST_MESSAGE_BYTES);
+    }
+}

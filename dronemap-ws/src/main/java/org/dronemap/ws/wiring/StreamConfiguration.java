@@ -1,0 +1,66 @@
+package org.dronemap.ws.wiring;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.time.Clock;
+import javax.net.ssl.SSLContext;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.stream.StreamFace;
+import org.jspecify.annotations.Nullable;
+import org.springframework.boot.ssl.SslBundles;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+
+/** Constructs the WebSocket face. */
+@Configuration(proxyBeanMethods = false)
+public class StreamConfiguration {
+
+    @Bean
+    StreamTickets streamTickets(Secrets secrets, Clock clock) {
+        return new StreamTickets(secrets, clock);
+    }
+
+    @Bean
+    StreamFace.Services streamServices(
+            Authentication authentication,
+            StreamTickets tickets,
+            DroneService drones,
+            DroneViews views,
+            CommandService commands,
+            JsonReader json) {
+        return new StreamFace.Services(authentication, tickets, drones, views, commands, json);
+    }
+
+    @Bean
+    StreamFace streamFace(
+            House house, StreamFace.Services services, Settings settings, SslBundles bundles, Clock clock) {
+        InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
+        return new StreamFace(house.cloud(), services, address, tls(settings, bundles), clock);
+    }
+
+    /** Listens before the HTTP port does, so that whoever finds the page finds the stream. */
+    @Bean
+    StreamPort streamPort(StreamFace face, Settings settings) {
+        try {
+            return new StreamPort(face.start());
+        } catch (IOException e) {
+            throw new SetupException(
+                    "The stream port " + settings.streamPort() + " on " + settings.bindAddress()
+                            + " cannot be listened on (is it taken by another program?); stop that one, or choose"
+                            + " another port with DRONEMAP_STREAM_PORT.",
+                    e);
+        }
+    }
+
+    private static @Nullable SSLContext tls(Settings settings, SslBundles bundles) {
+        return settings.tls() == null
+                ? null
+                : bundles.getBundle(FacesServer.TLS_BUNDLE).createSslContext();
+    }
+}
