@@ -1,4 +1,4 @@
-import type { Drone, DroneKind } from '../api/types';
+import type { Drone, DroneKind, LinkState } from '../api/types';
 
 export type Tone = 'neutral' | 'green' | 'amber' | 'red';
 
@@ -52,6 +52,19 @@ const KIND_NAMES: Record<DroneKind, string> = {
 
 export function kindName(kind: DroneKind): string {
   return KIND_NAMES[kind];
+}
+
+export function armedWordOf(drone: Drone): string {
+  if (drone.armed === null) {
+    return 'Armed or not: unknown';
+  }
+  return drone.armed ? 'Armed' : 'Disarmed';
+}
+
+const LINK_WORDS: Record<LinkState, string> = { live: 'Live', suspect: 'Suspect', lost: 'Lost' };
+
+export function linkWord(state: LinkState): string {
+  return LINK_WORDS[state];
 }
 
 /** The session key of a vehicle as people write it: address, port and system id. */

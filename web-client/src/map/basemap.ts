@@ -1,6 +1,7 @@
 import type { Feature, FeatureCollection, MultiPolygon, Point, Polygon, Position } from 'geojson';
 import { feature } from 'topojson-client';
 import type { Topology } from 'topojson-specification';
+import { unwrapShape } from './antimeridian';
 import countriesAddress from 'world-atlas/countries-50m.json?url';
 
 /** The world as it ships: shapes of the countries and a point for the name of each. From Natural Earth. */
@@ -19,7 +20,11 @@ export async function loadWorld(): Promise<World> {
   if (shapes === undefined) {
     throw new Error('The base map holds no countries.');
   }
-  const countries = feature(topology, shapes) as FeatureCollection<Polygon | MultiPolygon>;
+  const raw = feature(topology, shapes) as FeatureCollection<Polygon | MultiPolygon>;
+  const countries = {
+    ...raw,
+    features: raw.features.map((country) => ({ ...country, geometry: unwrapShape(country.geometry) })),
+  };
   return { countries, names: { type: 'FeatureCollection', features: countries.features.flatMap(nameOf) } };
 }
 

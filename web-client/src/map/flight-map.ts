@@ -21,6 +21,8 @@ setWorkerUrl(workerAddress);
 
 const CLOSE_ZOOM = 16;
 const HIT_PIXELS = 14;
+/** Large and given once: not worth comparing. */
+const STILL_SOURCES: ReadonlySet<LiveSource> = new Set(['countries', 'names']);
 
 export interface MapEvents {
   onClick(place: Coordinates, droneId: string | null): void;
@@ -36,6 +38,7 @@ export class FlightMap {
   readonly #map: MapLibre;
   readonly #events: MapEvents;
   readonly #live = new Map<LiveSource, FeatureCollection>();
+  readonly #shown = new Map<LiveSource, string>();
   #palette: Palette;
   readonly #tileAddress: string | null;
   #ready = false;
@@ -66,7 +69,19 @@ export class FlightMap {
 
   /** Replaces what a layer shows; kept, so that it comes back after a change of theme. */
   show(source: LiveSource, data: FeatureCollection): void {
+    if (!STILL_SOURCES.has(source)) {
+      // A fleet that stands still costs no redraw, however often it reports.
+      const text = JSON.stringify(data);
+      if (this.#shown.get(source) === text) {
+        return;
+      }
+      this.#shown.set(source, text);
+    }
     this.#live.set(source, data);
+    this.#hand(source, data);
+  }
+
+  #hand(source: LiveSource, data: FeatureCollection): void {
     if (this.#ready) {
       this.#map.getSource<GeoJSONSource>(source)?.setData(data);
     }
@@ -124,7 +139,7 @@ export class FlightMap {
     const map = this.#map;
     map.on('style.load', () => {
       this.#ready = true;
-      this.#live.forEach((data, source) => this.show(source, data));
+      this.#live.forEach((data, source) => this.#hand(source, data));
       this.#showGrid();
     });
     map.setMissingStyleImageResolver((id) => {
