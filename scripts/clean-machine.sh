@@ -42,6 +42,7 @@ read_options() {
 }
 
 # What the host's apt reads from Debian itself, as "site release component" lines; empty on another system.
+# shellcheck disable=SC2016 # apt's own variables
 debian_sources() {
     apt-get indextargets --format '$(SITE) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian' "Codename: $SUITE" \
         2>/dev/null | sort -u
@@ -128,6 +129,7 @@ mount_inside() {
     if [[ -d ${DRONEMAP_TEST_DATA:-} ]]; then mount --bind -o ro "$DRONEMAP_TEST_DATA" "$CLEAN_ROOT/mnt/recordings"; fi
 }
 
+# shellcheck disable=SC2016 # the inner shell's own variables
 inside_commands() { # NAME=VALUE…
     local recordings=()
     if [[ -d ${DRONEMAP_TEST_DATA:-} ]]; then recordings=(DRONEMAP_TEST_DATA=/mnt/recordings); fi

@@ -72,9 +72,13 @@ start_everything() {
 
 # What a running server was started with; another description means a restart.
 run_description() {
-    printf 'build=%s\npublic=%s\nbind=%s\nhttp=%s\nstream=%s\nendpoints=%s\ndatabase=%s\nuser=%s\njava=%s\ncertificate=%s\n' \
-        "$(stamp_of jars)" "$PUBLIC" "$BIND" "$HTTP_PORT" "$STREAM_PORT" "$ENDPOINTS" "${DRONEMAP_DATABASE_URL:-own}" \
-        "${DRONEMAP_DATABASE_USER:-}" "${DRONEMAP_JAVA_OPTS:-}" "$(certificate_mark)"
+    printf 'build=%s\npublic=%s\nbind=%s\nhttp=%s\nstream=%s\nendpoints=%s\nsettings=%s\ncertificate=%s\n' "$(stamp_of jars)" \
+        "$PUBLIC" "$BIND" "$HTTP_PORT" "$STREAM_PORT" "$ENDPOINTS" "$(hash_of_environment)" "$(certificate_mark)"
+}
+
+# Hashed, as the address of a database may hold its password.
+hash_of_environment() {
+    env | grep '^DRONEMAP_' | grep -vE '^DRONEMAP_(TEST_|SITL_|CHROMIUM|TLS_)' | sort | sha256sum | cut -c 1-16
 }
 
 # The first start makes a database; later ones only need room to write.

@@ -49,7 +49,8 @@ set_bind() {
     ENDPOINTS=${DRONEMAP_ENDPOINTS:-udpserver://$BIND:$MAVLINK_UDP,tcpserver://$BIND:$MAVLINK_TCP}
 }
 
-in_container() { [[ -e /.dockerenv || -e /run/.containerenv ]]; }
+# `container` is how container engines and systemd tell the programs inside.
+in_container() { [[ -n ${container:-} || -e /.dockerenv || -e /run/.containerenv ]]; }
 
 scheme() { if [[ $PUBLIC == true ]]; then printf https; else printf http; fi; }
 local_address() { printf '%s://%s:%s' "$(scheme)" "$LOOPBACK" "$HTTP_PORT"; }
