@@ -1,0 +1,67 @@
+package org.dronemap.proxy.endpoint;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.LongAdder;
+
+/** What went through one endpoint since its start. Any thread. */
+public final class EndpointCounters {
+    private final LongAdder framesIn = new LongAdder();
+    private final LongAdder framesOut = new LongAdder();
+    private final LongAdder brokenBytes = new LongAdder();
+    private final LongAdder droppedIn = new LongAdder();
+    private final LongAdder droppedOut = new LongAdder();
+    private final LongAdder refusedPeers = new LongAdder();
+    private final AtomicInteger peers = new AtomicInteger();
+
+    /**
+     * The counts at one moment.
+     *
+     * @param droppedIn frames that found no room on their way to the drone
+     * @param droppedOut frames that the socket did not take
+     * @param refusedPeers datagrams or connections of addresses beyond the bound
+     */
+    public record Counts(
+            int peers,
+            long framesIn,
+            long framesOut,
+            long brokenBytes,
+            long droppedIn,
+            long droppedOut,
+            long refusedPeers) {}
+
+    public void received(long frames, long broken) {
+        framesIn.add(frames);
+        brokenBytes.add(broken);
+    }
+
+    public void droppedIn() {
+        droppedIn.increment();
+    }
+
+    void sent() {
+        framesOut.increment();
+    }
+
+    void droppedOut() {
+        droppedOut.increment();
+    }
+
+    void refusedPeer() {
+        refusedPeers.increment();
+    }
+
+    void peers(int count) {
+        peers.set(count);
+    }
+
+    public Counts counts() {
+        return new Counts(
+                peers.get(),
+                framesIn.sum(),
+                framesOut.sum(),
+                brokenBytes.sum(),
+                droppedIn.sum(),
+                droppedOut.sum(),
+                refusedPeers.sum());
+    }
+}

@@ -1,0 +1,17 @@
+package org.dronemap.proxy.endpoint;
+
+import java.nio.ByteBuffer;
+
+/** Takes what one peer sends. Always called on the endpoint's thread. */
+public interface PeerHandler {
+    /** The buffer is reused: take all of it before returning. */
+    void received(ByteBuffer bytes);
+
+    /** The peer has gone, or fell silent for so long that its place was given away. */
+    void closed();
+
+    /** Decides who takes the bytes of a new peer. */
+    interface Factory {
+        PeerHandler opened(Peer peer, EndpointCounters counters);
+    }
+}

@@ -1,0 +1,62 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import java.time.Duration;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntFunction;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.CommandLong;
+
+/**
+ * One MAV_CMD to be carried out.
+ *
+ * @param message the message for the given confirmation count
+ * @param command the MAV_CMD that the acknowledgement names
+ * @param retry whether it may be sent again without a look at the vehicle
+ * @param proof when it is seen to be done
+ */
+public record CommandRequest(IntFunction<Message> message, int command, Retry retry, Proof proof) {
+    /** What may happen between two tries. */
+    public enum Retry {
+        /** Doing it twice is doing it once. */
+        REPEATABLE,
+        /** Sent again only after a sign of the vehicle that does not show it done. */
+        VERIFY_FIRST
+    }
+
+    /** {@code seen} shows that it came about, within {@code patience} of the acceptance; else {@code unseen} is said. */
+    public record Proof(BooleanSupplier seen, Duration patience, String unseen) {
+        /** The acknowledgement is all that will be heard. */
+        public static final Proof ACKNOWLEDGED = new Proof(() -> true, Duration.ZERO, "");
+    }
+
+    /** Parameters of a COMMAND_LONG, the missing ones 0. */
+    public static CommandRequest ofLong(Target target, int command, float[] parameters, Proof proof) {
+        float[] p = java.util.Arrays.copyOf(parameters, 7);
+        return new CommandRequest(
+                confirmation -> new CommandLong(
+                        target.systemId(),
+                        target.componentId(),
+                        command,
+                        confirmation,
+                        p[0],
+                        p[1],
+                        p[2],
+                        p[3],
+                        p[4],
+                        p[5],
+                        p[6]),
+                command,
+                Retry.REPEATABLE,
+                proof);
+    }
+
+    /** A COMMAND_INT, whose position is exact. */
+    public static CommandRequest ofInt(CommandInt message) {
+        return new CommandRequest(confirmation -> message, message.command(), Retry.REPEATABLE, Proof.ACKNOWLEDGED);
+    }
+
+    public CommandRequest verifyFirst() {
+        return new CommandRequest(message, command, Retry.VERIFY_FIRST, proof);
+    }
+}

@@ -1,0 +1,23 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.mavlink.Frame;
+import org.jspecify.annotations.Nullable;
+
+/** Something under way with one vehicle. Fed on the drone's lane until it has an outcome; times are monotonic ns. */
+public interface Exchange {
+    void start(long nowNanos);
+
+    /** Any frame of the vehicle's autopilot. */
+    void heard(Frame frame, long nowNanos);
+
+    /** A whole sentence of the vehicle. */
+    default void said(Severity severity, String text, long nowNanos) {}
+
+    void tick(long nowNanos);
+
+    /** Null as long as it is under way. */
+    @Nullable
+    Outcome outcome();
+}

@@ -1,0 +1,27 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+/** MAV_RESULT in words. */
+final class MavResult {
+    static final int ACCEPTED = 0;
+    static final int UNSUPPORTED = 3;
+    static final int IN_PROGRESS = 5;
+
+    private MavResult() {}
+
+    static boolean isUnknown(int result) {
+        return result == UNSUPPORTED || result == 7 || result == 9;
+    }
+
+    static String words(int result) {
+        return switch (result) {
+            case 1 -> "The vehicle cannot do that at the moment.";
+            case 2 -> "The vehicle denied it and gave no reason.";
+            case UNSUPPORTED -> "The vehicle does not know this command.";
+            case 4 -> "The vehicle could not do it and gave no reason.";
+            case 6 -> "The command was cancelled on the vehicle.";
+            case 7, 8 -> "The vehicle takes this command only in another form.";
+            case 9 -> "The vehicle does not take positions of this kind.";
+            default -> "The vehicle answered with result " + result + ".";
+        };
+    }
+}

@@ -1,0 +1,30 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+/** MAV_MISSION_RESULT in words. */
+final class MissionResult {
+    static final int ACCEPTED = 0;
+    static final int ERROR = 1;
+    static final int INVALID_SEQUENCE = 13;
+    static final int CANCELLED = 15;
+
+    private MissionResult() {}
+
+    /** What may be cured by beginning again. */
+    static boolean isPassing(int result) {
+        return result == ERROR || result == INVALID_SEQUENCE || result == CANCELLED;
+    }
+
+    static String words(int result) {
+        return switch (result) {
+            case 2 -> "The vehicle does not take positions of this kind.";
+            case 3 -> "The vehicle does not know an item of this mission.";
+            case 4 -> "The vehicle has no room for so many mission items.";
+            case 5, 6, 7, 8, 9, 10, 11, 12 ->
+                "The vehicle finds a value of the mission invalid (result " + result + ").";
+            case INVALID_SEQUENCE -> "The vehicle got the mission items out of order.";
+            case 14 -> "The vehicle does not take a mission from here now.";
+            case CANCELLED -> "The vehicle cancelled the transfer.";
+            default -> "The vehicle answered the mission transfer with an error (result " + result + ").";
+        };
+    }
+}

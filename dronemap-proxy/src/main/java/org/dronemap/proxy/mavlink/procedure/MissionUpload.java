@@ -1,0 +1,165 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import java.util.List;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.MissionAck;
+import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionRequest;
+import org.dronemap.mavlink.message.MissionRequestInt;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Writes a mission to a vehicle, which asks for the items one by one. Items given are the wire's, numbered from 0. A
+ * transfer that stalls is begun again; when only the last acknowledgement is missing, a read-back must tell.
+ */
+public final class MissionUpload implements Exchange {
+    private static final int TRIES = 9;
+    private static final int ROUNDS = 3;
+    private static final int TRIES_FOR_THE_LAST_WORD = 3;
+    private static final long BETWEEN_TRIES_NANOS = 700_000_000L;
+    private static final long REASON_NANOS = 700_000_000L;
+
+    private final Target target;
+    private final List<MissionItemInt> items;
+    private final Observer observer;
+    private int asked = -1;
+    private int highest = -1;
+    private int tries;
+    private int rounds = 1;
+    private long lastSentNanos;
+    private int refusal;
+    private long refusedNanos;
+    private @Nullable String reason;
+    private @Nullable Outcome outcome;
+
+    public MissionUpload(Target target, List<MissionItemInt> items, Observer observer) {
+        this.target = target;
+        this.items = List.copyOf(items);
+        this.observer = observer;
+    }
+
+    @Override
+    public void start(long nowNanos) {
+        send(nowNanos);
+    }
+
+    @Override
+    public void heard(Frame frame, long nowNanos) {
+        if (outcome != null || refusal != 0) {
+            return;
+        }
+        switch (frame.messageId()) {
+            case MissionRequestInt.ID -> {
+                MissionRequestInt request = MissionRequestInt.decode(frame);
+                requested(request.seq(), request.missionType(), request.targetSystem(), nowNanos);
+            }
+            case MissionRequest.ID -> {
+                MissionRequest request = MissionRequest.decode(frame);
+                requested(request.seq(), request.missionType(), request.targetSystem(), nowNanos);
+            }
+            case MissionAck.ID -> acknowledged(MissionAck.decode(frame), nowNanos);
+            default -> {}
+        }
+    }
+
+    @Override
+    public void said(Severity severity, String text, long nowNanos) {
+        if (severity.compareTo(Severity.WARNING) <= 0) {
+            reason = text;
+        }
+    }
+
+    @Override
+    public void tick(long nowNanos) {
+        if (outcome != null) {
+            return;
+        }
+        if (refusal != 0) {
+            if (reason != null || nowNanos - refusedNanos >= REASON_NANOS) {
+                outcome = new Outcome.Refused("vehicle", reason != null ? reason : MissionResult.words(refusal));
+            }
+        } else if (nowNanos - lastSentNanos >= BETWEEN_TRIES_NANOS) {
+            again(nowNanos);
+        }
+    }
+
+    @Override
+    public @Nullable Outcome outcome() {
+        return outcome;
+    }
+
+    private void again(long nowNanos) {
+        if (allAsked() && tries >= TRIES_FOR_THE_LAST_WORD) {
+            outcome = new Outcome.Succeeded();
+        } else if (tries < TRIES) {
+            send(nowNanos);
+        } else if (highest < 0 || rounds == ROUNDS) {
+            outcome = CommandExchange.noAnswer(TRIES * BETWEEN_TRIES_NANOS, TRIES);
+        } else {
+            beginAgain(nowNanos);
+        }
+    }
+
+    private void beginAgain(long nowNanos) {
+        rounds++;
+        asked = -1;
+        tries = 0;
+        send(nowNanos);
+    }
+
+    private boolean allAsked() {
+        return asked == items.size() - 1;
+    }
+
+    private void send(long nowNanos) {
+        if (asked < 0) {
+            target.send(new MissionCount(target.systemId(), target.componentId(), items.size(), 0));
+        } else {
+            target.send(items.get(asked));
+        }
+        tries++;
+        lastSentNanos = nowNanos;
+    }
+
+    private void requested(int seq, int missionType, int targetSystem, long nowNanos) {
+        if (missionType != 0 || seq >= items.size() || !Target.isForUs(targetSystem)) {
+            return;
+        }
+        if (seq != asked) {
+            tries = 0;
+        }
+        asked = seq;
+        if (seq > highest) {
+            highest = seq;
+            observer.progress(seq, items.size());
+        }
+        send(nowNanos);
+    }
+
+    private void acknowledged(MissionAck ack, long nowNanos) {
+        if (ack.missionType() != 0 || !Target.isForUs(ack.targetSystem())) {
+            return;
+        }
+        if (ack.type() == MissionResult.ACCEPTED) {
+            if (allAsked()) {
+                observer.progress(items.size(), items.size());
+                outcome = new Outcome.Succeeded();
+            }
+        } else if (allAsked() && tries > 1) {
+            // The last word was lost and the vehicle wonders about the repetition: reading back must tell.
+            outcome = new Outcome.Succeeded();
+        } else if (MissionResult.isPassing(ack.type()) && rounds < ROUNDS) {
+            // The tick begins again after a pause, so that two sides never chase each other.
+            asked = -1;
+            tries = 0;
+            rounds++;
+            lastSentNanos = nowNanos;
+        } else {
+            refusal = ack.type();
+            refusedNanos = nowNanos;
+        }
+    }
+}

@@ -1,0 +1,22 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Message;
+
+/** Who is talked to: the vehicle's system and component id, and the way down to it. */
+public record Target(int systemId, int componentId, Consumer<Message> down) {
+    /** The cloud's own system id: what autopilots expect of their ground station. */
+    public static final int OWN_SYSTEM_ID = 255;
+
+    /** MAV_COMP_ID_MISSIONPLANNER. */
+    public static final int OWN_COMPONENT_ID = 190;
+
+    public void send(Message message) {
+        down.accept(message);
+    }
+
+    /** False for an answer that is addressed to somebody else; 0 is everybody. */
+    public static boolean isForUs(int targetSystem) {
+        return targetSystem == 0 || targetSystem == OWN_SYSTEM_ID;
+    }
+}

@@ -1,0 +1,287 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.mavlink.procedure.Alternative;
+import org.dronemap.proxy.mavlink.procedure.CommandExchange;
+import org.dronemap.proxy.mavlink.procedure.CommandRequest;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.ParameterChange;
+import org.dronemap.proxy.mavlink.procedure.PositionTarget;
+import org.dronemap.proxy.mavlink.procedure.Sequence;
+import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * ArduPilot's ways: numbered modes, GUIDED before take-off and go-to, home as mission item 0, a mission that is
+ * overwritten in place.
+ */
+final class ArduPilot implements Autopilot {
+    private static final String AUTO = "AUTO";
+    private static final String GUIDED = "GUIDED";
+    private static final int NAV_TAKEOFF = 22;
+    private static final int FRAME_RELATIVE = 6;
+    private static final int FRAME_GLOBAL = 5;
+    private static final int STANDBY = 3;
+    private static final int ACTIVE = 4;
+    private static final int HOME_ITEMS = 1;
+    private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
+
+    private final VehicleKind kind;
+    private final ModeTable table;
+
+    ArduPilot(int type) {
+        kind = VehicleType.kind(type);
+        table = switch (kind) {
+            case MULTICOPTER, HELICOPTER -> ModeTable.COPTER;
+            case FIXED_WING, VTOL -> ModeTable.PLANE;
+            case ROVER, BOAT -> ModeTable.ROVER;
+            case SUBMARINE -> ModeTable.SUB;
+            case AIRSHIP -> ModeTable.BLIMP;
+            case UNKNOWN -> ModeTable.EMPTY;
+        };
+    }
+
+    @Override
+    public String family() {
+        return "ArduPilot";
+    }
+
+    @Override
+    public String vehicle() {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> "ArduCopter";
+            case FIXED_WING, VTOL -> "ArduPlane";
+            case ROVER, BOAT -> "ArduRover";
+            case SUBMARINE -> "ArduSub";
+            case AIRSHIP -> "Blimp";
+            case UNKNOWN -> "ArduPilot";
+        };
+    }
+
+    @Override
+    public String modeName(Heartbeat heartbeat) {
+        String name = (heartbeat.baseMode() & 1) != 0 ? table.name(heartbeat.customMode()) : null;
+        return name != null ? name : OtherAutopilot.unnamed(heartbeat);
+    }
+
+    @Override
+    public List<String> modes() {
+        return table.names();
+    }
+
+    @Override
+    public Capabilities capabilities() {
+        Set<Capability> can = EnumSet.of(Capability.ARM, Capability.DISARM, Capability.SET_MODE);
+        if (table.has(AUTO)) {
+            can.addAll(EnumSet.of(
+                    Capability.UPLOAD_MISSION,
+                    Capability.CLEAR_MISSION,
+                    Capability.START_MISSION,
+                    Capability.HOLD,
+                    Capability.PAUSE_MISSION));
+        }
+        if (table.has(GUIDED)) {
+            can.add(Capability.GO_TO);
+        }
+        if (table.has("RTL")) {
+            can.add(Capability.RETURN_TO_LAUNCH);
+        }
+        if (kind != VehicleKind.FIXED_WING && (table.has("LAND") || table.has("QLAND"))) {
+            can.add(Capability.LAND);
+        }
+        if (table == ModeTable.COPTER || kind == VehicleKind.VTOL) {
+            can.add(Capability.TAKE_OFF);
+        }
+        return new Capabilities(can, modes());
+    }
+
+    @Override
+    public int itemsBeforeMission() {
+        return HOME_ITEMS;
+    }
+
+    /** Copter and Plane call standing on the ground STANDBY and flying ACTIVE; the others mean something else. */
+    @Override
+    public @Nullable FlightPhase phase(Heartbeat heartbeat) {
+        if (table != ModeTable.COPTER && table != ModeTable.PLANE) {
+            return null;
+        }
+        return switch (heartbeat.systemStatus()) {
+            case STANDBY -> FlightPhase.ON_GROUND;
+            case ACTIVE -> FlightPhase.IN_AIR;
+            default -> null;
+        };
+    }
+
+    @Override
+    public Exchange plan(Command command, Cockpit cockpit) {
+        if (command instanceof Command.Arm) {
+            return Maneuvers.arm(cockpit);
+        }
+        if (command instanceof Command.Disarm disarm) {
+            return Maneuvers.disarm(cockpit, disarm.force());
+        }
+        if (command instanceof Command.SetMode setMode) {
+            return mode(cockpit, setMode.mode(), cockpit.observer());
+        }
+        if (command instanceof Command.Land) {
+            return mode(cockpit, kind == VehicleKind.VTOL ? "QLAND" : "LAND", cockpit.observer());
+        }
+        if (command instanceof Command.ReturnToLaunch) {
+            return mode(cockpit, "RTL", cockpit.observer());
+        }
+        if (command instanceof Command.TakeOff takeOff) {
+            return takeOff(cockpit, takeOff);
+        }
+        if (command instanceof Command.GoTo goTo) {
+            return goTo(cockpit, goTo);
+        }
+        return planMission(command, cockpit);
+    }
+
+    private Exchange planMission(Command command, Cockpit cockpit) {
+        if (command instanceof Command.UploadMission upload) {
+            return upload(cockpit, upload.mission().items());
+        }
+        if (command instanceof Command.ClearMission) {
+            return Maneuvers.clear(cockpit, HOME_ITEMS);
+        }
+        if (command instanceof Command.StartMission start) {
+            return start(cockpit, start.onCloudLoss());
+        }
+        return hold(cockpit, cockpit.observer());
+    }
+
+    private Exchange mode(Cockpit cockpit, String name, Observer observer) {
+        return table.number(name)
+                .map(number -> Maneuvers.mode(cockpit, name, number, 0f, observer))
+                .orElseGet(() -> Maneuvers.refuse("This vehicle has no mode " + name + "."));
+    }
+
+    /** BRAKE needs no pilot's throttle; where it is not to be had, the mode that every vehicle of the kind knows. */
+    private Exchange hold(Cockpit cockpit, Observer observer) {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> either(cockpit, "BRAKE", "LOITER", observer);
+            case ROVER, BOAT, AIRSHIP -> mode(cockpit, "HOLD", observer);
+            case SUBMARINE -> either(cockpit, "POSHOLD", "ALT_HOLD", observer);
+            case VTOL -> either(cockpit, "QLOITER", "LOITER", observer);
+            case FIXED_WING, UNKNOWN -> mode(cockpit, "LOITER", observer);
+        };
+    }
+
+    private Exchange either(Cockpit cockpit, String first, String second, Observer observer) {
+        return new Alternative(
+                mode(cockpit, first, observer),
+                outcome -> outcome instanceof Outcome.Refused || outcome instanceof Outcome.Failed,
+                () -> mode(cockpit, second, observer));
+    }
+
+    private Sequence.Step guided(Cockpit cockpit) {
+        return Sequence.Step.when(() -> !cockpit.status().inMode(GUIDED), () -> mode(cockpit, GUIDED, Observer.NONE));
+    }
+
+    private Exchange takeOff(Cockpit cockpit, Command.TakeOff command) {
+        float[] parameters = {0f, 0f, 0f, 0f, 0f, 0f, (float) command.altitudeMeters()};
+        return new Sequence(List.of(
+                guided(cockpit),
+                Sequence.Step.of(() -> new CommandExchange(
+                        cockpit.target(),
+                        CommandRequest.ofLong(
+                                        cockpit.target(), NAV_TAKEOFF, parameters, Maneuvers.climbing(cockpit.status()))
+                                .verifyFirst(),
+                        cockpit.observer()))));
+    }
+
+    private Exchange goTo(Cockpit cockpit, Command.GoTo command) {
+        boolean relative = command.altitude().reference() == Altitude.Reference.HOME;
+        CommandInt message = new CommandInt(
+                cockpit.target().systemId(),
+                cockpit.target().componentId(),
+                relative ? FRAME_RELATIVE : FRAME_GLOBAL,
+                Maneuvers.DO_REPOSITION,
+                0,
+                0,
+                -1f,
+                1f,
+                0f,
+                Float.NaN,
+                MissionCodec.e7(command.point().latitudeDegrees()),
+                MissionCodec.e7(command.point().longitudeDegrees()),
+                (float) command.altitude().meters());
+        CommandExchange reposition =
+                new CommandExchange(cockpit.target(), CommandRequest.ofInt(message), cockpit.observer());
+        return new Sequence(List.of(
+                guided(cockpit),
+                Sequence.Step.of(() -> new Alternative(
+                        reposition,
+                        refused -> reposition.isUnknownToVehicle(),
+                        () -> new PositionTarget(cockpit.target(), message)))));
+    }
+
+    /** ArduPilot overwrites item by item: one that flies its mission holds first. */
+    private Exchange upload(Cockpit cockpit, List<MissionItem> mission) {
+        return new Sequence(List.of(
+                Sequence.Step.when(
+                        () -> cockpit.status().armed() && cockpit.status().inMode(AUTO),
+                        () -> hold(cockpit, Observer.NONE)),
+                Sequence.Step.of(() -> Maneuvers.upload(
+                        cockpit,
+                        mission,
+                        () -> MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM),
+                        HOME_ITEMS))));
+    }
+
+    private Exchange start(Cockpit cockpit, CloudLoss onCloudLoss) {
+        boolean fromGround = !cockpit.status().airborne();
+        List<Sequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, onCloudLoss));
+        if (fromGround || cockpit.status().missionFinished()) {
+            // Who does not say so begins at item 1 by itself; this one answer more is no reason to stay on the ground.
+            steps.add(new Sequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq <= 1), any -> true));
+        }
+        boolean copterOnGround = fromGround && table == ModeTable.COPTER;
+        steps.add(Sequence.Step.of(() -> mode(cockpit, AUTO, copterOnGround ? Observer.NONE : cockpit.observer())));
+        if (copterOnGround) {
+            steps.add(Sequence.Step.of(() -> new CommandExchange(
+                    cockpit.target(),
+                    CommandRequest.ofLong(
+                            cockpit.target(), Maneuvers.MISSION_START, new float[0], CommandRequest.Proof.ACKNOWLEDGED),
+                    cockpit.observer())));
+        }
+        return new Sequence(steps);
+    }
+
+    private List<Sequence.Step> cloudLoss(Cockpit cockpit, CloudLoss onCloudLoss) {
+        boolean goOn = onCloudLoss == CloudLoss.CONTINUE;
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER ->
+                List.of(
+                        wish(cockpit, "FS_GCS_ENABLE", 1),
+                        Maneuvers.wish(
+                                cockpit,
+                                new ParameterChange.Wanted("FS_OPTIONS", old -> goOn ? old | 2 : old & ~2, false)));
+            case FIXED_WING, VTOL ->
+                List.of(wish(cockpit, "FS_GCS_ENABL", 1), wish(cockpit, "FS_LONG_ACTN", goOn ? 0 : 1));
+            case ROVER, BOAT -> List.of(wish(cockpit, "FS_GCS_ENABLE", goOn ? 2 : 1), wish(cockpit, "FS_ACTION", 1));
+            case SUBMARINE, AIRSHIP, UNKNOWN -> List.of();
+        };
+    }
+
+    private static Sequence.Step wish(Cockpit cockpit, String name, int value) {
+        return Maneuvers.wish(cockpit, new ParameterChange.Wanted(name, old -> value, false));
+    }
+}

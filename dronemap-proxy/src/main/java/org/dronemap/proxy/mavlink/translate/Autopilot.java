@@ -1,0 +1,45 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.List;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.jspecify.annotations.Nullable;
+
+/** What differs between autopilot families. Stateless; any thread. */
+public interface Autopilot {
+    /** The family of a MAV_AUTOPILOT number. */
+    static Autopilot of(Heartbeat heartbeat) {
+        return switch (heartbeat.autopilot()) {
+            case 3 -> new ArduPilot(heartbeat.type());
+            case 12 -> new Px4(heartbeat.type());
+            default -> new OtherAutopilot(heartbeat.autopilot());
+        };
+    }
+
+    /** The name users know, such as ArduPilot. */
+    String family();
+
+    /** The firmware flavour users know, such as ArduCopter. */
+    String vehicle();
+
+    /** The name of the mode that a heartbeat tells. */
+    String modeName(Heartbeat heartbeat);
+
+    /** Names that can be set. */
+    List<String> modes();
+
+    Capabilities capabilities();
+
+    /** How many items of a mission on the wire stand before the first real one (home). */
+    int itemsBeforeMission();
+
+    /** Ground or air as the heartbeat's system status tells; null where it does not. */
+    @Nullable
+    FlightPhase phase(Heartbeat heartbeat);
+
+    /** How a command is carried out on this autopilot. */
+    Exchange plan(Command command, Cockpit cockpit);
+}

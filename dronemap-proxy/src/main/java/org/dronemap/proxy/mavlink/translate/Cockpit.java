@@ -1,0 +1,20 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.Target;
+
+/**
+ * What carrying one command out needs to know and to tell.
+ *
+ * @param missionRead hears a mission that was read back after the cloud's own change
+ * @param warning hears a sentence for people
+ */
+public record Cockpit(
+        VehicleStatus status,
+        Target target,
+        Observer observer,
+        Consumer<List<MissionItemInt>> missionRead,
+        Consumer<String> warning) {}

@@ -1,0 +1,142 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.mission.MissionComparison;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.Alternative;
+import org.dronemap.proxy.mavlink.procedure.CommandExchange;
+import org.dronemap.proxy.mavlink.procedure.CommandRequest;
+import org.dronemap.proxy.mavlink.procedure.Conclusion;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.MissionClear;
+import org.dronemap.proxy.mavlink.procedure.MissionDownload;
+import org.dronemap.proxy.mavlink.procedure.MissionUpload;
+import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.ParameterChange;
+import org.dronemap.proxy.mavlink.procedure.Sequence;
+
+/** The parts that the plans of all autopilots are made of. */
+final class Maneuvers {
+    static final int DO_SET_MODE = 176;
+    static final int DO_REPOSITION = 192;
+    static final int MISSION_START = 300;
+    static final int ARM_DISARM = 400;
+    private static final float FORCE = 21196f;
+    private static final float CUSTOM_MODE = 1f;
+    private static final double CLIMBED_METERS = 1;
+    private static final Duration TO_ARM = Duration.ofSeconds(5);
+    private static final Duration TO_CHANGE_MODE = Duration.ofSeconds(5);
+    private static final Duration TO_CLIMB = Duration.ofSeconds(25);
+
+    private Maneuvers() {}
+
+    static Exchange arm(Cockpit cockpit) {
+        CommandRequest.Proof proof = new CommandRequest.Proof(
+                cockpit.status()::armed, TO_ARM, "The vehicle said that it arms, but it is still disarmed after 5 s.");
+        return new CommandExchange(
+                cockpit.target(),
+                CommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {1f}, proof),
+                cockpit.observer());
+    }
+
+    static Exchange disarm(Cockpit cockpit, boolean force) {
+        CommandRequest.Proof proof = new CommandRequest.Proof(
+                () -> !cockpit.status().armed(),
+                TO_ARM,
+                "The vehicle said that it disarms, but it is still armed after 5 s.");
+        return new CommandExchange(
+                cockpit.target(),
+                CommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {0f, force ? FORCE : 0f}, proof),
+                cockpit.observer());
+    }
+
+    static Exchange mode(Cockpit cockpit, String name, float main, float sub, Observer observer) {
+        CommandRequest.Proof proof = new CommandRequest.Proof(
+                () -> cockpit.status().inMode(name),
+                TO_CHANGE_MODE,
+                "The vehicle accepted mode " + name + ", but does not show it after 5 s.");
+        return new CommandExchange(
+                cockpit.target(),
+                CommandRequest.ofLong(cockpit.target(), DO_SET_MODE, new float[] {CUSTOM_MODE, main, sub}, proof),
+                observer);
+    }
+
+    /** When it is seen to climb, whatever it answered. */
+    static CommandRequest.Proof climbing(VehicleStatus status) {
+        Double before = status.altitudeAboveHomeMeters();
+        double start = before == null ? 0 : before;
+        return new CommandRequest.Proof(
+                () -> {
+                    Double above = status.altitudeAboveHomeMeters();
+                    FlightPhase phase = status.phase();
+                    return phase == FlightPhase.TAKING_OFF
+                            || phase == FlightPhase.IN_AIR
+                            || above != null && above - start >= CLIMBED_METERS;
+                },
+                TO_CLIMB,
+                "The vehicle accepted the take-off, but did not climb within 25 s.");
+    }
+
+    /** Uploads, reads back, compares; once more when something else was found. */
+    static Exchange upload(
+            Cockpit cockpit, List<MissionItem> mission, Supplier<List<MissionItemInt>> wire, int itemsBefore) {
+        Supplier<Exchange> once = () -> {
+            MissionDownload readBack = MissionDownload.whole(cockpit.target());
+            return new Sequence(List.of(
+                    Sequence.Step.of(() -> new MissionUpload(cockpit.target(), wire.get(), cockpit.observer())),
+                    Sequence.Step.of(() -> readBack),
+                    Sequence.Step.of(() -> new Conclusion(() -> compare(cockpit, mission, readBack, itemsBefore)))));
+        };
+        return new Alternative(once.get(), Outcome.Failed.class::isInstance, once);
+    }
+
+    private static Outcome compare(
+            Cockpit cockpit, List<MissionItem> mission, MissionDownload readBack, int itemsBefore) {
+        List<MissionItem> found = MissionCodec.fromWire(readBack.items(), itemsBefore);
+        return MissionComparison.difference(mission, found)
+                .<Outcome>map(difference ->
+                        new Outcome.Failed("The vehicle holds another mission than the one sent: " + difference + "."))
+                .orElseGet(() -> {
+                    cockpit.missionRead().accept(readBack.items());
+                    return new Outcome.Succeeded();
+                });
+    }
+
+    static Exchange clear(Cockpit cockpit, int itemsBefore) {
+        MissionDownload readBack = MissionDownload.whole(cockpit.target());
+        return new Sequence(List.of(
+                Sequence.Step.of(() -> new MissionClear(cockpit.target())),
+                Sequence.Step.of(() -> readBack),
+                Sequence.Step.of(() -> new Conclusion(() -> {
+                    if (readBack.count() > itemsBefore) {
+                        return new Outcome.Failed(
+                                "The vehicle still has " + (readBack.count() - itemsBefore) + " mission items.");
+                    }
+                    cockpit.missionRead().accept(readBack.items());
+                    return new Outcome.Succeeded();
+                }))));
+    }
+
+    /** Sets a parameter if the vehicle has it; goes on with a warning if not. */
+    static Sequence.Step wish(Cockpit cockpit, ParameterChange.Wanted wanted) {
+        Predicate<Outcome> goesOn = outcome -> {
+            if (!(outcome instanceof Outcome.Succeeded)) {
+                cockpit.warning()
+                        .accept("What the vehicle does when the cloud falls silent could not be set (" + wanted.name()
+                                + "); it follows its own setting.");
+            }
+            return true;
+        };
+        return new Sequence.Step(() -> new ParameterChange(cockpit.target(), wanted), goesOn);
+    }
+
+    static Exchange refuse(String why) {
+        return new Conclusion(() -> new Outcome.Refused("gate", why));
+    }
+}

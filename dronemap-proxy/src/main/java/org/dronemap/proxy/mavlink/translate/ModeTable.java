@@ -1,0 +1,64 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/** Flight modes of one firmware: the number in custom_mode and the name that users know, both ways. Immutable. */
+final class ModeTable {
+    static final ModeTable EMPTY = new ModeTable(Map.of());
+
+    static final ModeTable COPTER =
+            parse("0 STABILIZE, 1 ACRO, 2 ALT_HOLD, 3 AUTO, 4 GUIDED, 5 LOITER, 6 RTL, 7 CIRCLE, 8 POSITION, 9 LAND,"
+                    + " 10 OF_LOITER, 11 DRIFT, 13 SPORT, 14 FLIP, 15 AUTOTUNE, 16 POSHOLD, 17 BRAKE, 18 THROW,"
+                    + " 19 AVOID_ADSB, 20 GUIDED_NOGPS, 21 SMART_RTL, 22 FLOWHOLD, 23 FOLLOW, 24 ZIGZAG, 25 SYSTEMID,"
+                    + " 26 AUTOROTATE, 27 AUTO_RTL, 28 TURTLE, 29 RATE_ACRO");
+    static final ModeTable PLANE =
+            parse("0 MANUAL, 1 CIRCLE, 2 STABILIZE, 3 TRAINING, 4 ACRO, 5 FBWA, 6 FBWB, 7 CRUISE, 8 AUTOTUNE, 10 AUTO,"
+                    + " 11 RTL, 12 LOITER, 13 TAKEOFF, 14 AVOID_ADSB, 15 GUIDED, 16 INITIALISING, 17 QSTABILIZE,"
+                    + " 18 QHOVER, 19 QLOITER, 20 QLAND, 21 QRTL, 22 QAUTOTUNE, 23 QACRO, 24 THERMAL,"
+                    + " 25 LOITERALTQLAND, 26 AUTOLAND");
+    static final ModeTable ROVER =
+            parse("0 MANUAL, 1 ACRO, 2 LEARNING, 3 STEERING, 4 HOLD, 5 LOITER, 6 FOLLOW, 7 SIMPLE, 8 DOCK, 9 CIRCLE,"
+                    + " 10 AUTO, 11 RTL, 12 SMART_RTL, 15 GUIDED, 16 INITIALISING");
+    static final ModeTable SUB =
+            parse("0 STABILIZE, 1 ACRO, 2 ALT_HOLD, 3 AUTO, 4 GUIDED, 7 CIRCLE, 9 SURFACE, 16 POSHOLD, 19 MANUAL");
+    static final ModeTable BLIMP = parse("0 LAND, 1 MANUAL, 2 VELOCITY, 3 LOITER, 4 RTL, 5 AUTO, 6 HOLD");
+
+    private final Map<Long, String> names;
+
+    private ModeTable(Map<Long, String> names) {
+        this.names = names;
+    }
+
+    private static ModeTable parse(String pairs) {
+        Map<Long, String> names = new LinkedHashMap<>();
+        for (String pair : pairs.split(", ", -1)) {
+            String[] parts = pair.split(" ", 2);
+            names.put(Long.parseLong(parts[0]), parts[1]);
+        }
+        return new ModeTable(names);
+    }
+
+    @Nullable
+    String name(long number) {
+        return names.get(number);
+    }
+
+    Optional<Long> number(String name) {
+        return names.entrySet().stream()
+                .filter(entry -> entry.getValue().equals(name))
+                .map(Map.Entry::getKey)
+                .findFirst();
+    }
+
+    List<String> names() {
+        return List.copyOf(names.values());
+    }
+
+    boolean has(String name) {
+        return names.containsValue(name);
+    }
+}

@@ -1,0 +1,235 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.mavlink.procedure.CommandExchange;
+import org.dronemap.proxy.mavlink.procedure.CommandRequest;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.ParameterChange;
+import org.dronemap.proxy.mavlink.procedure.Sequence;
+import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
+import org.jspecify.annotations.Nullable;
+
+/** PX4's ways: main and sub mode, take-off and go-to at altitudes above mean sea level, no home in the mission. */
+final class Px4 implements Autopilot {
+    private static final int NAV_TAKEOFF = 22;
+    private static final int FRAME_GLOBAL_INT = 5;
+    private static final int AUTO_MAIN_MODE = 4;
+    private static final int COM_DLL_EXCEPT_MISSION = 1;
+    private static final Map<String, Mode> MODES = modesByName();
+    private static final String NO_HOME =
+            "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
+
+    private final VehicleKind kind;
+
+    /** The two bytes of custom_mode that count. */
+    private record Mode(int main, int sub) {}
+
+    Px4(int type) {
+        kind = VehicleType.kind(type);
+    }
+
+    private static Map<String, Mode> modesByName() {
+        Map<String, Mode> modes = new LinkedHashMap<>();
+        modes.put("MANUAL", new Mode(1, 0));
+        modes.put("STABILIZED", new Mode(7, 0));
+        modes.put("ACRO", new Mode(5, 0));
+        modes.put("RATTITUDE", new Mode(8, 0));
+        modes.put("ALTCTL", new Mode(2, 0));
+        modes.put("POSCTL", new Mode(3, 0));
+        modes.put("LOITER", new Mode(AUTO_MAIN_MODE, 3));
+        modes.put("MISSION", new Mode(AUTO_MAIN_MODE, 4));
+        modes.put("RTL", new Mode(AUTO_MAIN_MODE, 5));
+        modes.put("LAND", new Mode(AUTO_MAIN_MODE, 6));
+        modes.put("RTGS", new Mode(AUTO_MAIN_MODE, 7));
+        modes.put("FOLLOWME", new Mode(AUTO_MAIN_MODE, 8));
+        modes.put("OFFBOARD", new Mode(6, 0));
+        modes.put("TAKEOFF", new Mode(AUTO_MAIN_MODE, 2));
+        return modes;
+    }
+
+    @Override
+    public String family() {
+        return "PX4";
+    }
+
+    @Override
+    public String vehicle() {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> "PX4 copter";
+            case FIXED_WING -> "PX4 plane";
+            case VTOL -> "PX4 VTOL";
+            case ROVER, BOAT -> "PX4 rover";
+            case SUBMARINE -> "PX4 submarine";
+            case AIRSHIP -> "PX4 airship";
+            case UNKNOWN -> "PX4";
+        };
+    }
+
+    @Override
+    public String modeName(Heartbeat heartbeat) {
+        int main = (int) (heartbeat.customMode() >> 16) & 0xFF;
+        int sub = (int) (heartbeat.customMode() >> 24) & 0xFF;
+        // Only AUTO is told apart by its sub mode; the others are what their main mode says.
+        Mode told = new Mode(main, main == AUTO_MAIN_MODE ? sub : 0);
+        return MODES.entrySet().stream()
+                .filter(entry -> entry.getValue().equals(told))
+                .map(Map.Entry::getKey)
+                .findFirst()
+                .orElse("Mode(" + main + "." + sub + ")");
+    }
+
+    @Override
+    public List<String> modes() {
+        return List.copyOf(MODES.keySet());
+    }
+
+    @Override
+    public Capabilities capabilities() {
+        Set<Capability> can = EnumSet.allOf(Capability.class);
+        if (kind == VehicleKind.ROVER || kind == VehicleKind.BOAT || kind == VehicleKind.SUBMARINE) {
+            can.removeAll(EnumSet.of(Capability.TAKE_OFF, Capability.LAND));
+        }
+        return new Capabilities(can, modes());
+    }
+
+    @Override
+    public int itemsBeforeMission() {
+        return 0;
+    }
+
+    /** PX4 says ACTIVE as soon as it is armed: that tells nothing about the air. */
+    @Override
+    public @Nullable FlightPhase phase(Heartbeat heartbeat) {
+        return null;
+    }
+
+    @Override
+    public Exchange plan(Command command, Cockpit cockpit) {
+        if (command instanceof Command.Arm) {
+            return Maneuvers.arm(cockpit);
+        }
+        if (command instanceof Command.Disarm disarm) {
+            return Maneuvers.disarm(cockpit, disarm.force());
+        }
+        if (command instanceof Command.SetMode setMode) {
+            return mode(cockpit, setMode.mode());
+        }
+        if (command instanceof Command.Land) {
+            return mode(cockpit, "LAND");
+        }
+        if (command instanceof Command.ReturnToLaunch) {
+            return mode(cockpit, "RTL");
+        }
+        if (command instanceof Command.TakeOff takeOff) {
+            return takeOff(cockpit, takeOff);
+        }
+        if (command instanceof Command.GoTo goTo) {
+            return goTo(cockpit, goTo);
+        }
+        return planMission(command, cockpit);
+    }
+
+    private Exchange planMission(Command command, Cockpit cockpit) {
+        if (command instanceof Command.UploadMission upload) {
+            List<MissionItem> mission = upload.mission().items();
+            return Maneuvers.upload(
+                    cockpit,
+                    mission,
+                    () -> MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form(cockpit.status())),
+                    0);
+        }
+        if (command instanceof Command.ClearMission) {
+            return Maneuvers.clear(cockpit, 0);
+        }
+        if (command instanceof Command.StartMission start) {
+            return start(cockpit, start.onCloudLoss());
+        }
+        return mode(cockpit, "LOITER");
+    }
+
+    private static MissionCodec.Form form(VehicleStatus status) {
+        boolean homeTold = status.homeLatitudeE7() != 0 || status.homeLongitudeE7() != 0;
+        return new MissionCodec.Form(
+                false,
+                Float.NaN,
+                homeTold ? status.homeLatitudeE7() : Integer.MAX_VALUE,
+                homeTold ? status.homeLongitudeE7() : Integer.MAX_VALUE);
+    }
+
+    private static Exchange mode(Cockpit cockpit, String name) {
+        Mode mode = MODES.get(name);
+        return mode == null
+                ? Maneuvers.refuse("This vehicle has no mode " + name + ".")
+                : Maneuvers.mode(cockpit, name, mode.main(), mode.sub(), cockpit.observer());
+    }
+
+    private static Exchange takeOff(Cockpit cockpit, Command.TakeOff command) {
+        Double home = cockpit.status().homeAltitudeAmslMeters();
+        if (home == null) {
+            return Maneuvers.refuse(NO_HOME);
+        }
+        float altitude = (float) (home + command.altitudeMeters());
+        float[] parameters = {-1f, 0f, 0f, Float.NaN, Float.NaN, Float.NaN, altitude};
+        return new CommandExchange(
+                cockpit.target(),
+                CommandRequest.ofLong(cockpit.target(), NAV_TAKEOFF, parameters, Maneuvers.climbing(cockpit.status()))
+                        .verifyFirst(),
+                cockpit.observer());
+    }
+
+    private static Exchange goTo(Cockpit cockpit, Command.GoTo command) {
+        Double home = cockpit.status().homeAltitudeAmslMeters();
+        boolean relative = command.altitude().reference() == Altitude.Reference.HOME;
+        if (relative && home == null) {
+            return Maneuvers.refuse(NO_HOME);
+        }
+        double altitude = command.altitude().meters() + (relative && home != null ? home : 0);
+        CommandInt message = new CommandInt(
+                cockpit.target().systemId(),
+                cockpit.target().componentId(),
+                FRAME_GLOBAL_INT,
+                Maneuvers.DO_REPOSITION,
+                0,
+                0,
+                -1f,
+                1f,
+                0f,
+                Float.NaN,
+                MissionCodec.e7(command.point().latitudeDegrees()),
+                MissionCodec.e7(command.point().longitudeDegrees()),
+                (float) altitude);
+        return new CommandExchange(cockpit.target(), CommandRequest.ofInt(message), cockpit.observer());
+    }
+
+    private static Exchange start(Cockpit cockpit, CloudLoss onCloudLoss) {
+        boolean goOn = onCloudLoss == CloudLoss.CONTINUE;
+        List<Sequence.Step> steps = new ArrayList<>();
+        steps.add(Maneuvers.wish(cockpit, new ParameterChange.Wanted("NAV_DLL_ACT", old -> 2, true)));
+        steps.add(Maneuvers.wish(
+                cockpit,
+                new ParameterChange.Wanted(
+                        "COM_DLL_EXCEPT",
+                        old -> goOn ? old | COM_DLL_EXCEPT_MISSION : old & ~COM_DLL_EXCEPT_MISSION,
+                        true)));
+        if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
+            steps.add(new Sequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0), any -> true));
+        }
+        steps.add(Sequence.Step.of(() -> mode(cockpit, "MISSION")));
+        return new Sequence(steps);
+    }
+}

@@ -1,0 +1,158 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.function.Consumer;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.AutopilotVersion;
+import org.dronemap.mavlink.message.BatteryStatus;
+import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.GlobalPositionInt;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.HomePosition;
+import org.dronemap.mavlink.message.MissionCurrent;
+import org.dronemap.mavlink.message.MissionItemReached;
+import org.dronemap.mavlink.message.Statustext;
+import org.dronemap.mavlink.message.SysStatus;
+import org.dronemap.mavlink.message.VfrHud;
+import org.jspecify.annotations.Nullable;
+
+/** Turns what an autopilot says into events, and keeps what commands depend on. Owned by the drone's lane. */
+public final class Telemetry {
+    private final Autopilot autopilot;
+    private final VehicleStatus status;
+    private final Consumer<DroneEvent> out;
+    private final Readings readings = new Readings();
+    private final TextJoiner texts;
+    private boolean phaseTold;
+
+    public Telemetry(Autopilot autopilot, VehicleStatus status, Consumer<DroneEvent> out) {
+        this.autopilot = autopilot;
+        this.status = status;
+        this.out = out;
+        this.texts = new TextJoiner((severity, text) -> out.accept(new DroneEvent.TextHeard(severity, text)));
+    }
+
+    /** A frame of the vehicle's autopilot. */
+    public void heard(Frame frame, long nowNanos) {
+        switch (frame.messageId()) {
+            case Heartbeat.ID -> heartbeat(Heartbeat.decode(frame));
+            case SysStatus.ID -> sysStatus(SysStatus.decode(frame));
+            case BatteryStatus.ID ->
+                readings.battery(BatteryStatus.decode(frame))
+                        .ifPresent(battery -> out.accept(new DroneEvent.BatteryHeard(battery)));
+            case GlobalPositionInt.ID -> position(GlobalPositionInt.decode(frame));
+            case org.dronemap.mavlink.message.GpsRawInt.ID ->
+                readings.gps(org.dronemap.mavlink.message.GpsRawInt.decode(frame))
+                        .ifPresent(gps -> out.accept(new DroneEvent.GpsHeard(gps)));
+            case org.dronemap.mavlink.message.Attitude.ID ->
+                readings.attitude(org.dronemap.mavlink.message.Attitude.decode(frame))
+                        .ifPresent(attitude -> out.accept(new DroneEvent.AttitudeHeard(attitude)));
+            case VfrHud.ID ->
+                readings.motion(VfrHud.decode(frame))
+                        .ifPresent(motion -> out.accept(new DroneEvent.MotionHeard(motion)));
+            case Statustext.ID -> texts.heard(frame, nowNanos);
+            default -> rare(frame);
+        }
+    }
+
+    private void rare(Frame frame) {
+        switch (frame.messageId()) {
+            case ExtendedSysState.ID -> landedState(ExtendedSysState.decode(frame));
+            case HomePosition.ID -> home(HomePosition.decode(frame));
+            case MissionCurrent.ID -> missionCurrent(MissionCurrent.decode(frame));
+            case MissionItemReached.ID -> reached(MissionItemReached.decode(frame));
+            case AutopilotVersion.ID -> {
+                status.version(AutopilotVersion.decode(frame));
+                identified();
+            }
+            default -> {}
+        }
+    }
+
+    /** A sentence of another component of the same vehicle. */
+    public void overheard(Frame frame, long nowNanos) {
+        if (frame.messageId() == Statustext.ID) {
+            texts.heard(frame, nowNanos);
+        }
+    }
+
+    public void tick(long nowNanos) {
+        texts.tick(nowNanos);
+    }
+
+    /** Says who the vehicle is and what it can do. */
+    public void identified() {
+        out.accept(new DroneEvent.Identified(
+                Identity.of(autopilot, status.type(), status.version()), autopilot.capabilities()));
+    }
+
+    private void heartbeat(Heartbeat heartbeat) {
+        String mode = autopilot.modeName(heartbeat);
+        status.heartbeat(heartbeat, mode);
+        out.accept(new DroneEvent.ModeHeard(mode, status.armed()));
+        if (!phaseTold) {
+            phase(autopilot.phase(heartbeat));
+        }
+    }
+
+    private void landedState(ExtendedSysState state) {
+        FlightPhase phase = switch (state.landedState()) {
+            case 1 -> FlightPhase.ON_GROUND;
+            case 2 -> FlightPhase.IN_AIR;
+            case 3 -> FlightPhase.TAKING_OFF;
+            case 4 -> FlightPhase.LANDING;
+            default -> null;
+        };
+        if (phase != null) {
+            phaseTold = true;
+        }
+        phase(phase);
+    }
+
+    private void phase(@Nullable FlightPhase phase) {
+        if (phase != null && phase != status.phase()) {
+            status.phase(phase);
+            out.accept(new DroneEvent.PhaseHeard(phase));
+        }
+    }
+
+    private void sysStatus(SysStatus message) {
+        readings.battery(message).ifPresent(battery -> out.accept(new DroneEvent.BatteryHeard(battery)));
+        Readings.readyToArm(message).ifPresent(ready -> out.accept(new DroneEvent.ReadinessHeard(ready)));
+    }
+
+    private void position(GlobalPositionInt message) {
+        readings.position(message).ifPresent(position -> {
+            status.altitudes(position.altitudeAmslMeters(), position.altitudeAboveHomeMeters());
+            out.accept(new DroneEvent.PositionHeard(position));
+        });
+    }
+
+    private void home(HomePosition message) {
+        Readings.home(message).ifPresent(home -> {
+            status.home(message.latitude(), message.longitude(), home.altitudeAmslMeters());
+            out.accept(new DroneEvent.HomeHeard(home));
+        });
+    }
+
+    private void missionCurrent(MissionCurrent message) {
+        status.current(message.seq());
+        int index = message.seq() - autopilot.itemsBeforeMission();
+        out.accept(new DroneEvent.MissionCurrentHeard(index < 0 || status.hasNoMission() ? null : (Integer) index));
+    }
+
+    private void reached(MissionItemReached message) {
+        status.reached(message.seq());
+        int index = message.seq() - autopilot.itemsBeforeMission();
+        if (index >= 0) {
+            out.accept(new DroneEvent.MissionItemReached(index));
+        }
+    }
+
+    /** Something the cloud has to say about this drone, among the drone's own sentences. */
+    public void remark(String sentence) {
+        out.accept(new DroneEvent.TextHeard(Severity.WARNING, sentence));
+    }
+}

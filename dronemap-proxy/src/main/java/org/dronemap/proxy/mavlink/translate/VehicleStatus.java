@@ -1,0 +1,145 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.mavlink.message.AutopilotVersion;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.jspecify.annotations.Nullable;
+
+/** What one vehicle last said, as far as commands depend on it. Owned by the drone's lane. */
+public final class VehicleStatus {
+    private static final int ARMED_FLAG = 128;
+    private static final double CLEARLY_ABOVE_METERS = 1;
+
+    private final int type;
+    private @Nullable Heartbeat heartbeat;
+    private @Nullable AutopilotVersion version;
+    private @Nullable String mode;
+    private @Nullable FlightPhase phase;
+    private @Nullable Double altitudeAmslMeters;
+    private @Nullable Double altitudeAboveHomeMeters;
+    private @Nullable Double homeAltitudeAmslMeters;
+    private int homeLatitudeE7;
+    private int homeLongitudeE7;
+    private int currentSeq = -1;
+    private int lastSeqReached = -1;
+    private int missionItems = -1;
+
+    /** {@code type} is the MAV_TYPE, which makes the session. */
+    public VehicleStatus(int type) {
+        this.type = type;
+    }
+
+    public int type() {
+        return type;
+    }
+
+    public boolean armed() {
+        Heartbeat last = heartbeat;
+        return last != null && (last.baseMode() & ARMED_FLAG) != 0;
+    }
+
+    public boolean inMode(String name) {
+        return name.equals(mode);
+    }
+
+    public @Nullable AutopilotVersion version() {
+        return version;
+    }
+
+    public @Nullable Heartbeat heartbeat() {
+        return heartbeat;
+    }
+
+    public @Nullable FlightPhase phase() {
+        return phase;
+    }
+
+    public @Nullable Double altitudeAboveHomeMeters() {
+        return altitudeAboveHomeMeters;
+    }
+
+    /** In the air as far as it says. */
+    public boolean airborne() {
+        Double above = altitudeAboveHomeMeters;
+        FlightPhase last = phase;
+        return armed()
+                && (last != null ? last != FlightPhase.ON_GROUND : above != null && above > CLEARLY_ABOVE_METERS);
+    }
+
+    /** Home's altitude as told, else as position and height above home imply; null when neither was heard. */
+    public @Nullable Double homeAltitudeAmslMeters() {
+        if (homeAltitudeAmslMeters != null) {
+            return homeAltitudeAmslMeters;
+        }
+        return altitudeAmslMeters != null && altitudeAboveHomeMeters != null
+                ? Double.valueOf(altitudeAmslMeters - altitudeAboveHomeMeters)
+                : null;
+    }
+
+    /** Degrees × 1e7; 0 as long as home was not told. */
+    public int homeLatitudeE7() {
+        return homeLatitudeE7;
+    }
+
+    /** Degrees × 1e7; 0 as long as home was not told. */
+    public int homeLongitudeE7() {
+        return homeLongitudeE7;
+    }
+
+    /** It has reached its last mission item, so that starting means starting over. */
+    public boolean missionFinished() {
+        return missionItems > 0 && lastSeqReached >= missionItems - 1;
+    }
+
+    /** True only when it was read and found empty. */
+    boolean hasNoMission() {
+        return missionItems == 0;
+    }
+
+    public int currentSeq() {
+        return currentSeq;
+    }
+
+    void heartbeat(Heartbeat last, String modeName) {
+        heartbeat = last;
+        mode = modeName;
+    }
+
+    void version(AutopilotVersion heard) {
+        version = heard;
+    }
+
+    void phase(FlightPhase heard) {
+        phase = heard;
+    }
+
+    void altitudes(@Nullable Double amslMeters, @Nullable Double aboveHomeMeters) {
+        altitudeAmslMeters = amslMeters;
+        altitudeAboveHomeMeters = aboveHomeMeters;
+    }
+
+    void home(int latitudeE7, int longitudeE7, double altitudeMeters) {
+        homeLatitudeE7 = latitudeE7;
+        homeLongitudeE7 = longitudeE7;
+        homeAltitudeAmslMeters = altitudeMeters;
+    }
+
+    void current(int seq) {
+        if (seq < currentSeq) {
+            lastSeqReached = -1;
+        }
+        currentSeq = seq;
+    }
+
+    void reached(int seq) {
+        lastSeqReached = seq;
+    }
+
+    /** The mission was read: items as on the wire, home included. */
+    public void missionRead(int wireItems) {
+        if (wireItems != missionItems) {
+            lastSeqReached = -1;
+        }
+        missionItems = wireItems;
+    }
+}

@@ -1,0 +1,5 @@
+/** MAVLink to the words of the house and back; what differs between autopilots stands in one class each. */
+@NullMarked
+package org.dronemap.proxy.mavlink.translate;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,66 @@
+package org.dronemap.proxy.session;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+
+/** The commands under way with one vehicle; each is reported ended exactly once. Owned by the drone's lane. */
+final class Errands {
+    private final Map<CommandId, Errand> underway = new LinkedHashMap<>();
+
+    private record Errand(Exchange exchange, VehicleChannel.Report report, boolean transfer) {}
+
+    void begin(CommandId id, Command command, Exchange exchange, VehicleChannel.Report report, long nowNanos) {
+        Errand errand = new Errand(exchange, report, command.contention() == Command.Contention.TRANSFER);
+        underway.put(id, errand);
+        exchange.start(nowNanos);
+        settle();
+    }
+
+    void cancel(CommandId id) {
+        underway.remove(id);
+    }
+
+    boolean isEmpty() {
+        return underway.isEmpty();
+    }
+
+    /** A command is busy with the mission on the wire. */
+    boolean transferring() {
+        return underway.values().stream().anyMatch(Errand::transfer);
+    }
+
+    void heard(Frame frame, long nowNanos) {
+        if (!underway.isEmpty()) {
+            underway.values().forEach(errand -> errand.exchange().heard(frame, nowNanos));
+            settle();
+        }
+    }
+
+    void said(Severity severity, String text, long nowNanos) {
+        underway.values().forEach(errand -> errand.exchange().said(severity, text, nowNanos));
+    }
+
+    void tick(long nowNanos) {
+        if (!underway.isEmpty()) {
+            underway.values().forEach(errand -> errand.exchange().tick(nowNanos));
+            settle();
+        }
+    }
+
+    private void settle() {
+        for (Map.Entry<CommandId, Errand> entry : List.copyOf(underway.entrySet())) {
+            Outcome outcome = entry.getValue().exchange().outcome();
+            if (outcome != null && underway.remove(entry.getKey(), entry.getValue())) {
+                entry.getValue().report().ended(outcome);
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package org.dronemap.proxy.session;
+
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import org.dronemap.core.cloud.Lane;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Attitude;
+import org.dronemap.mavlink.message.GlobalPositionInt;
+import org.dronemap.mavlink.message.VfrHud;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Frames of one session in order, worked off on one lane at a time, also while the session moves to another lane.
+ * Bounded: what newer news replaces is refused above three quarters, the rest when it is full.
+ */
+final class Mailbox {
+    private static final Logger LOG = LoggerFactory.getLogger(Mailbox.class);
+    private static final int CAPACITY = 1_024;
+    private static final int AT_ONCE = 256;
+
+    private final ArrayBlockingQueue<Frame> frames = new ArrayBlockingQueue<>(CAPACITY);
+    private final AtomicBoolean scheduled = new AtomicBoolean();
+    private final Consumer<Frame> consumer;
+    private volatile Lane lane;
+
+    Mailbox(Lane lane, Consumer<Frame> consumer) {
+        this.lane = lane;
+        this.consumer = consumer;
+    }
+
+    /** False when there was no room. Any thread. */
+    boolean offer(Frame frame) {
+        boolean room = !isReplaceable(frame) || frames.remainingCapacity() > CAPACITY / 4;
+        boolean taken = room && frames.offer(frame);
+        schedule();
+        return taken;
+    }
+
+    private static boolean isReplaceable(Frame frame) {
+        return switch (frame.messageId()) {
+            case GlobalPositionInt.ID, Attitude.ID, VfrHud.ID -> true;
+            default -> false;
+        };
+    }
+
+    /** From now on frames are worked off there. The last thing that the owner does on the old lane. */
+    void moveTo(Lane next) {
+        lane = next;
+    }
+
+    private void schedule() {
+        if (!frames.isEmpty() && scheduled.compareAndSet(false, true)) {
+            Lane to = lane;
+            try {
+                to.execute(() -> drain(to));
+            } catch (RejectedExecutionException e) {
+                scheduled.set(false);
+                LOG.debug("A lane had no room; its frames wait in the session", e);
+            }
+        }
+    }
+
+    private void drain(Lane here) {
+        try {
+            for (int count = 0; count < AT_ONCE && lane == here; count++) {
+                Frame frame = frames.poll();
+                if (frame == null) {
+                    break;
+                }
+                consumer.accept(frame);
+            }
+        } finally {
+            scheduled.set(false);
+            schedule();
+        }
+    }
+}

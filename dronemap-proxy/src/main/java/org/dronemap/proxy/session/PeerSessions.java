@@ -1,0 +1,62 @@
+package org.dronemap.proxy.session;
+
+import java.nio.ByteBuffer;
+import java.util.HashMap;
+import java.util.Map;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameReader;
+import org.dronemap.proxy.endpoint.EndpointCounters;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerHandler;
+
+/** The vehicles behind one address, told apart by system id. Owned by the endpoint's thread. */
+final class PeerSessions implements PeerHandler {
+    private final SessionTable table;
+    private final Peer peer;
+    private final EndpointCounters counters;
+    private final FrameReader reader = new FrameReader();
+    private final Map<Integer, VehicleSession> sessions = new HashMap<>();
+    private long countedFrames;
+    private long countedBroken;
+
+    PeerSessions(SessionTable table, Peer peer, EndpointCounters counters) {
+        this.table = table;
+        this.peer = peer;
+        this.counters = counters;
+    }
+
+    @Override
+    public void received(ByteBuffer bytes) {
+        reader.read(bytes, this::route);
+        FrameReader.Counts counts = reader.counts();
+        long frames = counts.goodFrames() + counts.unverifiedFrames();
+        counters.received(frames - countedFrames, counts.skippedBytes() - countedBroken);
+        countedFrames = frames;
+        countedBroken = counts.skippedBytes();
+    }
+
+    private void route(Frame frame) {
+        int systemId = frame.systemId();
+        VehicleSession session = sessions.get(systemId);
+        if (session == null || session.isOver()) {
+            DroneKey key = new DroneKey(
+                    peer.address().getAddress().getHostAddress(), peer.address().getPort(), systemId);
+            LinkLabel label = new LinkLabel(key, peer.transport(), false);
+            VehicleSession opened = table.open(label, new Downlink(peer), frame).orElse(null);
+            if (opened == null) {
+                return;
+            }
+            session = opened;
+            sessions.put(systemId, opened);
+        }
+        if (!session.offer(frame)) {
+            counters.droppedIn();
+        }
+    }
+
+    @Override
+    public void closed() {
+        sessions.values().forEach(VehicleSession::close);
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronemap.proxy.session;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.LongAdder;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.endpoint.EndpointCounters;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.mavlink.translate.VehicleType;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Opens sessions for vehicles that call in, up to a bound. Any thread. */
+public final class SessionTable implements PeerHandler.Factory {
+    private static final Logger LOG = LoggerFactory.getLogger(SessionTable.class);
+    private static final int MAX_SESSIONS = 5_000;
+    private static final long BETWEEN_WORDS_NANOS = 60_000_000_000L;
+
+    private final Surroundings surroundings;
+    private final AtomicInteger open = new AtomicInteger();
+    private final LongAdder refused = new LongAdder();
+    private final AtomicLong lastWordNanos = new AtomicLong(Long.MIN_VALUE);
+
+    public SessionTable(Surroundings surroundings) {
+        this.surroundings = surroundings;
+    }
+
+    @Override
+    public PeerHandler opened(Peer peer, EndpointCounters counters) {
+        return new PeerSessions(this, peer, counters);
+    }
+
+    /** Sessions that are open now. */
+    public int openCount() {
+        return open.get();
+    }
+
+    /** Heartbeats of vehicles that found no room. */
+    public long refusedCount() {
+        return refused.sum();
+    }
+
+    /** A session for the vehicle that this frame is a heartbeat of; empty for any other frame, or without room. */
+    Optional<VehicleSession> open(LinkLabel label, Downlink downlink, Frame frame) {
+        if (frame.messageId() != Heartbeat.ID
+                || frame.systemId() == 0
+                || !VehicleType.isVehicle(Heartbeat.decode(frame))) {
+            return Optional.empty();
+        }
+        if (open.incrementAndGet() > MAX_SESSIONS) {
+            open.decrementAndGet();
+            refuse(label);
+            return Optional.empty();
+        }
+        return Optional.of(new VehicleSession(surroundings, label, downlink, frame, open::decrementAndGet));
+    }
+
+    private void refuse(LinkLabel label) {
+        refused.increment();
+        long now = surroundings.now();
+        long last = lastWordNanos.get();
+        if ((last == Long.MIN_VALUE || now - last > BETWEEN_WORDS_NANOS) && lastWordNanos.compareAndSet(last, now)) {
+            LOG.warn("There are {} sessions already; {} was turned away", MAX_SESSIONS, label.key());
+        }
+    }
+}

@@ -1,0 +1,306 @@
+package org.dronemap.proxy.session;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.RejectedExecutionException;
+import org.dronemap.core.cloud.DroneLink;
+import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.cloud.LinkSession;
+import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.MessageRates;
+import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.translate.Autopilot;
+import org.dronemap.proxy.mavlink.translate.Cockpit;
+import org.dronemap.proxy.mavlink.translate.Identity;
+import org.dronemap.proxy.mavlink.translate.Telemetry;
+import org.dronemap.proxy.mavlink.translate.VehicleStatus;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One vehicle on one link. Begins on the registry lane, asks who it is, binds to a drone and moves to the drone's lane;
+ * everything but {@link #offer} and {@link #close} belongs to the lane where it is.
+ */
+final class VehicleSession implements VehicleChannel, Lane.Ticker {
+    private static final Logger LOG = LoggerFactory.getLogger(VehicleSession.class);
+    private static final long SECOND_NANOS = 1_000_000_000L;
+    private static final long IDENTITY_PATIENCE_NANOS = SECOND_NANOS;
+    private static final long BETWEEN_IDENTITY_ASKS_NANOS = 400_000_000L;
+    private static final long IDENTITY_LATER_NANOS = 5 * SECOND_NANOS;
+    private static final int IDENTITY_ASKS = 8;
+    private static final long GIVEN_UP_NANOS = 120 * SECOND_NANOS;
+    private static final long TALKATIVE_NANOS = 3 * SECOND_NANOS;
+    private static final int MOST_EARLY_TEXTS = 20;
+    private static final int REQUEST_MESSAGE = 512;
+    private static final int REQUEST_CAPABILITIES = 520;
+    private static final int AUTOPILOT_VERSION = 148;
+    private static final Heartbeat OWN_HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
+
+    private final Surroundings surroundings;
+    private final LinkLabel label;
+    private final Downlink downlink;
+    private final Runnable onEnd;
+    private final Mailbox mailbox;
+    private final int componentId;
+    private final Target target;
+    private final Autopilot autopilot;
+    private final VehicleStatus status;
+    private final Telemetry telemetry;
+    private final Errands errands = new Errands();
+    private final MessageRates rates;
+    private final MissionWatch missions;
+    private final Map<Class<?>, DroneEvent> facts = new LinkedHashMap<>();
+    private final List<DroneEvent> earlyTexts = new ArrayList<>();
+    private final long bornNanos;
+    private Lane lane;
+    private volatile @Nullable DroneLink link;
+    private boolean moving;
+    private long lastHeardNanos;
+    private long lastHeartbeatNanos;
+    private long lastIdentityAskNanos;
+    private int identityAsks;
+    private long notBindBeforeNanos;
+    private volatile boolean ended;
+
+    /** {@code first} made the session; {@code onEnd} hears once that it is over. */
+    VehicleSession(Surroundings surroundings, LinkLabel label, Downlink downlink, Frame first, Runnable onEnd) {
+        this.surroundings = surroundings;
+        this.label = label;
+        this.downlink = downlink;
+        this.onEnd = onEnd;
+        Heartbeat heartbeat = Heartbeat.decode(first);
+        componentId = first.componentId();
+        target = new Target(first.systemId(), componentId, this::send);
+        autopilot = Autopilot.of(heartbeat);
+        status = new VehicleStatus(heartbeat.type());
+        telemetry = new Telemetry(autopilot, status, this::tell);
+        rates = new MessageRates(target);
+        missions = new MissionWatch(target, autopilot, status, this::tell);
+        lane = surroundings.lanes().registry();
+        mailbox = new Mailbox(lane, this::take);
+        bornNanos = surroundings.now();
+        lastHeardNanos = bornNanos;
+        lastHeartbeatNanos = bornNanos - SECOND_NANOS;
+        lastIdentityAskNanos = bornNanos - BETWEEN_IDENTITY_ASKS_NANOS;
+        notBindBeforeNanos = bornNanos;
+        Lane registry = lane;
+        registry.execute(() -> registry.addTicker(this));
+    }
+
+    /** Takes a frame in; false when there was no room. Any thread. */
+    boolean offer(Frame frame) {
+        return mailbox.offer(frame);
+    }
+
+    /** True when it is over and a new heartbeat makes a new session. Any thread. */
+    boolean isOver() {
+        return ended;
+    }
+
+    private void take(Frame frame) {
+        long now = surroundings.now();
+        if (frame.componentId() != componentId) {
+            // Other components speak for themselves; their sentences are shown while the autopilot lives.
+            if (now - lastHeardNanos < 2 * SECOND_NANOS) {
+                telemetry.overheard(frame, now);
+            }
+            return;
+        }
+        lastHeardNanos = now;
+        downlink.heardVersion(frame.version());
+        DroneLink bound = link;
+        if (bound != null && bound.isGone()) {
+            if (label.replay()) {
+                end();
+                return;
+            }
+            link = null;
+            bound = null;
+        }
+        if (bound != null && frame.verified()) {
+            bound.heard();
+        }
+        telemetry.heard(frame, now);
+        errands.heard(frame, now);
+        if (!label.replay()) {
+            rates.heard(frame, now);
+            missions.heard(frame, now, errands.transferring());
+        }
+        if (link == null) {
+            bindWhenKnown(now);
+        }
+    }
+
+    @Override
+    public void tick() {
+        long now = surroundings.now();
+        if (moving) {
+            return;
+        }
+        telemetry.tick(now);
+        errands.tick(now);
+        if (!label.replay()) {
+            talk(now);
+        }
+        if (link == null && !ended) {
+            bindWhenKnown(now);
+        } else if (now - lastHeardNanos > GIVEN_UP_NANOS && errands.isEmpty()) {
+            end();
+        }
+    }
+
+    private void talk(long now) {
+        if (now - lastHeartbeatNanos >= SECOND_NANOS) {
+            lastHeartbeatNanos = now;
+            send(OWN_HEARTBEAT);
+        }
+        boolean talkative = now - lastHeardNanos < TALKATIVE_NANOS;
+        if (talkative) {
+            askIdentity(now);
+        }
+        if (talkative && link != null) {
+            rates.tick(now);
+            missions.tick(now, errands.transferring());
+        }
+    }
+
+    private void askIdentity(long now) {
+        long pause = link == null ? BETWEEN_IDENTITY_ASKS_NANOS : IDENTITY_LATER_NANOS;
+        if (status.version() != null || identityAsks >= IDENTITY_ASKS || now - lastIdentityAskNanos < pause) {
+            return;
+        }
+        lastIdentityAskNanos = now;
+        identityAsks++;
+        send(command(REQUEST_MESSAGE, AUTOPILOT_VERSION));
+        send(command(REQUEST_CAPABILITIES, 1));
+    }
+
+    private CommandLong command(int number, int parameter) {
+        return new CommandLong(target.systemId(), target.componentId(), number, 0, parameter, 0f, 0f, 0f, 0f, 0f, 0f);
+    }
+
+    private void bindWhenKnown(long now) {
+        boolean known = label.replay() || status.version() != null || now - bornNanos >= IDENTITY_PATIENCE_NANOS;
+        if (!known || now - notBindBeforeNanos < 0 || now - lastHeardNanos > TALKATIVE_NANOS) {
+            return;
+        }
+        notBindBeforeNanos = now + SECOND_NANOS;
+        LinkSession session = new LinkSession(
+                label.key(), label.transport(), label.replay(), autopilot.vehicle() + " " + target.systemId(), this);
+        DroneLink bound =
+                surroundings.cloud().connect(session, Identity.of(autopilot, status.type(), status.version()));
+        moveTo(bound);
+    }
+
+    /** The last thing that happens on the old lane. */
+    private void moveTo(DroneLink bound) {
+        Lane from = lane;
+        Lane to = bound.lane();
+        moving = true;
+        lane = to;
+        from.removeTicker(this);
+        try {
+            to.execute(() -> arrive(bound));
+        } catch (RejectedExecutionException e) {
+            LOG.warn("The lane of {} had no room for its session; it will try again", bound.id(), e);
+            moving = false;
+            lane = from;
+            from.addTicker(this);
+            return;
+        }
+        mailbox.moveTo(to);
+    }
+
+    private void arrive(DroneLink bound) {
+        moving = false;
+        link = bound;
+        lane.addTicker(this);
+        telemetry.identified();
+        facts.values().forEach(bound::accept);
+        earlyTexts.forEach(bound::accept);
+        earlyTexts.clear();
+        missions.begin(surroundings.now());
+    }
+
+    private void tell(DroneEvent event) {
+        if (event instanceof DroneEvent.TextHeard text) {
+            errands.said(text.severity(), text.text(), surroundings.now());
+        }
+        DroneLink bound = link;
+        if (bound != null) {
+            bound.accept(event);
+        } else if (event instanceof DroneEvent.TextHeard && earlyTexts.size() < MOST_EARLY_TEXTS) {
+            earlyTexts.add(event);
+        }
+        if (!(event instanceof DroneEvent.TextHeard
+                || event instanceof DroneEvent.MissionItemReached
+                || event instanceof DroneEvent.MissionRead
+                || event instanceof DroneEvent.Identified)) {
+            facts.put(event.getClass(), event);
+        }
+    }
+
+    private void send(org.dronemap.mavlink.Message message) {
+        if (!label.replay()) {
+            downlink.send(message);
+        }
+    }
+
+    /** The link is gone: nothing comes any more, what is under way runs out by itself. Any thread. */
+    void close() {
+        DroneLink bound = link;
+        if (label.replay() && bound != null) {
+            bound.disconnect();
+        }
+    }
+
+    private void end() {
+        if (!ended) {
+            ended = true;
+            lane.removeTicker(this);
+            onEnd.run();
+        }
+    }
+
+    @Override
+    public void perform(CommandId id, Command command, Report report) {
+        Observer observer = new Observer() {
+            @Override
+            public void accepted() {
+                report.accepted();
+            }
+
+            @Override
+            public void progress(int done, int total) {
+                report.progress(done, total);
+            }
+        };
+        Cockpit cockpit = new Cockpit(status, target, observer, this::missionReadBack, telemetry::remark);
+        errands.begin(id, command, autopilot.plan(command, cockpit), report, surroundings.now());
+    }
+
+    private void missionReadBack(List<MissionItemInt> items) {
+        missions.changedByCloud(items);
+    }
+
+    @Override
+    public void cancel(CommandId id) {
+        errands.cancel(id);
+    }
+
+    @Override
+    public void probe() {
+        send(command(REQUEST_MESSAGE, Heartbeat.ID));
+    }
+}
