@@ -77,7 +77,7 @@ final class Maneuvers {
                     FlightPhase phase = status.phase();
                     return phase == FlightPhase.TAKING_OFF
                             || phase == FlightPhase.IN_AIR
-                            || above != null && above - start >= CLIMBED_METERS;
+                            || (above != null && above - start >= CLIMBED_METERS);
                 },
                 TO_CLIMB,
                 "The vehicle accepted the take-off, but did not climb within 25 s.");
