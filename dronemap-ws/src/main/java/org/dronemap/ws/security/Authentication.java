@@ -2,6 +2,7 @@ package org.dronemap.ws.security;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.Optional;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Principal;
@@ -92,13 +93,22 @@ public final class Authentication {
     public Caller byKey(String key) {
         String hash = Secrets.hash(key);
         if (hash.equals(localKeyHash)) {
-            return new Caller(new Principal("local owner", Role.ADMINISTRATOR), Caller.Proof.KEY, null);
+            return new Caller(new Principal(administrator(), Role.ADMINISTRATOR), Caller.Proof.KEY, null);
         }
         return store.accessKey(hash)
                 .flatMap(found -> store.user(found.owner())
                         .map(owner -> owner.role().includes(found.role()) ? found.role() : owner.role())
                         .map(role -> new Caller(new Principal(found.owner(), role), Caller.Proof.KEY, null)))
                 .orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+    }
+
+    /** Whoever owns the machine acts as its first administrator. */
+    private String administrator() {
+        return store.users().stream()
+                .filter(user -> user.role() == Role.ADMINISTRATOR)
+                .map(User::name)
+                .min(Comparator.comparing(name -> name.equals(FirstStart.ADMIN) ? "" : name))
+                .orElse(FirstStart.ADMIN);
     }
 
     public Caller byPassword(String name, String password, String address) {

@@ -20,7 +20,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class FirstStart implements FirstPassword {
     private static final Logger LOG = LoggerFactory.getLogger(FirstStart.class);
-    private static final String ADMIN = "admin";
+    static final String ADMIN = "admin";
     private static final String CLOSED = "This server is open to the network and still has its first administrator"
             + " password; sign in as " + ADMIN + " and change it, then everything works.";
 

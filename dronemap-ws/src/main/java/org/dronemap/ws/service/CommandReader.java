@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 final class CommandReader {
     private static final String KINDS =
             Arrays.stream(Capability.values()).map(WireNames::camel).collect(Collectors.joining(", ", "one of ", ""));
-    private static final String CLOUD_LOSS = "continue or returnToLaunch";
+    private static final String CLOUD_LOSS = "continue or rtl";
 
     private CommandReader() {}
 
@@ -58,7 +58,7 @@ final class CommandReader {
     private static CloudLoss cloudLoss(@Nullable String value) {
         return switch (value == null ? "continue" : value) {
             case "continue" -> CloudLoss.CONTINUE;
-            case "returnToLaunch" -> CloudLoss.RETURN_TO_LAUNCH;
+            case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
             default -> throw InvalidInput.outside("onCloudLoss", CLOUD_LOSS, "\"" + value + "\"");
         };
     }

@@ -37,7 +37,7 @@ public record CommandRequest(
 
         @Schema(
                 description = "startMission: what the vehicle does by itself when it no longer hears the cloud:"
-                        + " continue (the default) or returnToLaunch")
+                        + " continue (the default) or rtl")
         @Nullable
         String onCloudLoss) {
 

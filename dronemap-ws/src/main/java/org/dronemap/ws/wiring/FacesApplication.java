@@ -7,5 +7,5 @@ import org.springframework.context.annotation.Import;
 /** The web server with all faces; wants a {@link House} and {@link Settings} in its context. */
 @SpringBootConfiguration(proxyBeanMethods = false)
 @EnableAutoConfiguration
-@Import({ServiceConfiguration.class, RestConfiguration.class, StreamConfiguration.class})
+@Import({ServiceConfiguration.class, RestConfiguration.class, StreamConfiguration.class, SoapConfiguration.class})
 public class FacesApplication {}

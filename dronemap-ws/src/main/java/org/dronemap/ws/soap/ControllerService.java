@@ -1,0 +1,167 @@
+package org.dronemap.ws.soap;
+
+import jakarta.jws.WebService;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CompletionException;
+import org.dronemap.core.access.Principal;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.service.CommandRequest;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The SOAP service over the use cases. Any thread; an action keeps its request's thread for up to 30 s. */
+@WebService(
+        serviceName = "MAVLinkControllerService",
+        portName = "MAVLinkControllerWSImplPort",
+        endpointInterface = "org.dronemap.ws.soap.MAVLinkController",
+        targetNamespace = Namespace.URI)
+public class ControllerService implements MAVLinkController {
+    private static final Logger LOG = LoggerFactory.getLogger(ControllerService.class);
+    private static final Duration LONGEST_WAIT = Duration.ofSeconds(30);
+
+    private final SoapCaller caller;
+    private final DroneService drones;
+    private final CommandService commands;
+
+    public ControllerService(Authentication authentication, DroneService drones, CommandService commands) {
+        this.caller = new SoapCaller(authentication);
+        this.drones = drones;
+        this.commands = commands;
+    }
+
+    @Override
+    public List<SoapDrone> getDronesList() throws DronemapFault {
+        return answer(() ->
+                drones.drones(caller.principal()).stream().map(SoapDrone::of).toList());
+    }
+
+    @Override
+    public SoapDrone getDrone(String droneId) throws DronemapFault {
+        return answer(() -> SoapDrone.of(drones.drone(caller.principal(), droneId)));
+    }
+
+    @Override
+    public SoapOutcome arm(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("arm"));
+    }
+
+    @Override
+    public SoapOutcome disarm(String droneId, @Nullable Boolean force) throws DronemapFault {
+        return act(droneId, new CommandRequest("disarm", null, force, null, null, null, null, null, null, null));
+    }
+
+    @Override
+    public SoapOutcome setMode(String droneId, String mode) throws DronemapFault {
+        return act(droneId, new CommandRequest("setMode", null, null, mode, null, null, null, null, null, null));
+    }
+
+    @Override
+    public SoapOutcome takeoff(String droneId, @Nullable Double altitude) throws DronemapFault {
+        return act(droneId, new CommandRequest("takeOff", null, null, null, null, null, altitude, null, null, null));
+    }
+
+    @Override
+    public SoapOutcome land(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("land"));
+    }
+
+    @Override
+    public SoapOutcome returnToLaunch(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("returnToLaunch"));
+    }
+
+    @Override
+    public SoapOutcome hold(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("hold"));
+    }
+
+    @Override
+    public SoapOutcome goTo(
+            String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude)
+            throws DronemapFault {
+        return act(
+                droneId, new CommandRequest("goTo", null, null, null, latitude, longitude, altitude, null, null, null));
+    }
+
+    @Override
+    public SoapOutcome uploadMission(String droneId, @Nullable List<SoapWaypoint> waypoints) throws DronemapFault {
+        List<MissionItemView> items = waypoints == null
+                ? null
+                : waypoints.stream().map(SoapWaypoint::view).toList();
+        return act(droneId, new CommandRequest("uploadMission", null, null, null, null, null, null, null, items, null));
+    }
+
+    @Override
+    public List<SoapWaypoint> downloadMission(String droneId) throws DronemapFault {
+        return answer(() -> {
+            List<MissionItemView> items =
+                    drones.drone(caller.principal(), droneId).mission().items();
+            if (items == null) {
+                throw Rejection.conflict("The mission on the vehicle has not been read yet.");
+            }
+            return items.stream().map(SoapWaypoint::of).toList();
+        });
+    }
+
+    @Override
+    public SoapOutcome startMission(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("startMission"));
+    }
+
+    @Override
+    public SoapOutcome pauseMission(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("pauseMission"));
+    }
+
+    @Override
+    public SoapOutcome clearMission(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("clearMission"));
+    }
+
+    @Override
+    public SoapOutcome getCommand(String commandId) throws DronemapFault {
+        return answer(() -> {
+            caller.principal();
+            return SoapOutcome.of(commands.command(commandId));
+        });
+    }
+
+    private SoapOutcome act(String droneId, CommandRequest request) throws DronemapFault {
+        return answer(() -> {
+            Principal principal = caller.principal();
+            try {
+                CommandView sent = commands.submit(principal, "soap", droneId, request);
+                return SoapOutcome.of(commands.awaitEnd(sent, LONGEST_WAIT).join());
+            } catch (Rejection refused) {
+                String id = refused.commandId();
+                if (id == null) {
+                    throw refused;
+                }
+                return SoapOutcome.of(id, "refused", "gate", refused.sentence());
+            }
+        });
+    }
+
+    private static <T> T answer(Callable<T> work) throws DronemapFault {
+        try {
+            return work.call();
+        } catch (Rejection rejection) {
+            throw DronemapFault.of(Problem.of(rejection));
+        } catch (CompletionException e) {
+            LOG.error("A SOAP call failed while it waited", e);
+            throw DronemapFault.of(Problem.internal());
+        } catch (Exception e) {
+            LOG.error("A SOAP call failed", e);
+            throw DronemapFault.of(Problem.internal());
+        }
+    }
+}

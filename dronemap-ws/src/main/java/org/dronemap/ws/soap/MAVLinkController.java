@@ -1,0 +1,92 @@
+package org.dronemap.ws.soap;
+
+import jakarta.jws.WebMethod;
+import jakarta.jws.WebParam;
+import jakarta.jws.WebResult;
+import jakarta.jws.WebService;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** The operations of the SOAP service; every action waits up to 30 s for its outcome. */
+@WebService(name = "MAVLinkController", targetNamespace = Namespace.URI)
+public interface MAVLinkController {
+    String DRONE = "droneId";
+    String OUTCOME = "commandOutcome";
+
+    @WebMethod
+    @WebResult(name = "drone")
+    List<SoapDrone> getDronesList() throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = "drone")
+    SoapDrone getDrone(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome arm(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** {@code force} stops the motors even in the air. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome disarm(@WebParam(name = DRONE) String droneId, @WebParam(name = "force") @Nullable Boolean force)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome setMode(@WebParam(name = DRONE) String droneId, @WebParam(name = "mode") String mode)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome takeoff(@WebParam(name = DRONE) String droneId, @WebParam(name = "altitude") @Nullable Double altitude)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome land(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome returnToLaunch(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome hold(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** The altitude is above home. */
+    @WebMethod(operationName = "goto")
+    @WebResult(name = OUTCOME)
+    SoapOutcome goTo(
+            @WebParam(name = DRONE) String droneId,
+            @WebParam(name = "latitude") @Nullable Double latitude,
+            @WebParam(name = "longitude") @Nullable Double longitude,
+            @WebParam(name = "altitude") @Nullable Double altitude)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome uploadMission(
+            @WebParam(name = DRONE) String droneId, @WebParam(name = "waypoint") @Nullable List<SoapWaypoint> waypoints)
+            throws DronemapFault;
+
+    /** The mission that was read back from the vehicle. */
+    @WebMethod
+    @WebResult(name = "waypoint")
+    List<SoapWaypoint> downloadMission(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome startMission(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome pauseMission(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome clearMission(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome getCommand(@WebParam(name = "commandId") String commandId) throws DronemapFault;
+}

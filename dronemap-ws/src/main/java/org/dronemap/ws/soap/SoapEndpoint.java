@@ -1,0 +1,28 @@
+package org.dronemap.ws.soap;
+
+import java.util.Map;
+import org.apache.cxf.Bus;
+import org.apache.cxf.jaxws.EndpointImpl;
+
+/** Publishes the service on a bus, with bounds on the XML that it reads. */
+public final class SoapEndpoint {
+    private static final String PATH = "/MAVLinkControllerService";
+
+    private SoapEndpoint() {}
+
+    public static EndpointImpl publish(Bus bus, ControllerService service) {
+        // the library itself sets no bound on elements and characters
+        bus.setProperty("org.apache.cxf.stax.maxElementCount", 20_000L);
+        bus.setProperty("org.apache.cxf.stax.maxChildElements", 5_000);
+        bus.setProperty("org.apache.cxf.stax.maxElementDepth", 30);
+        bus.setProperty("org.apache.cxf.stax.maxAttributeCount", 50);
+        bus.setProperty("org.apache.cxf.stax.maxAttributeSize", 4_096);
+        bus.setProperty("org.apache.cxf.stax.maxTextLength", 65_536L);
+        bus.setProperty("org.apache.cxf.stax.maxXMLCharacters", 1_048_576L);
+        EndpointImpl endpoint = new EndpointImpl(bus, service);
+        endpoint.setProperties(Map.of("exceptionMessageCauseEnabled", "false", "faultStackTraceEnabled", "false"));
+        endpoint.getInInterceptors().add(new NoDoctype());
+        endpoint.publish(PATH);
+        return endpoint;
+    }
+}

@@ -1,0 +1,41 @@
+package org.dronemap.ws.wiring;
+
+import org.apache.cxf.Bus;
+import org.apache.cxf.bus.extension.ExtensionManagerBus;
+import org.apache.cxf.jaxws.EndpointImpl;
+import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.soap.ControllerService;
+import org.dronemap.ws.soap.SoapEndpoint;
+import org.springframework.boot.web.servlet.ServletRegistrationBean;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+
+/** Constructs the SOAP face. */
+@Configuration(proxyBeanMethods = false)
+public class SoapConfiguration {
+
+    @Bean(destroyMethod = "shutdown")
+    Bus soapBus() {
+        return new ExtensionManagerBus();
+    }
+
+    @Bean(destroyMethod = "stop")
+    EndpointImpl soapEndpoint(
+            Bus soapBus, Authentication authentication, DroneService drones, CommandService commands) {
+        return SoapEndpoint.publish(soapBus, new ControllerService(authentication, drones, commands));
+    }
+
+    @Bean
+    ServletRegistrationBean<CXFNonSpringServlet> soapServlet(Bus soapBus) {
+        CXFNonSpringServlet servlet = new CXFNonSpringServlet();
+        servlet.setBus(soapBus);
+        ServletRegistrationBean<CXFNonSpringServlet> registration =
+                new ServletRegistrationBean<>(servlet, "/services/*");
+        registration.setName("soap");
+        registration.addInitParameter("hide-service-list-page", "true");
+        return registration;
+    }
+}
