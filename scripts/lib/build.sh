@@ -20,7 +20,9 @@ hash_of() { # PATH…
         -o -type f ! -name '*.log' -print0 2>/dev/null | sort -z | xargs -0 sha256sum | sha256sum | cut -c 1-16)
 }
 
-hash_of_sources() { hash_of pom.xml .mvn config dronemap-*/pom.xml dronemap-*/src/main web-client; }
+hash_of_sources() {
+    (cd "$ROOT" && hash_of pom.xml .mvn config dronemap-*/pom.xml dronemap-*/src/main web-client)
+}
 
 stamp_of() { cat "$APP/$1.stamp" 2>/dev/null || true; }
 
@@ -54,7 +56,8 @@ install_web_packages() {
     if [[ $(cat "$ROOT/web-client/node_modules/.dronemap-lock" 2>/dev/null) == "$lock" ]]; then return; fi
     WORK="downloading the web client's packages"
     step "Downloading the web client's packages"
-    in_web_client npm.log npm ci --no-audit --no-fund ||
+    # npm's own waits between tries add up to a minute and a half of silence when there is no network.
+    in_web_client npm.log npm ci --no-audit --no-fund --fetch-retry-mintimeout=1000 --fetch-retry-maxtimeout=5000 ||
         fail_from_log "$TOOLS/logs/npm.log" "$EXIT_BUILD" "The web client's packages could not be installed."
     echo "$lock" >"$ROOT/web-client/node_modules/.dronemap-lock"
     WORK=""

@@ -50,7 +50,7 @@ set_bind() {
 }
 
 # `container` is how container engines and systemd tell the programs inside.
-in_container() { [[ -n ${container:-} || -e /.dockerenv || -e /run/.containerenv ]]; }
+in_container() { [[ -n ${container:-} ]]; }
 
 scheme() { if [[ $PUBLIC == true ]]; then printf https; else printf http; fi; }
 local_address() { printf '%s://%s:%s' "$(scheme)" "$LOOPBACK" "$HTTP_PORT"; }

@@ -1,0 +1,233 @@
+"""The life of a server under the one script: start, start again, public, crash, backup, stop."""
+
+import json
+import os
+import re
+import signal
+import ssl
+import stat
+import subprocess
+import time
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+from .conftest import Checkout
+
+PASSWORD_MUST_CHANGE = 9
+NEW_PASSWORD = 'a "new" \\ pass phrase'
+
+
+def listeners(pids: set[int]) -> list[str]:
+    """Local addresses on which processes listen or receive."""
+    lines = subprocess.run(["ss", "-Hltnup"], text=True, capture_output=True, check=True).stdout.splitlines()
+    return [line.split()[4] for line in lines if pids & {int(pid) for pid in re.findall(r"pid=(\d+)", line)}]
+
+
+def descendants(data: Path) -> set[int]:
+    """The server, the demo fleet and everything that they started, by the data folder that they work in."""
+    found = set()
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            in_data = (process / "cwd").readlink().is_relative_to(data)
+        except OSError:
+            continue
+        if in_data:
+            found.add(int(process.name))
+    return found
+
+
+def get(url: str) -> tuple[int, str]:
+    own_certificate = ssl.create_default_context()
+    own_certificate.check_hostname = False
+    own_certificate.verify_mode = ssl.CERT_NONE
+    with urllib.request.urlopen(url, timeout=5, context=own_certificate) as answer:
+        return answer.status, answer.read().decode()
+
+
+def pid_of(checkout: Checkout, name: str) -> int:
+    return int((checkout.data / f"{name}.pid").read_text())
+
+
+def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(built: Checkout) -> None:
+    outcome = built.run("up")
+    assert outcome.returncode == 0, outcome.stderr
+    address = f"http://127.0.0.1:{built.http_port}"
+    assert f"Dronemap is ready: {address}" in outcome.stdout
+    assert "one-time password" in outcome.stdout
+    assert "<html" in get(address)[1].lower()
+    health = json.loads(get(f"{address}/api/v1/health")[1])
+    assert health["status"] == "up"
+    assert health["drones"]["ready"] >= 1
+
+    own = descendants(built.data)
+    assert {pid_of(built, "server"), pid_of(built, "sim")} <= own
+    addresses = listeners(own)
+    assert any(address.endswith(f":{built.http_port}") for address in addresses)
+    off_loopback = [a for a in addresses if not re.match(r"(127\.|\[::1\]|\[::ffff:127\.)", a)]
+    assert off_loopback == []
+
+    server = pid_of(built, "server")
+    started = time.monotonic()
+    again = built.run("up")
+    assert again.returncode == 0
+    assert time.monotonic() - started < 30
+    assert pid_of(built, "server") == server, "a second up must leave the running server alone"
+
+    status = built.run("status")
+    assert status.returncode == 0
+    assert address in status.stdout
+    assert built.run("logs").returncode == 0
+    assert built.run("down").returncode == 0
+    assert descendants(built.data) == set()
+    assert built.run("status").returncode == 1
+
+
+def test_secrets_are_readable_by_their_owner_alone(built: Checkout) -> None:
+    assert built.run("up", "--no-demo").returncode == 0
+    for name in ("first-password.txt", "local-key"):
+        mode = stat.S_IMODE((built.data / name).stat().st_mode)
+        assert mode == 0o600, f"{name} has mode {mode:o}"
+    assert stat.S_IMODE(built.data.stat().st_mode) & 0o077 == 0
+
+
+def test_stays_closed_to_the_network_until_the_first_password_is_changed(built: Checkout) -> None:
+    never_started = built.run("up", "--public", "--no-demo")
+    assert never_started.returncode == PASSWORD_MUST_CHANGE
+    assert "Run ./dronemap up" in never_started.stderr
+
+    assert built.run("up", "--no-demo").returncode == 0
+    refused = built.run("up", "--public", "--no-demo")
+    assert refused.returncode == PASSWORD_MUST_CHANGE
+    assert "one-time password" in refused.stderr
+    assert "./dronemap password" in refused.stderr
+
+    too_short = built.run("password", text="short\n")
+    assert too_short.returncode == 1
+    assert "10" in too_short.stderr
+    changed = built.run("password", text=NEW_PASSWORD + "\n")
+    assert changed.returncode == 0, changed.stderr
+    assert not (built.data / "first-password.txt").exists()
+
+    public = built.run("up", "--public", "--no-demo")
+    assert public.returncode == 0, public.stderr
+    assert "Certificate (SHA-256)" in public.stdout
+    status, page = get(f"https://127.0.0.1:{built.http_port}/")
+    assert status == 200
+    assert "<html" in page.lower()
+    addresses = listeners(descendants(built.data))
+    assert any(re.match(rf"(0\.0\.0\.0|\*|\[::\]):{built.http_port}$", a) for a in addresses), addresses
+
+    closed_again = built.run("up", "--no-demo")
+    assert closed_again.returncode == 0, closed_again.stderr
+    assert all("127." in a or "[::1]" in a for a in listeners(descendants(built.data)))
+
+
+def test_takes_an_own_certificate_and_checks_that_the_key_belongs_to_it(
+    built: Checkout, tmp_path: Path
+) -> None:
+    for name in ("one", "two"):
+        subprocess.run(
+            f"openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN={name} "
+            f"-keyout {name}.key -out {name}.pem",
+            shell=True,
+            cwd=tmp_path,
+            check=True,
+            capture_output=True,
+        )
+    assert built.run("up", "--no-demo").returncode == 0
+    assert built.run("password", text=NEW_PASSWORD + "\n").returncode == 0
+    mixed = built.run(
+        "up", "--no-demo", "--public", "--cert", str(tmp_path / "one.pem"), "--key", str(tmp_path / "two.key")
+    )
+    assert mixed.returncode == 2
+    assert "do not belong together" in mixed.stderr
+    matching = built.run(
+        "up", "--no-demo", "--public", "--cert", str(tmp_path / "one.pem"), "--key", str(tmp_path / "one.key")
+    )
+    assert matching.returncode == 0, matching.stderr
+    shown = ssl.get_server_certificate(("127.0.0.1", built.http_port))
+    assert shown.strip() == (tmp_path / "one.pem").read_text().strip()
+
+
+def test_a_killed_server_leaves_nothing_that_hinders_the_next_start(built: Checkout) -> None:
+    assert built.run("up").returncode == 0
+    os.kill(pid_of(built, "server"), signal.SIGKILL)
+    again = built.run("up")
+    assert again.returncode == 0, again.stderr
+    os.kill(pid_of(built, "server"), signal.SIGKILL)
+    assert built.run("down").returncode == 0
+    assert descendants(built.data) == set()
+
+
+def test_what_was_backed_up_is_there_after_a_restore(built: Checkout, tmp_path: Path) -> None:
+    assert built.run("up", "--no-demo").returncode == 0
+    assert built.run("password", text=NEW_PASSWORD + "\n").returncode == 0
+    backup = tmp_path / "backup.zip"
+    made = built.run("backup", str(backup))
+    assert made.returncode == 0, made.stderr
+    assert stat.S_IMODE(backup.stat().st_mode) == 0o600
+    again = built.run("backup", str(backup))
+    assert again.returncode == 1
+    assert "exists already" in again.stderr
+    running = built.run("restore", str(backup), "--yes")
+    assert running.returncode == 1
+    assert "Stop it with ./dronemap down" in running.stderr
+    assert built.run("down").returncode == 0
+
+    built.settings["DRONEMAP_DATA_DIR"] = str(tmp_path / "other")
+    restored = built.run("restore", str(backup))
+    assert restored.returncode == 0, restored.stderr
+    assert built.run("up", "--no-demo").returncode == 0
+    assert not (built.data / "first-password.txt").exists(), "the restored administrator has a password"
+    sure = built.run("down")
+    assert sure.returncode == 0
+    unsure = built.run("restore", str(backup))
+    assert unsure.returncode == 2
+    assert "--yes" in unsure.stderr
+
+
+def test_a_broken_backup_changes_nothing(built: Checkout, tmp_path: Path) -> None:
+    assert built.run("up", "--no-demo").returncode == 0
+    backup = tmp_path / "backup.zip"
+    assert built.run("backup", str(backup)).returncode == 0
+    assert built.run("down").returncode == 0
+    cut = tmp_path / "cut.zip"
+    cut.write_bytes(backup.read_bytes()[: backup.stat().st_size // 2])
+    outcome = built.run("restore", str(cut), "--yes")
+    assert outcome.returncode == 1, outcome.stderr
+    assert "not restored" in outcome.stderr
+    assert built.run("up", "--no-demo").returncode == 0
+
+
+@pytest.mark.skipif("DRONEMAP_TEST_DATA" not in os.environ, reason="DRONEMAP_TEST_DATA is not set")
+def test_replays_a_recording_and_cancels_it_on_interruption(built: Checkout) -> None:
+    recordings = sorted(
+        Path(os.environ["DRONEMAP_TEST_DATA"]).glob("tlogs/*.tlog"), key=lambda f: f.stat().st_size
+    )
+    assert built.run("up", "--no-demo").returncode == 0
+    finished = built.run("replay", str(recordings[0]), "--speed", "100")
+    assert finished.returncode == 0, finished.stderr
+    assert "good messages" in finished.stdout
+
+    replay = subprocess.Popen(
+        [built.path / "dronemap", "replay", recordings[-1], "--speed", "1"],
+        env=built.environment(),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert replay.stdout is not None
+    while "drones:" not in replay.stdout.readline():
+        assert replay.poll() is None
+    replay.send_signal(signal.SIGINT)
+    replay.communicate(timeout=20)
+    assert replay.returncode == 130
+    key = (built.data / "local-key").read_text().strip()
+    request = urllib.request.Request(
+        f"http://127.0.0.1:{built.http_port}/api/v1/replays", headers={"Authorization": f"Bearer {key}"}
+    )
+    with urllib.request.urlopen(request, timeout=5) as answer:
+        states = [replay["state"] for replay in json.load(answer)["replays"]]
+    assert sorted(states) == ["cancelled", "finished"]

@@ -1,0 +1,276 @@
+"""What goes wrong on real machines: each gets its exit code and a sentence that says what to do."""
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from .conftest import Checkout, copy_tree, needs_root
+
+USAGE, RIGHTS, PORT, DISK, NETWORK = 2, 3, 4, 5, 6
+INTERRUPTED = 130
+NOBODY = 65534
+
+
+@contextlib.contextmanager
+def small_disk(folder: Path, size: str) -> Iterator[Path]:
+    """A disk of its own that is full soon."""
+    folder.mkdir(parents=True, exist_ok=True)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", folder], check=True)
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", "--lazy", folder], check=True)
+
+
+def fill(folder: Path) -> None:
+    with (folder / "filler").open("wb", buffering=0) as filler, contextlib.suppress(OSError):
+        while True:
+            filler.write(bytes(1 << 16))
+
+
+def wait_for_text(log: Path, text: str, seconds: float) -> None:
+    deadline = time.monotonic() + seconds
+    while text not in log.read_text():
+        assert time.monotonic() < deadline, f"no '{text}' within {seconds} s: {log.read_text()}"
+        time.sleep(0.1)
+
+
+def processes_of(folder: Path) -> list[str]:
+    """Command lines of all processes that work in a folder or name it."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            line = (process / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            if str(folder) in line or (process / "cwd").readlink().is_relative_to(folder):
+                found.append(line)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("setting", "kind", "use"),
+    [
+        ("DRONEMAP_HTTP_PORT", socket.SOCK_STREAM, "the page"),
+        ("DRONEMAP_STREAM_PORT", socket.SOCK_STREAM, "the stream"),
+        ("DRONEMAP_MAVLINK_UDP", socket.SOCK_DGRAM, "vehicles (udp)"),
+        ("DRONEMAP_MAVLINK_TCP", socket.SOCK_STREAM, "vehicles (tcp)"),
+    ],
+)
+def test_says_which_port_is_taken_and_by_which_process(
+    checkout: Checkout, setting: str, kind: int, use: str
+) -> None:
+    port = checkout.settings[setting]
+    with socket.socket(socket.AF_INET, kind) as holder:
+        holder.bind(("127.0.0.1", int(port)))
+        if kind == socket.SOCK_STREAM:
+            holder.listen()
+        outcome = checkout.run("up", "--no-demo")
+    assert outcome.returncode == PORT, outcome.stderr
+    assert f"Port {port}" in outcome.stderr
+    assert f"needed for {use}" in outcome.stderr
+    assert f"(process {os.getpid()})" in outcome.stderr
+    assert f"{setting}=" in outcome.stderr
+
+
+@needs_root
+def test_says_what_to_install_without_rights_and_sudo(checkout: Checkout) -> None:
+    for folder in (checkout.path, *checkout.path.parents[:3]):
+        folder.chmod(0o755)
+    subprocess.run(["chown", "-R", str(NOBODY), checkout.path], check=True)
+    # A machine without Java, as an ordinary user: the folder of JDKs is hidden, nothing may gain rights.
+    script = (
+        "mount -t tmpfs tmpfs /usr/lib/jvm && "
+        f'exec setpriv --reuid {NOBODY} --clear-groups --no-new-privs "$@"'
+    )
+    outcome = checkout.run(
+        "up",
+        before=("unshare", "--mount", "bash", "-c", script, "as-nobody"),
+        PATH="/usr/bin:/bin",
+        JAVA_HOME="",
+        HOME="/nonexistent",
+    )
+    assert outcome.returncode == RIGHTS, outcome.stderr
+    assert "may not install them" in outcome.stderr
+    assert "apt-get install -y" in outcome.stderr
+    assert "openjdk-17-jdk-headless" in outcome.stderr or "default-jdk-headless" in outcome.stderr
+
+
+@needs_root
+def test_says_who_may_write_to_a_checkout_of_somebody_else(checkout: Checkout) -> None:
+    for folder in (checkout.path, *checkout.path.parents[:3]):
+        folder.chmod(0o755)
+    outcome = checkout.run("up", before=("setpriv", "--reuid", str(NOBODY), "--clear-groups"))
+    assert outcome.returncode == RIGHTS, outcome.stderr
+    assert "may not write to" in outcome.stderr
+    assert "owner (root)" in outcome.stderr
+
+
+@needs_root
+def test_does_not_start_to_build_on_a_nearly_full_disk(tmp_path: Path) -> None:
+    with small_disk(tmp_path / "disk", "300m") as disk:
+        copy_tree(disk)
+        outcome = Checkout(disk).run("build")
+    assert outcome.returncode == DISK, outcome.stderr
+    assert "building needs 2048 MB" in outcome.stderr
+    assert "Make room" in outcome.stderr
+
+
+@needs_root
+def test_does_not_start_a_database_on_a_nearly_full_disk(built: Checkout, tmp_path: Path) -> None:
+    with small_disk(tmp_path / "disk", "50m") as disk:
+        outcome = built.run("up", "--no-demo", DRONEMAP_DATA_DIR=str(disk))
+    assert outcome.returncode == DISK, outcome.stderr
+    assert "the first start of the database needs" in outcome.stderr
+
+
+@needs_root
+def test_says_that_the_disk_of_the_data_is_full(built: Checkout, tmp_path: Path) -> None:
+    with small_disk(tmp_path / "disk", "4m") as disk:
+        fill(disk)
+        outcome = built.run("up", "--no-demo", DRONEMAP_DATA_DIR=str(disk / "data"))
+    assert outcome.returncode == DISK, outcome.stderr
+    assert "full" in outcome.stderr or "MB free" in outcome.stderr
+
+
+@needs_root
+def test_tells_that_the_disk_became_full_while_it_ran(built: Checkout, tmp_path: Path) -> None:
+    with small_disk(tmp_path / "disk", "600m") as disk:
+        built.settings["DRONEMAP_DATA_DIR"] = str(disk)
+        assert built.run("up", "--no-demo").returncode == 0
+        fill(disk)
+        assert "nearly full" in built.run("status").stderr
+        assert built.run("down").returncode == 0
+        outcome = built.run("up", "--no-demo")
+        assert outcome.returncode == DISK, outcome.stderr
+        assert "Make room and run the same command again" in outcome.stderr
+        (disk / "filler").unlink()
+        again = built.run("up", "--no-demo")
+        assert again.returncode == 0, again.stderr
+        built.run("down")
+
+
+@needs_root
+def test_says_that_the_network_is_missing_for_the_web_clients_packages(
+    checkout: Checkout, tmp_path: Path
+) -> None:
+    outcome = checkout.run("build", before=("unshare", "--net"), HOME=str(tmp_path / "home"))
+    assert outcome.returncode == NETWORK, outcome.stderr
+    assert "no network" in outcome.stderr
+    assert "run the same command again" in outcome.stderr
+
+
+@needs_root
+def test_says_that_the_network_is_missing_for_the_servers_libraries(
+    checkout: Checkout, tmp_path: Path
+) -> None:
+    checkout.inside(
+        "mkdir -p $APP $ROOT/web-client/dist $ROOT/web-client/node_modules",
+        "hash_of web-client/package-lock.json >$ROOT/web-client/node_modules/.dronemap-lock",
+        "touch $ROOT/web-client/dist/index.html",
+        "hash_of web-client >$APP/web.stamp",
+    )
+    repository = f"-Dmaven.repo.local={tmp_path / 'empty'}"
+    outcome = checkout.run("build", before=("unshare", "--net"), MAVEN_OPTS=repository)
+    assert outcome.returncode == NETWORK, outcome.stderr
+    assert "no network" in outcome.stderr
+
+
+def test_an_interrupted_build_ends_cleanly_and_goes_on_when_run_again(
+    checkout: Checkout, tmp_path: Path
+) -> None:
+    output = tmp_path / "output"
+    with output.open("w") as sink:
+        # In a session of its own, where the interrupt key reaches the whole foreground group.
+        build = subprocess.Popen(
+            [checkout.path / "dronemap", "build"],
+            env=checkout.environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=sink,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+    wait_for_text(output, "(2 of ", 300)
+    os.killpg(build.pid, signal.SIGINT)
+    assert build.wait(30) == INTERRUPTED
+    assert "Interrupted while building the server" in output.read_text()
+    assert "run the same command again" in output.read_text()
+    assert processes_of(checkout.path) == []
+
+    again = checkout.run("build", seconds=600)
+    assert again.returncode == 0, again.stderr
+    assert (checkout.path / ".tools/app/dronemap.jar").exists()
+    unchanged = checkout.run("build")
+    assert unchanged.returncode == 0
+    assert "Building" not in unchanged.stdout
+
+
+def test_two_at_once_in_one_checkout_do_not_disturb_each_other(checkout: Checkout) -> None:
+    tools = checkout.path / ".tools"
+    tools.mkdir()
+    with subprocess.Popen(["flock", tools / "lock", "cat"], stdin=subprocess.PIPE) as holder:
+        deadline = time.monotonic() + 10
+        while subprocess.run(["flock", "-n", tools / "lock", "true"], check=False).returncode == 0:
+            assert time.monotonic() < deadline
+        outcome = checkout.run("up")
+        assert holder.stdin is not None
+        holder.stdin.close()
+    assert outcome.returncode == 1
+    assert "Another ./dronemap is at work" in outcome.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("fly",), "There is no command 'fly'"),
+        (("up", "--loud"), "up does not know '--loud'"),
+        (("up", "--cert", "x.pem"), "there is no readable file 'x.pem'"),
+        (("backup",), "backup needs the file to write"),
+        (("restore", "missing.zip"), "There is no readable file 'missing.zip'"),
+        (("replay", "missing.tlog"), "There is no readable file 'missing.tlog'"),
+        (("replay", "x.tlog", "--speed", "fast"), "it must be a number from 0.1 to 100"),
+        (("replay", "x.tlog", "--speed", "101"), "it must be a number from 0.1 to 100"),
+    ],
+)
+def test_wrong_use_is_answered_with_a_sentence(
+    checkout: Checkout, arguments: tuple[str, ...], sentence: str
+) -> None:
+    outcome = checkout.run(*arguments)
+    assert outcome.returncode == USAGE
+    assert sentence in outcome.stderr
+
+
+def test_a_port_that_is_none_is_refused(checkout: Checkout) -> None:
+    outcome = checkout.run("up", DRONEMAP_HTTP_PORT="70000")
+    assert outcome.returncode == USAGE
+    assert "DRONEMAP_HTTP_PORT is '70000'; it must be a port from 1 to 65535" in outcome.stderr
+
+
+def test_leaving_loopback_needs_public(checkout: Checkout) -> None:
+    outcome = checkout.run("up", DRONEMAP_BIND="0.0.0.0", container="")
+    assert outcome.returncode == USAGE
+    assert "use ./dronemap up --public" in outcome.stderr
+
+
+def test_what_needs_a_running_server_says_how_to_start_it(checkout: Checkout, tmp_path: Path) -> None:
+    for arguments in (("backup", str(tmp_path / "b.zip")), ("replay", __file__), ("password",)):
+        outcome = checkout.run(*arguments)
+        assert outcome.returncode == 1
+        assert "Start it with ./dronemap up" in outcome.stderr
+    assert checkout.run("status").returncode == 1
+    assert checkout.run("down").returncode == 0
+
+
+def test_help_names_every_command_and_exit_code(checkout: Checkout) -> None:
+    text = checkout.run("help").stdout
+    for word in ("up", "down", "status", "logs", "test", "soak", "backup", "restore", "replay", "help"):
+        assert f"\n  {word}" in text
+    for option in ("--no-demo", "--public", "--cert", "--key", "--speed", "--yes"):
+        assert option in text
+    for code in (*range(10), INTERRUPTED):
+        assert f"{code}  " in text
