@@ -4,8 +4,10 @@ import com.zaxxer.hikari.HikariConfig;
 import com.zaxxer.hikari.HikariDataSource;
 import java.nio.file.Path;
 import java.sql.Connection;
+import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.time.Duration;
+import java.util.Properties;
 import javax.sql.DataSource;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.command.CommandStore;
@@ -36,9 +38,9 @@ public final class Database implements AutoCloseable {
 
     /** Opens somebody else's PostgreSQL, waiting for it as long as the settings say. */
     public static Database open(DatabaseSettings settings) {
+        waitFor(settings);
         HikariDataSource pool = pool(settings);
         try {
-            waitFor(pool, settings);
             new Migration(pool).toLatest(SCHEMA);
             return new Database(pool, null);
         } catch (RuntimeException e) {
@@ -116,8 +118,6 @@ public final class Database implements AutoCloseable {
         config.setMaximumPoolSize(MAX_CONNECTIONS);
         config.setMinimumIdle(1);
         config.setConnectionTimeout(5_000);
-        // The pool opens while the database may still be starting; waiting is done here, with sentences.
-        config.setInitializationFailTimeout(-1);
         config.setSchema(SCHEMA);
         config.setConnectionInitSql(
                 "SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'");
@@ -128,11 +128,12 @@ public final class Database implements AutoCloseable {
         return new HikariDataSource(config);
     }
 
-    private static void waitFor(HikariDataSource pool, DatabaseSettings settings) {
+    /** Asks without the pool, which would hide what the database says behind timeouts of its own. */
+    private static void waitFor(DatabaseSettings settings) {
         long deadline = System.nanoTime() + settings.patience().toNanos();
         boolean told = false;
         while (true) {
-            try (Connection connection = pool.getConnection()) {
+            try (Connection connection = DriverManager.getConnection(settings.jdbcUrl(), login(settings))) {
                 if (connection.isValid(5)) {
                     return;
                 }
@@ -151,6 +152,19 @@ public final class Database implements AutoCloseable {
                 pause();
             }
         }
+    }
+
+    private static Properties login(DatabaseSettings settings) {
+        Properties login = new Properties();
+        login.setProperty("connectTimeout", "5");
+        login.setProperty("socketTimeout", "10");
+        if (settings.user() != null) {
+            login.setProperty("user", settings.user());
+        }
+        if (settings.password() != null) {
+            login.setProperty("password", settings.password());
+        }
+        return login;
     }
 
     private static void pause() {

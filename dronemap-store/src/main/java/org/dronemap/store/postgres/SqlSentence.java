@@ -37,7 +37,7 @@ final class SqlSentence {
     /** True for errors that may pass by waiting: not reachable, starting, stopping, too many connections. */
     static boolean isOutOfReach(SQLException error) {
         String state = state(error);
-        return error instanceof SQLTransientConnectionException
+        return (error instanceof SQLTransientConnectionException && state.isEmpty())
                 || state.startsWith("08")
                 || state.startsWith("57P")
                 || state.equals("53300");

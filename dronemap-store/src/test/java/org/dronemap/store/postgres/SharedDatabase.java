@@ -7,13 +7,17 @@ import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.SQLException;
 import java.sql.Statement;
+import java.time.Duration;
 import java.util.Comparator;
 import java.util.stream.Stream;
+import org.dronemap.store.postgres.own.OwnPostgres;
 
 /** One real PostgreSQL for all tests of a test JVM: starting one takes seconds. Not for tests in parallel. */
 final class SharedDatabase {
     private static final Path DIRECTORY = temporary();
-    private static final Database DATABASE = Database.openOwn(DIRECTORY);
+    private static final OwnPostgres OWN = OwnPostgres.start(DIRECTORY);
+    private static final Database DATABASE =
+            Database.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
 
     static {
         Runtime.getRuntime().addShutdownHook(new Thread(SharedDatabase::stop, "stop-shared-database"));
@@ -31,6 +35,18 @@ final class SharedDatabase {
         }
     }
 
+    static String url(String database) {
+        return "jdbc:postgresql://127.0.0.1:" + OWN.port() + "/" + database;
+    }
+
+    static String user() {
+        return OWN.user();
+    }
+
+    static String password() {
+        return OWN.password();
+    }
+
     private static Path temporary() {
         try {
             return Files.createTempDirectory("dronemap-store-test");
@@ -41,6 +57,7 @@ final class SharedDatabase {
 
     private static void stop() {
         DATABASE.close();
+        OWN.close();
         try (Stream<Path> paths = Files.walk(DIRECTORY)) {
             for (Path path : paths.sorted(Comparator.reverseOrder()).toList()) {
                 Files.delete(path);

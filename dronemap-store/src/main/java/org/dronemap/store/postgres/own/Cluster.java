@@ -11,6 +11,7 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.List;
+import java.util.function.IntSupplier;
 import org.dronemap.store.StoreException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,6 +24,8 @@ final class Cluster {
     /** Recovery of a crashed database replays at most max_wal_size, yet a slow disk may take its time. */
     private static final int START_LIMIT_SECONDS = 180;
 
+    private static final int START_ATTEMPTS = 5;
+    private static final Duration BETWEEN_ATTEMPTS = Duration.ofMillis(500);
     private static final int STOP_LIMIT_SECONDS = 60;
     private static final String SETTINGS_FILE = "dronemap.conf";
 
@@ -147,10 +150,17 @@ final class Cluster {
 
     /** Starts it on a free loopback port and returns that once it takes connections. */
     int start() {
-        int attempts = 5;
-        while (true) {
-            attempts--;
-            int port = freePort();
+        return start(Cluster::freePort);
+    }
+
+    /** Starts it again on the port that others know. */
+    void restart(int port) {
+        start(() -> port);
+    }
+
+    private int start(IntSupplier ports) {
+        for (int attempt = 1; ; attempt++) {
+            int port = ports.getAsInt();
             ToolRun run = start(port);
             if (run.succeeded()) {
                 return port;
@@ -158,11 +168,12 @@ final class Cluster {
             String log = startLog();
             // A port is free only until somebody takes it; processes of a killed database need a moment to be gone.
             boolean passes = log.contains("Address already in use") || log.contains("is still in use");
-            if (attempts == 0 || !passes) {
+            if (attempt == START_ATTEMPTS || !passes) {
                 throw new StoreException("The database in " + directory + " does not start: "
                         + FileSentence.advice(log.isBlank() ? run.output() : log));
             }
             LOG.info("The database does not start yet, trying again: {}", log);
+            Pause.of(BETWEEN_ATTEMPTS);
         }
     }
 
@@ -189,16 +200,16 @@ final class Cluster {
     /** Ends connections and stops; when that does not end in time, stops the hard way (the next start recovers). */
     void stop() {
         ToolRun fast = stop("fast");
-        if (!fast.succeeded() && stillRuns()) {
+        if (!fast.succeeded() && runs()) {
             LOG.warn("The database does not stop in {} s, stopping it at once: {}", STOP_LIMIT_SECONDS, fast.output());
             ToolRun immediate = stop("immediate");
-            if (!immediate.succeeded() && stillRuns()) {
+            if (!immediate.succeeded() && runs()) {
                 throw new StoreException("The database in " + directory + " cannot be stopped: " + immediate.output());
             }
         }
     }
 
-    private boolean stillRuns() {
+    boolean runs() {
         return PostmasterFile.read(directory)
                 .flatMap(file -> file.process(directory))
                 .isPresent();

@@ -48,8 +48,9 @@ record Engine(Path directory) {
         }
     }
 
-    static void requireSpace(Path directory) throws IOException {
-        long free = Files.getFileStore(directory).getUsableSpace();
+    static void requireSpace(Path directory) {
+        // Not Files.getFileStore: in a chroot it finds no mount point.
+        long free = directory.toFile().getUsableSpace();
         if (free < NEEDED_BYTES) {
             throw new StoreException("The disk that holds " + directory + " is full: the database needs "
                     + NEEDED_BYTES / 1_048_576 + " MB to start with and " + free / 1_048_576

@@ -12,6 +12,10 @@ import java.sql.Statement;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
 import org.dronemap.store.StoreException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -28,11 +32,17 @@ public final class OwnPostgres implements AutoCloseable {
     /** How long an orphan may take to answer: it may be recovering itself. */
     private static final Duration ADOPTION_LIMIT = Duration.ofSeconds(30);
 
+    private static final Duration BETWEEN_LOOKS = Duration.ofMillis(200);
+
+    /** How often the guard looks whether the database still lives. */
+    private static final Duration GUARD_PERIOD = Duration.ofSeconds(2);
+
     private final DirectoryLock lock;
     private final Cluster cluster;
     private final String password;
     private final int port;
     private final boolean adopted;
+    private final ScheduledExecutorService guard = Executors.newSingleThreadScheduledExecutor(OwnPostgres::guardThread);
     private boolean closed;
 
     private OwnPostgres(DirectoryLock lock, Cluster cluster, String password) {
@@ -45,6 +55,12 @@ public final class OwnPostgres implements AutoCloseable {
         createDatabase();
     }
 
+    private static Thread guardThread(Runnable work) {
+        Thread thread = new Thread(work, "own-postgres-guard");
+        thread.setDaemon(true);
+        return thread;
+    }
+
     /** Starts it, or takes over one that still runs; throws {@link StoreException} with a sentence when it cannot. */
     public static OwnPostgres start(Path directory) {
         Path home = prepare(directory);
@@ -53,7 +69,9 @@ public final class OwnPostgres implements AutoCloseable {
             String password = Secret.readOrCreate(home.resolve("password"));
             Cluster cluster = new Cluster(home, Engine.unpack(home), RunAs.of(home));
             cluster.createIfMissing(USER, password);
-            return new OwnPostgres(lock, cluster, password);
+            OwnPostgres own = new OwnPostgres(lock, cluster, password);
+            own.keepAlive();
+            return own;
         } catch (RuntimeException e) {
             lock.close();
             throw e;
@@ -68,12 +86,10 @@ public final class OwnPostgres implements AutoCloseable {
         Path home = prepare(directory);
         DirectoryLock lock = DirectoryLock.take(home);
         try {
-            Path files = Cluster.directory(home);
-            boolean runs = PostmasterFile.read(files)
-                    .flatMap(file -> file.process(files))
-                    .isPresent();
+            Cluster cluster = new Cluster(home, Engine.unpack(home), RunAs.of(home));
+            boolean runs = cluster.runs();
             if (runs) {
-                new Cluster(home, Engine.unpack(home), RunAs.of(home)).stop();
+                cluster.stop();
             }
             return runs;
         } finally {
@@ -122,10 +138,31 @@ public final class OwnPostgres implements AutoCloseable {
             return;
         }
         closed = true;
+        guard.shutdown();
         try {
             cluster.stop();
         } finally {
             lock.close();
+        }
+    }
+
+    private void keepAlive() {
+        // The task lets nothing escape, so there is nothing to ask this future for.
+        ScheduledFuture<?> unused = guard.scheduleWithFixedDelay(
+                this::restartIfDead, GUARD_PERIOD.toMillis(), GUARD_PERIOD.toMillis(), TimeUnit.MILLISECONDS);
+    }
+
+    /** The kernel may kill a database when memory runs out; its port stays, so that the pool finds it again. */
+    private synchronized void restartIfDead() {
+        try {
+            if (closed || cluster.runs()) {
+                return;
+            }
+            LOG.warn("The database has died, starting it again");
+            PostmasterFile.read(cluster.directory()).ifPresent(this::forgetStaleFile);
+            cluster.restart(port);
+        } catch (RuntimeException e) {
+            LOG.error("The database could not be started again, trying once more soon: {}", e.getMessage(), e);
         }
     }
 
@@ -174,7 +211,7 @@ public final class OwnPostgres implements AutoCloseable {
                 return result.next() && cluster.directory().equals(Path.of(result.getString(1)));
             } catch (SQLException e) {
                 LOG.debug("The database that outlived its server does not answer yet", e);
-                pause();
+                Pause.of(BETWEEN_LOOKS);
             }
         }
         return false;
@@ -204,14 +241,5 @@ public final class OwnPostgres implements AutoCloseable {
         properties.setProperty("connectTimeout", "5");
         properties.setProperty("socketTimeout", "30");
         return DriverManager.getConnection("jdbc:postgresql://127.0.0.1:" + toPort + "/" + database, properties);
-    }
-
-    private static void pause() {
-        try {
-            Thread.sleep(200);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new StoreException("Interrupted while waiting for the database.", e);
-        }
     }
 }

@@ -31,8 +31,8 @@ sealed interface RunAs {
         public void own(Path path) {}
     }
 
-    /** As root seen from a user namespace without any mapping, where nobody is root; root owns the files. */
-    record UserNamespace() implements RunAs {
+    /** As the server's user seen from a user namespace without any mapping, where nobody is root and all are "nobody". */
+    record UserNamespace(int uid) implements RunAs {
         static final List<String> PREFIX = List.of("unshare", "--user");
 
         @Override
@@ -42,7 +42,7 @@ sealed interface RunAs {
 
         @Override
         public void own(Path path) throws IOException {
-            FileTree.giveTo(path, 0);
+            FileTree.giveTo(path, uid);
         }
     }
 
@@ -58,7 +58,11 @@ sealed interface RunAs {
             List<String> prefix =
                     new ArrayList<>(List.of("setpriv", "--reuid=" + uid, "--regid=" + gid, "--clear-groups"));
             if (reachesByRight) {
-                prefix.addAll(List.of("--inh-caps=+dac_read_search", "--ambient-caps=+dac_read_search"));
+                // Without that bit access(2), which PostgreSQL asks about its programs, would ignore the right.
+                prefix.addAll(List.of(
+                        "--securebits=+no_setuid_fixup",
+                        "--inh-caps=+dac_read_search",
+                        "--ambient-caps=+dac_read_search"));
             }
             prefix.add("--");
             return joined(prefix, command);
@@ -76,12 +80,19 @@ sealed interface RunAs {
 
     /** The way that this machine allows for a database in {@code directory}. */
     static RunAs of(Path directory) {
-        if (effectiveUid(directory) != 0) {
+        int uid = effectiveUid(directory);
+        boolean named = ToolRun.of(List.of("id", "-un"), directory, SHORT).succeeded();
+        if (uid != 0 && named) {
             return new Same();
         }
         if (ToolRun.of(joined(UserNamespace.PREFIX, List.of("true")), directory, SHORT)
                 .succeeded()) {
-            return new UserNamespace();
+            return new UserNamespace(uid);
+        }
+        if (uid != 0) {
+            throw new StoreException(
+                    "PostgreSQL refuses to run as user " + uid + ", which has no name on this machine; "
+                            + "start the server as a user of /etc/passwd or give it a database with DRONEMAP_DATABASE_URL.");
         }
         return account(directory);
     }

@@ -12,9 +12,11 @@ import java.sql.DriverManager;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
+import java.time.Duration;
 import java.util.HashSet;
 import java.util.Random;
 import java.util.Set;
+import org.awaitility.Awaitility;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.Database;
@@ -97,6 +99,22 @@ class OwnPostgresTest {
             }
         }
         return acknowledged;
+    }
+
+    @Test
+    void startsADatabaseAgainThatDiesUnderARunningServer() throws Exception {
+        try (Database database = Database.openOwn(directory)) {
+            database.commands().begin(ChildServer.command("before-the-death"));
+            long first = postmaster().pid();
+            ProcessHandle.of(first).orElseThrow().destroyForcibly();
+            Awaitility.await()
+                    .atMost(Duration.ofSeconds(60))
+                    .ignoreExceptions()
+                    .until(() ->
+                            postmaster().pid() != first && database.health().isUp());
+            assertThat(database.commands().command(new CommandId("before-the-death")))
+                    .isPresent();
+        }
     }
 
     @Test
