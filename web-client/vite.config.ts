@@ -18,6 +18,7 @@ export default defineConfig({
   },
   test: {
     environment: 'happy-dom',
+    css: true,
     include: ['src/**/*.test.ts'],
     restoreMocks: true,
   },

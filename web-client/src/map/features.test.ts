@@ -56,7 +56,7 @@ describe('map features', () => {
   });
 
   it('leads the planned way home when the plan ends with a return', () => {
-    const draft = { ...addWaypoint(emptyDraft(false), { latitude: 47.5, longitude: 8.5 }, 20) };
+    const draft = { ...addWaypoint(emptyDraft(), { latitude: 47.5, longitude: 8.5 }, 20) };
     expect(draftFeatures(draft, aDrone()).features).toHaveLength(1);
     const [way] = draftFeatures({ ...draft, ending: 'returnToLaunch' }, aDrone()).features;
     expect(way?.geometry).toEqual({

@@ -18,7 +18,7 @@ const B = { latitude: 47.2, longitude: 8.2 };
 const C = { latitude: 47.3, longitude: 8.3 };
 
 function draftWith(...places: { latitude: number; longitude: number }[]): Draft {
-  return places.reduce((draft, place) => addWaypoint(draft, place, 20), emptyDraft(false));
+  return places.reduce((draft, place) => addWaypoint(draft, place, 20), emptyDraft());
 }
 
 const latitudes = (draft: Draft): number[] => draft.waypoints.map((waypoint) => waypoint.latitude);
@@ -77,14 +77,14 @@ describe('draft', () => {
   });
 
   it('adds pasted lines and hands back the unreadable ones', () => {
-    const { draft, unreadable } = addPasted(emptyDraft(false), '47.1, 8.1\nnonsense', 30);
+    const { draft, unreadable } = addPasted(emptyDraft(), '47.1, 8.1\nnonsense', 30);
     expect(draft.waypoints).toHaveLength(1);
     expect(draft.waypoints[0]?.altitude).toBe(30);
     expect(unreadable).toEqual(['nonsense']);
   });
 
   it('says what is missing before it can be uploaded', () => {
-    expect(whyNotReady(emptyDraft(false))).toContain('Add a waypoint');
+    expect(whyNotReady(emptyDraft())).toContain('Add a waypoint');
     const without = changeWaypoint(draftWith(A, B), 2, { altitude: null });
     expect(whyNotReady(without)).toBe('Waypoint 2 needs an altitude of 1 to 500 m.');
     expect(whyNotReady({ ...draftWith(A), takeOff: true, takeOffAltitude: 0 })).toContain('take-off');

@@ -14,6 +14,7 @@ export interface DraftWaypoint extends Coordinates {
 
 /** A mission that is planned and not yet true. Immutable: every edit makes a new one, so undo is a list. */
 export interface Draft {
+  /** With a take-off height of its own; else the cloud lets it climb to the first waypoint's height. */
   takeOff: boolean;
   takeOffAltitude: number | null;
   waypoints: readonly DraftWaypoint[];
@@ -24,8 +25,8 @@ export interface Draft {
 export const ALTITUDE_RANGE = { lowest: 1, highest: 500 };
 export const MOST_ITEMS = 500;
 
-export function emptyDraft(takeOff: boolean): Draft {
-  return { takeOff, takeOffAltitude: 20, waypoints: [], ending: 'hold', nextKey: 1 };
+export function emptyDraft(): Draft {
+  return { takeOff: false, takeOffAltitude: 20, waypoints: [], ending: 'hold', nextKey: 1 };
 }
 
 export function addWaypoint(draft: Draft, place: Coordinates, altitude: number | null): Draft {
@@ -92,7 +93,7 @@ export function itemsOf(draft: Draft): MissionItem[] {
 
 /** Opens items in the editor; what the editor cannot express is counted, not silently lost. */
 export function draftOf(items: readonly MissionItem[]): { draft: Draft; leftOut: number } {
-  let draft = emptyDraft(false);
+  let draft = emptyDraft();
   let leftOut = 0;
   items.forEach((item, index) => {
     const last = index === items.length - 1;

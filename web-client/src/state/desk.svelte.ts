@@ -18,9 +18,12 @@ export class Desk {
   helpOpen = $state(false);
   fleetOpen = $state(true);
   sheet = $state<SheetHeight>('half');
+  /** The drone was chosen by keyboard: its panel takes the focus when it appears. */
+  focusPanel = $state(false);
 
-  select(id: string): void {
+  select(id: string, byKeyboard = false): void {
     this.selectedId = id;
+    this.focusPanel = byKeyboard;
     this.flights += 1;
     this.page = 'map';
     this.sheet = 'half';

@@ -27,10 +27,10 @@ export class Planner {
   }
 
   /** Opens the editor; a draft that was left there before is still there. */
-  begin(droneId: string, onGround: boolean): void {
+  begin(droneId: string): void {
     this.droneId = droneId;
     if (this.draft === null) {
-      this.#set(droneId, emptyDraft(onGround));
+      this.#set(droneId, emptyDraft());
     }
   }
 

@@ -5,7 +5,7 @@ const HERE = { latitude: 47, longitude: 8 };
 
 function planning(): Planner {
   const planner = new Planner();
-  planner.begin('d1', false);
+  planner.begin('d1');
   return planner;
 }
 
@@ -31,14 +31,13 @@ describe('planner', () => {
   it('keeps a draft for each drone and undoes only in the open one', () => {
     const planner = planning();
     planner.addAt(HERE);
-    planner.begin('d2', true);
+    planner.begin('d2');
     expect(planner.canUndo).toBe(false);
     planner.addAt(HERE);
-    planner.begin('d1', false);
+    planner.begin('d1');
     planner.undo();
     expect(planner.draft?.waypoints).toHaveLength(0);
     expect(planner.draftFor('d2')?.waypoints).toHaveLength(1);
-    expect(planner.draftFor('d2')?.takeOff).toBe(true);
   });
 
   it('lets the plan go when it has become true', () => {

@@ -81,12 +81,9 @@ export class Station {
     this.#stream.retryNow();
   }
 
-  /** Why nobody here can command this drone at all, or null; the cloud's own reasons come with each action. */
+  /** Why this page can command nothing now, or null; the cloud's own reasons come with each action. */
   whyNoCommand(): string | null {
-    if (this.connection.state !== 'up') {
-      return 'No connection to the cloud.';
-    }
-    return this.session?.role === 'viewer' ? 'Viewers watch only. Ask an operator.' : null;
+    return this.connection.state === 'up' ? null : 'No connection to the cloud.';
   }
 
   async #enter(session: Session): Promise<void> {

@@ -1,7 +1,13 @@
 import type { Station } from '../state/station.svelte';
 
+/** Ways to put the focus into the fleet list. */
+export interface FleetFocus {
+  search(): void;
+  row(): void;
+}
+
 /** Answers true when the key meant something to the page. Keys typed into a field are the field's, but for Esc. */
-export function handleKey(event: KeyboardEvent, station: Station, focusSearch: () => void): boolean {
+export function handleKey(event: KeyboardEvent, station: Station, fleet: FleetFocus): boolean {
   if (event.key === 'Escape') {
     return stepBack(station);
   }
@@ -13,9 +19,17 @@ export function handleKey(event: KeyboardEvent, station: Station, focusSearch: (
     return true;
   }
   if (event.key === '/') {
-    focusSearch();
+    fleet.search();
     return true;
   }
+  if ((event.key === 'ArrowDown' || event.key === 'ArrowUp') && event.target === document.body) {
+    fleet.row();
+    return true;
+  }
+  return undoes(event, station);
+}
+
+function undoes(event: KeyboardEvent, station: Station): boolean {
   if (
     event.key.toLowerCase() === 'z' &&
     (event.ctrlKey || event.metaKey) &&
