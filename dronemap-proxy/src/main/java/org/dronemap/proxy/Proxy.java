@@ -8,6 +8,7 @@ import org.dronemap.core.cloud.Lanes;
 import org.dronemap.proxy.endpoint.Endpoint;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.record.Replays;
 import org.dronemap.proxy.session.SessionTable;
 import org.dronemap.proxy.session.Surroundings;
 
@@ -15,6 +16,7 @@ import org.dronemap.proxy.session.Surroundings;
 public final class Proxy implements AutoCloseable {
     private final List<EndpointUrl> urls;
     private final SessionTable sessions;
+    private final Replays replays;
     private final List<Endpoint> open = new ArrayList<>();
 
     /** One endpoint with its counts. */
@@ -23,6 +25,7 @@ public final class Proxy implements AutoCloseable {
     public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls) {
         this.urls = List.copyOf(urls);
         sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime));
+        replays = new Replays(sessions);
     }
 
     /**
@@ -48,6 +51,11 @@ public final class Proxy implements AutoCloseable {
                 .toList();
     }
 
+    /** Recordings that play or have played. */
+    public Replays replays() {
+        return replays;
+    }
+
     /** Vehicles on links now. */
     public int sessionCount() {
         return sessions.openCount();
@@ -55,6 +63,7 @@ public final class Proxy implements AutoCloseable {
 
     @Override
     public synchronized void close() {
+        replays.close();
         open.forEach(Endpoint::close);
         open.clear();
     }

@@ -55,8 +55,9 @@ final class PeerSessions implements PeerHandler {
         }
     }
 
+    /** The sessions run out by themselves: what is under way ends in its own time. */
     @Override
     public void closed() {
-        sessions.values().forEach(VehicleSession::close);
+        sessions.clear();
     }
 }

@@ -33,6 +33,11 @@ public final class SessionTable implements PeerHandler.Factory {
         return new PeerSessions(this, peer, counters);
     }
 
+    /** A way in for recorded frames; {@code number} tells recordings apart. */
+    public ReplayFeed replay(int number) {
+        return new ReplayFeed(this, number);
+    }
+
     /** Sessions that are open now. */
     public int openCount() {
         return open.get();

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.cloud.Lane;
@@ -11,6 +12,7 @@ import org.dronemap.core.cloud.LinkSession;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
@@ -30,7 +32,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * One vehicle on one link. Begins on the registry lane, asks who it is, binds to a drone and moves to the drone's lane;
- * everything but {@link #offer} and {@link #close} belongs to the lane where it is.
+ * everything but {@link #offer} and {@link #vanish} belongs to the lane where it is.
  */
 final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleSession.class);
@@ -72,6 +74,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private int identityAsks;
     private long notBindBeforeNanos;
     private volatile boolean ended;
+    private volatile boolean vanished;
 
     /** {@code first} made the session; {@code onEnd} hears once that it is over. */
     VehicleSession(Surroundings surroundings, LinkLabel label, Downlink downlink, Frame first, Runnable onEnd) {
@@ -192,7 +195,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     private void bindWhenKnown(long now) {
         boolean known = label.replay() || status.version() != null || now - bornNanos >= IDENTITY_PATIENCE_NANOS;
-        if (!known || now - notBindBeforeNanos < 0 || now - lastHeardNanos > TALKATIVE_NANOS) {
+        if (!known || vanished || now - notBindBeforeNanos < 0 || now - lastHeardNanos > TALKATIVE_NANOS) {
             return;
         }
         notBindBeforeNanos = now + SECOND_NANOS;
@@ -225,6 +228,11 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private void arrive(DroneLink bound) {
         moving = false;
         link = bound;
+        if (vanished) {
+            bound.disconnect();
+            end();
+            return;
+        }
         lane.addTicker(this);
         telemetry.identified();
         facts.values().forEach(bound::accept);
@@ -257,10 +265,17 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         }
     }
 
-    /** The link is gone: nothing comes any more, what is under way runs out by itself. Any thread. */
-    void close() {
+    /** The drone that it speaks for, once bound. Any thread. */
+    Optional<DroneId> drone() {
         DroneLink bound = link;
-        if (label.replay() && bound != null) {
+        return bound == null ? Optional.empty() : Optional.of(bound.id());
+    }
+
+    /** A recording is taken away, and its drone with it. Any thread. */
+    void vanish() {
+        vanished = true;
+        DroneLink bound = link;
+        if (bound != null) {
             bound.disconnect();
         }
     }

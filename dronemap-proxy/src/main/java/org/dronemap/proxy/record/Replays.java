@@ -1,0 +1,123 @@
+package org.dronemap.proxy.record;
+
+import java.io.InputStream;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.proxy.session.SessionTable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** All recordings that play, on one thread together, and those that have played. Any thread. */
+public final class Replays implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Replays.class);
+    private static final int MOST_AT_ONCE = 8;
+    private static final int MOST_KEPT = 100;
+    private static final long STEP_MILLIS = 20;
+    private static final double SLOWEST = 0.1;
+    private static final double FASTEST = 100;
+
+    private final SessionTable sessions;
+    private final Map<String, Replay> all = new LinkedHashMap<>();
+    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread created = new Thread(task, "replays");
+        created.setDaemon(true);
+        return created;
+    });
+    private final ScheduledFuture<?> steps;
+    private int numbers;
+
+    /** What is to be played; {@code in} is closed at its end, {@code lengthBytes} 0 when not known. */
+    public record Recording(String name, InputStream in, long lengthBytes, double speed) {
+        public Recording {
+            if (!(speed >= SLOWEST && speed <= FASTEST)) {
+                throw new IllegalArgumentException(
+                        String.format(Locale.ROOT, "speed must be 0.1 to 100 times: %s", speed));
+            }
+        }
+    }
+
+    public Replays(SessionTable sessions) {
+        this.sessions = sessions;
+        steps = thread.scheduleWithFixedDelay(this::step, STEP_MILLIS, STEP_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    /**
+     * Begins to play.
+     *
+     * @throws IllegalStateException with a sentence when too many play already
+     */
+    public synchronized Replay start(Recording recording) {
+        if (all.values().stream().filter(Replay::isRunning).count() >= MOST_AT_ONCE) {
+            throw new IllegalStateException(
+                    MOST_AT_ONCE + " recordings play already; wait for one to end, or cancel one.");
+        }
+        numbers++;
+        Replay replay = new Replay("r" + numbers, sessions.replay(numbers), recording);
+        all.put(replay.id(), replay);
+        all.values().stream()
+                .filter(old -> !old.isRunning())
+                .findFirst()
+                .filter(oldest -> all.size() > MOST_KEPT)
+                .ifPresent(oldest -> all.remove(oldest.id()));
+        return replay;
+    }
+
+    /** Oldest first. */
+    public synchronized List<Replay> all() {
+        return List.copyOf(all.values());
+    }
+
+    public synchronized Optional<Replay> find(String id) {
+        return Optional.ofNullable(all.get(id));
+    }
+
+    /** Cancels one that plays, forgets one that has played; its drones go. False when there is none. */
+    public boolean remove(String id) {
+        Replay found;
+        synchronized (this) {
+            found = all.get(id);
+            if (found == null) {
+                return false;
+            }
+            found.cancel();
+            if (!found.isRunning()) {
+                all.remove(id);
+            }
+        }
+        return true;
+    }
+
+    private void step() {
+        for (Replay replay : all()) {
+            if (replay.isRunning()) {
+                try {
+                    replay.step(System.nanoTime());
+                } catch (RuntimeException e) {
+                    LOG.error("The recording {} stopped", replay.status().name(), e);
+                    replay.cancel();
+                }
+            }
+        }
+    }
+
+    @Override
+    public void close() {
+        all().forEach(Replay::cancel);
+        steps.cancel(false);
+        thread.shutdown();
+        try {
+            if (!thread.awaitTermination(1, TimeUnit.SECONDS)) {
+                LOG.warn("A recording did not stop in time");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

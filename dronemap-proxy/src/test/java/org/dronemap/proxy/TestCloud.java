@@ -1,0 +1,201 @@
+package org.dronemap.proxy;
+
+import java.io.IOException;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.CommandGate;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneRecord;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.drone.KnownMission;
+import org.dronemap.proxy.endpoint.EndpointUrl;
+
+/** A whole cloud in memory behind a proxy with one UDP and one TCP port, for tests with real sockets. */
+public final class TestCloud implements AutoCloseable {
+    private static final CommandGate.Source PILOT =
+            new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "rest");
+
+    private final Lanes lanes = new Lanes(2);
+    private final Journal journal = new Journal();
+    private final Commands commands = new Commands();
+    private final CloudManager cloud = new CloudManager(
+            lanes,
+            Watchdog.DEFAULT,
+            Clock.systemUTC(),
+            new CloudManager.Keeping(new Drones(), commands, journal),
+            () -> new DroneId(UUID.randomUUID().toString()));
+    private final Proxy proxy;
+
+    public TestCloud(int udpPort) {
+        proxy = new Proxy(
+                cloud,
+                lanes,
+                List.of(
+                        EndpointUrl.parse("udpserver://127.0.0.1:" + udpPort),
+                        EndpointUrl.parse("tcpserver://127.0.0.1:0")));
+        try {
+            proxy.start();
+        } catch (IOException e) {
+            close();
+            throw new IllegalStateException(e);
+        }
+    }
+
+    public Proxy proxy() {
+        return proxy;
+    }
+
+    public CloudManager cloud() {
+        return cloud;
+    }
+
+    public int udpPort() {
+        return proxy.endpoints().get(0).url().port();
+    }
+
+    public int tcpPort() {
+        return proxy.endpoints().get(1).url().port();
+    }
+
+    /** The only drone, once it is there and looks as wanted. */
+    public DroneState awaitDrone(Predicate<DroneState> wanted) {
+        return await(
+                Duration.ofSeconds(20),
+                () -> cloud.drones().stream().filter(wanted).findFirst(),
+                () -> "no drone as wanted among " + cloud.drones());
+    }
+
+    public static <T> T await(Duration patience, Supplier<Optional<T>> wanted, Supplier<String> otherwise) {
+        Instant deadline = Instant.now().plus(patience);
+        while (Instant.now().isBefore(deadline)) {
+            Optional<T> found = wanted.get();
+            if (found.isPresent()) {
+                return found.get();
+            }
+            pause();
+        }
+        throw new AssertionError(otherwise.get());
+    }
+
+    public static void await(Duration patience, BooleanSupplier wanted, Supplier<String> otherwise) {
+        await(patience, () -> wanted.getAsBoolean() ? Optional.of(true) : Optional.empty(), otherwise);
+    }
+
+    private static void pause() {
+        try {
+            TimeUnit.MILLISECONDS.sleep(10);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError(e);
+        }
+    }
+
+    /** Gives a command and waits for its outcome. */
+    public Outcome command(DroneId drone, Command command) {
+        CommandId id = new CommandId(UUID.randomUUID().toString());
+        cloud.gate().submit(PILOT, drone, id, command);
+        try {
+            Outcome outcome = cloud.gate().end(id).get(60, TimeUnit.SECONDS).outcome();
+            if (outcome == null) {
+                throw new AssertionError("ended without an outcome");
+            }
+            return outcome;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError(e);
+        } catch (java.util.concurrent.ExecutionException | TimeoutException e) {
+            throw new AssertionError(command.summary(), e);
+        }
+    }
+
+    @Override
+    public void close() {
+        proxy.close();
+        lanes.close();
+        journal.close();
+    }
+
+    private static final class Drones implements DroneStore {
+        private final ConcurrentHashMap<DroneId, DroneRecord> records = new ConcurrentHashMap<>();
+        private final ConcurrentHashMap<DroneId, KnownMission> missions = new ConcurrentHashMap<>();
+
+        @Override
+        public List<DroneRecord> drones() {
+            return List.copyOf(records.values());
+        }
+
+        @Override
+        public void save(DroneRecord drone) {
+            records.put(drone.id(), drone);
+        }
+
+        @Override
+        public void delete(DroneId id) {
+            records.remove(id);
+        }
+
+        @Override
+        public Optional<KnownMission> knownMission(DroneId id) {
+            return Optional.ofNullable(missions.get(id));
+        }
+
+        @Override
+        public void saveKnownMission(DroneId id, KnownMission mission) {
+            missions.put(id, mission);
+        }
+    }
+
+    private static final class Commands implements CommandStore {
+        private final ConcurrentHashMap<CommandId, CommandRecord> records = new ConcurrentHashMap<>();
+
+        @Override
+        public boolean begin(CommandRecord command) {
+            return records.putIfAbsent(command.id(), command) == null;
+        }
+
+        @Override
+        public void finish(CommandRecord command) {
+            records.put(command.id(), command);
+        }
+
+        @Override
+        public Optional<CommandRecord> command(CommandId id) {
+            return Optional.ofNullable(records.get(id));
+        }
+
+        @Override
+        public List<CommandRecord> commandsOf(DroneId drone, int limit) {
+            return records.values().stream()
+                    .filter(record -> record.drone().equals(drone))
+                    .limit(limit)
+                    .toList();
+        }
+
+        @Override
+        public int endUnfinished(Outcome outcome, Instant at) {
+            return 0;
+        }
+    }
+}
