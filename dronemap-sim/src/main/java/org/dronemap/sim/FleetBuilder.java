@@ -1,0 +1,74 @@
+package org.dronemap.sim;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.Navigation;
+import org.dronemap.sim.link.Fleet;
+import org.dronemap.sim.personality.AutopilotKind;
+import org.dronemap.sim.personality.SimulatedVehicle;
+import org.dronemap.sim.personality.VehicleSettings;
+import org.dronemap.sim.personality.arducopter.ArduCopter;
+import org.dronemap.sim.personality.px4.Px4;
+import org.dronemap.sim.physics.Battery;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.Wind;
+
+/** Puts a fleet on the field: a square grid of ten metres, north-east of home. */
+final class FleetBuilder {
+    private static final double SPACING_METERS = 10;
+    private static final double BATTERY_MILLIAMP_HOURS = 5200;
+    private static final int SYSTEM_IDS = 254;
+
+    static final AutopilotKind ARDUCOPTER =
+            new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", ArduCopter::new);
+    static final AutopilotKind PX4 = new AutopilotKind("px4", "", Px4::new);
+
+    private final Options options;
+    private final long epochMicros;
+
+    FleetBuilder(Options options, long epochMicros) {
+        this.options = options;
+        this.epochMicros = epochMicros;
+    }
+
+    Fleet build() {
+        Fleet fleet = new Fleet(options.server(), options.speedup());
+        for (int i = 0; i < options.count(); i++) {
+            int index = i;
+            fleet.add(link -> vehicle(index, link));
+        }
+        return fleet;
+    }
+
+    SimulatedVehicle vehicle(int index, Consumer<byte[]> link) {
+        int side = (int) Math.ceil(Math.sqrt(options.count()));
+        int row = index / side;
+        int column = index % side;
+        LocalFrame place = options.home().shifted(new Position(row * SPACING_METERS, column * SPACING_METERS, 0));
+        long seed = options.seed() * 1_000_003 + index;
+        double towards = (options.seed() & 7) * Math.PI / 4;
+        Craft craft = new Craft(
+                place,
+                new Battery(BATTERY_MILLIAMP_HOURS),
+                new Wind(options.windSpeed(), towards, seed),
+                new Navigation((long) (options.readyAfterSeconds() * 1000)));
+        int systemId = (options.firstSystemId() - 1 + index) % SYSTEM_IDS + 1;
+        VehicleSettings settings = new VehicleSettings(
+                systemId,
+                options.mavlink1() ? 1 : 2,
+                options.rateHertz(),
+                options.stickLow() ? 1000 : 1500,
+                epochMicros);
+        return new SimulatedVehicle(settings, kind(index), craft, link);
+    }
+
+    private AutopilotKind kind(int index) {
+        return switch (options.personality().toLowerCase(Locale.ROOT)) {
+            case "px4" -> PX4;
+            case "mixed" -> index % 2 == 0 ? ARDUCOPTER : PX4;
+            default -> ARDUCOPTER;
+        };
+    }
+}

@@ -1,0 +1,136 @@
+package org.dronemap.sim.control;
+
+import java.util.List;
+import java.util.Locale;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.personality.SimulatedVehicle;
+
+/** Understands a line of the control port and carries it out; each answer begins with "ok" or "err". On the fleet's thread. */
+final class ControlCommands {
+    static final String HELP = """
+            list                                  all vehicles
+            fault <sysid|all> silent <seconds>s   stops talking and listening for a while
+            fault <sysid|all> gps off|on          loses or regains GPS
+            fault <sysid|all> battery <percent>   sets what the battery has left
+            fault <sysid|all> crash               falls out of the sky and stays broken
+            fault <sysid|all> motor-failure       one motor stops: falls and stays armed
+            fault <sysid|all> reboot              restarts with a new port
+            fault <sysid|all> gcs-ignore on|off   hears nothing from the ground, goes on talking
+            fault <sysid|all> stick low|mid       throttle stick of the remote control
+            fault <sysid|all> repair              takes crash and motor failure back
+            ok end of help""";
+
+    private ControlCommands() {}
+
+    static String run(String line, List<SimulatedVehicle> vehicles) {
+        String[] words = line.trim().toLowerCase(Locale.ROOT).split("\\s+");
+        return switch (words[0]) {
+            case "help" -> HELP;
+            case "list" -> list(vehicles);
+            case "fault" -> fault(words, vehicles);
+            default -> "err unknown word '" + words[0] + "': say help";
+        };
+    }
+
+    private static String list(List<SimulatedVehicle> vehicles) {
+        StringBuilder text = new StringBuilder();
+        for (SimulatedVehicle vehicle : vehicles) {
+            Craft craft = vehicle.craft();
+            text.append(String.format(
+                    Locale.ROOT,
+                    "%d %s %s %s %.1f m %.1f m/s battery %.0f %%%n",
+                    vehicle.systemId(),
+                    vehicle.kindName(),
+                    craft.armed() ? "armed" : "disarmed",
+                    craft.landed() ? "landed" : "flying",
+                    craft.aboveHome(),
+                    craft.body().groundSpeed(),
+                    craft.battery().remainingPercent()));
+        }
+        return text + "ok " + vehicles.size() + " vehicles";
+    }
+
+    private static String fault(String[] words, List<SimulatedVehicle> vehicles) {
+        if (words.length < 3) {
+            return "err say fault <sysid|all> <what>, or help";
+        }
+        List<SimulatedVehicle> chosen = vehicles.stream()
+                .filter(v -> words[1].equals("all") || words[1].equals(Integer.toString(v.systemId())))
+                .toList();
+        if (chosen.isEmpty()) {
+            return "err no vehicle has system id " + words[1] + ": say list";
+        }
+        String value = words.length > 3 ? words[3] : "";
+        for (SimulatedVehicle vehicle : chosen) {
+            String wrong = apply(vehicle, words[2], value);
+            if (!wrong.isEmpty()) {
+                return "err " + wrong;
+            }
+        }
+        return "ok " + words[2] + (value.isEmpty() ? "" : " " + value) + " for " + chosen.size()
+                + (chosen.size() == 1 ? " vehicle" : " vehicles");
+    }
+
+    /** Empty when done, else what is wrong. */
+    private static String apply(SimulatedVehicle vehicle, String what, String value) {
+        return switch (what) {
+            case "silent" -> silence(vehicle, value);
+            case "gps" -> onOff(what, value, on -> vehicle.craft().navigation().setReceiving(on));
+            case "battery" -> battery(vehicle, value);
+            case "crash" -> done(vehicle.craft()::crash);
+            case "motor-failure" -> done(vehicle.craft()::failMotor);
+            case "repair" -> done(vehicle.craft()::repair);
+            case "reboot" -> done(vehicle::reboot);
+            case "gcs-ignore" -> onOff(what, value.isEmpty() ? "on" : value, vehicle::setDeaf);
+            case "stick" -> stick(vehicle, value);
+            default -> "unknown fault '" + what + "': say help";
+        };
+    }
+
+    private static String done(Runnable action) {
+        action.run();
+        return "";
+    }
+
+    private static String onOff(String what, String value, java.util.function.Consumer<Boolean> action) {
+        if (!value.equals("on") && !value.equals("off")) {
+            return what + " wants on or off, not '" + value + "'";
+        }
+        action.accept(value.equals("on"));
+        return "";
+    }
+
+    private static String silence(SimulatedVehicle vehicle, String value) {
+        double seconds = number(value.endsWith("s") ? value.substring(0, value.length() - 1) : value);
+        if (!(seconds > 0 && seconds <= 86_400)) {
+            return "silent wants seconds within 0 and 86400, such as 10s, not '" + value + "'";
+        }
+        vehicle.silence((long) (seconds * 1000));
+        return "";
+    }
+
+    private static String battery(SimulatedVehicle vehicle, String value) {
+        double percent = number(value);
+        if (!(percent >= 0 && percent <= 100)) {
+            return "battery wants a percentage within 0 and 100, not '" + value + "'";
+        }
+        vehicle.craft().battery().setRemainingPercent(percent);
+        return "";
+    }
+
+    private static String stick(SimulatedVehicle vehicle, String value) {
+        if (!value.equals("low") && !value.equals("mid")) {
+            return "stick wants low or mid, not '" + value + "'";
+        }
+        vehicle.autopilot().stick(value.equals("low") ? 1000 : 1500);
+        return "";
+    }
+
+    private static double number(String text) {
+        try {
+            return Double.parseDouble(text);
+        } catch (NumberFormatException e) {
+            return Double.NaN;
+        }
+    }
+}

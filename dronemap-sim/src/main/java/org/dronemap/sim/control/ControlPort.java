@@ -1,0 +1,71 @@
+package org.dronemap.sim.control;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.CompletionException;
+import org.dronemap.sim.link.Fleet;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Listens on loopback, one client after the other: a line in, an answer out. One daemon thread of its own. */
+public final class ControlPort implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(ControlPort.class);
+    private static final int IDLE_MILLIS = 600_000;
+
+    private final Fleet fleet;
+    private final ServerSocket listener;
+
+    /** Listens at {@code port}; 0 takes any free one. */
+    public ControlPort(Fleet fleet, int port) throws IOException {
+        this.fleet = fleet;
+        this.listener = new ServerSocket(port, 8, InetAddress.getLoopbackAddress());
+        Thread thread = new Thread(this::serve, "control");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    public int port() {
+        return listener.getLocalPort();
+    }
+
+    private void serve() {
+        while (!listener.isClosed()) {
+            try (Socket client = listener.accept()) {
+                client.setSoTimeout(IDLE_MILLIS);
+                converse(client);
+            } catch (IOException e) {
+                if (!listener.isClosed()) {
+                    LOG.info("A control client has gone: {}", e.getMessage());
+                }
+            }
+        }
+    }
+
+    private void converse(Socket client) throws IOException {
+        BufferedReader in = new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.UTF_8));
+        PrintWriter out = new PrintWriter(client.getOutputStream(), true, StandardCharsets.UTF_8);
+        for (String line = in.readLine(); line != null; line = in.readLine()) {
+            out.println(answer(line));
+        }
+    }
+
+    private String answer(String line) {
+        try {
+            return fleet.ask(vehicles -> ControlCommands.run(line, vehicles)).join();
+        } catch (CompletionException e) {
+            LOG.warn("Control line '{}' failed", line, e);
+            return "err " + e.getCause();
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        listener.close();
+    }
+}

@@ -1,0 +1,16 @@
+package org.dronemap.sim.flight;
+
+/** What a vehicle says or passes on its way. */
+public sealed interface FlightEvent {
+    /** A sentence for the operator. */
+    record Text(Severity severity, String text) implements FlightEvent {}
+
+    /** A mission item has begun. */
+    record ItemStarted(int index, String type) implements FlightEvent {}
+
+    /** A mission item is done. */
+    record ItemReached(int index) implements FlightEvent {}
+
+    /** No item is left. */
+    record MissionEnded() implements FlightEvent {}
+}

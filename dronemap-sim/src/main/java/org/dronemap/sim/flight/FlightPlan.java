@@ -1,0 +1,45 @@
+package org.dronemap.sim.flight;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The mission stored in a vehicle; can be overwritten item by item or as a whole. Owned by its vehicle. */
+public final class FlightPlan {
+    private final List<MissionItem> items = new ArrayList<>();
+
+    public int size() {
+        return items.size();
+    }
+
+    public MissionItem item(int index) {
+        return items.get(index);
+    }
+
+    public List<MissionItem> items() {
+        return List.copyOf(items);
+    }
+
+    public void truncate(int count) {
+        if (count < items.size()) {
+            items.subList(count, items.size()).clear();
+        }
+    }
+
+    /** Replaces an item, or appends the next one. */
+    public void put(int index, MissionItem item) {
+        if (index < items.size()) {
+            items.set(index, item);
+        } else {
+            items.add(item);
+        }
+    }
+
+    public void replaceAll(List<MissionItem> newItems) {
+        items.clear();
+        items.addAll(newItems);
+    }
+
+    public void clear() {
+        items.clear();
+    }
+}

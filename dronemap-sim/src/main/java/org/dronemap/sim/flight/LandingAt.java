@@ -1,0 +1,37 @@
+package org.dronemap.sim.flight;
+
+import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.Setpoint;
+import org.jspecify.annotations.Nullable;
+
+/** Flies level to a place and comes down there. */
+public final class LandingAt implements Manoeuvre {
+    private static final double NEAR_METERS = 0.5;
+
+    private final Position place;
+    private final Cruise cruise;
+    private @Nullable Landing landing;
+    private double up = Double.NaN;
+
+    public LandingAt(Position place, Cruise cruise) {
+        this.place = place;
+        this.cruise = cruise;
+    }
+
+    @Override
+    public Setpoint fly(Craft craft, long nowMillis) {
+        Position here = craft.body().position();
+        if (Double.isNaN(up)) {
+            up = here.up();
+        }
+        if (landing == null && here.horizontalDistanceTo(place) < NEAR_METERS) {
+            landing = new Landing(craft, cruise);
+        }
+        return landing == null ? cruise.to(place.withUp(up), Double.NaN) : landing.fly(craft, nowMillis);
+    }
+
+    @Override
+    public boolean done() {
+        return landing != null && landing.done();
+    }
+}

@@ -1,0 +1,140 @@
+package org.dronemap.sim.flight;
+
+import java.util.function.Consumer;
+import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.Setpoint;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Flies a plan item by item. The plan may change under it: the item that is being flown stays as it was begun, the next ones
+ * are read when their turn comes. Owned by its vehicle.
+ */
+public final class MissionFlight implements Manoeuvre {
+    private final FlightPlan plan;
+    private final Cruise cruise;
+    private final double returnHeight;
+    private final Consumer<FlightEvent> events;
+    private int index;
+    private boolean ended;
+    private double yaw = Double.NaN;
+    private long arrivedAt = -1;
+    private @Nullable MissionItem item;
+    private @Nullable Manoeuvre leg;
+
+    public MissionFlight(
+            FlightPlan plan, Cruise cruise, double returnHeight, int firstIndex, Consumer<FlightEvent> events) {
+        this.plan = plan;
+        this.cruise = cruise;
+        this.returnHeight = returnHeight;
+        this.index = firstIndex;
+        this.events = events;
+    }
+
+    @Override
+    public Setpoint fly(Craft craft, long nowMillis) {
+        if (item == null && !ended) {
+            begin(craft);
+        }
+        if (item != null && leg != null) {
+            Setpoint setpoint = leg.fly(craft, nowMillis);
+            if (isComplete(item, leg, nowMillis)) {
+                finish(craft);
+            }
+            return setpoint;
+        }
+        return leg == null ? new Setpoint.Still() : leg.fly(craft, nowMillis);
+    }
+
+    private void begin(Craft craft) {
+        while (index < plan.size() && !plan.item(index).isNavigation()) {
+            MissionItem order = plan.item(index);
+            events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
+            obey(order, craft);
+            events.accept(new FlightEvent.ItemReached(index));
+            index++;
+        }
+        if (index >= plan.size()) {
+            ended = true;
+            leg = craft.landed() ? new Grounded() : new Hover(craft, cruise);
+            events.accept(new FlightEvent.MissionEnded());
+            return;
+        }
+        MissionItem next = plan.item(index);
+        item = next;
+        leg = legFor(next, craft);
+        arrivedAt = -1;
+        events.accept(new FlightEvent.ItemStarted(index, next.typeName()));
+    }
+
+    private void obey(MissionItem order, Craft craft) {
+        if (order.command() == MissionItem.CHANGE_SPEED && order.param2() > 0) {
+            cruise.setHorizontal(order.param2());
+        } else if (order.command() == MissionItem.CONDITION_YAW) {
+            double relative = order.param4() != 0 ? craft.body().yaw() : 0;
+            yaw = relative + Math.toRadians(order.param1());
+        }
+    }
+
+    private Manoeuvre legFor(MissionItem next, Craft craft) {
+        Position target = craft.targetOf(next);
+        return switch (next.command()) {
+            case MissionItem.TAKEOFF -> new TakeOff(craft, target.up(), cruise);
+            case MissionItem.RETURN_TO_LAUNCH -> new ReturnHome(craft, cruise, returnHeight, 5_000);
+            case MissionItem.LAND ->
+                new LandingAt(next.hasPlace() ? target : craft.body().position(), cruise);
+            case MissionItem.DELAY -> new Hover(craft, cruise);
+            default -> new GoTo(target, cruise, yaw);
+        };
+    }
+
+    private boolean isComplete(MissionItem flown, Manoeuvre flying, long nowMillis) {
+        if (flown.command() == MissionItem.LOITER_UNLIMITED) {
+            return false;
+        }
+        boolean there = flown.command() == MissionItem.DELAY || flying.done();
+        if (there && arrivedAt < 0) {
+            arrivedAt = nowMillis;
+        }
+        return arrivedAt >= 0 && nowMillis - arrivedAt >= holdMillis(flown);
+    }
+
+    private static long holdMillis(MissionItem flown) {
+        return switch (flown.command()) {
+            case MissionItem.WAYPOINT, MissionItem.LOITER_TIME, MissionItem.DELAY ->
+                (long) (Math.max(0, flown.param1()) * 1000);
+            default -> 0;
+        };
+    }
+
+    private void finish(Craft craft) {
+        events.accept(new FlightEvent.ItemReached(index));
+        index++;
+        item = null;
+        begin(craft);
+    }
+
+    /** Goes on with another item at once. */
+    public void jumpTo(int newIndex) {
+        index = newIndex;
+        item = null;
+        ended = false;
+    }
+
+    public int index() {
+        return index;
+    }
+
+    public boolean ended() {
+        return ended;
+    }
+
+    /** True while the present item ends on the ground. */
+    public boolean landing() {
+        return leg instanceof LandingAt || (leg instanceof ReturnHome home && home.landing());
+    }
+
+    @Override
+    public boolean done() {
+        return ended;
+    }
+}

@@ -1,0 +1,55 @@
+package org.dronemap.sim.flight;
+
+/** GPS receiver and position estimate: milliseconds of the vehicle's clock. Owned by its vehicle. */
+public final class Navigation {
+    /** How long the estimate is trusted without GPS, as seen on a real autopilot. */
+    public static final long LOSS_MILLIS = 8_000;
+
+    private static final long REGAIN_MILLIS = 1_200;
+    private static final double FIX_SHARE = 0.3;
+
+    private final long readyAfterMillis;
+    private boolean receiving = true;
+    private long lostSince;
+    private long regainedSince;
+    private boolean estimate;
+    private long startedAt;
+    private long now;
+
+    public Navigation(long readyAfterMillis) {
+        this.readyAfterMillis = readyAfterMillis;
+    }
+
+    public void step(long nowMillis) {
+        now = nowMillis;
+        if (!receiving) {
+            estimate = estimate && nowMillis - lostSince < LOSS_MILLIS;
+        } else if (!estimate && nowMillis - startedAt >= readyAfterMillis) {
+            estimate = regainedSince == 0 || nowMillis - regainedSince >= REGAIN_MILLIS;
+        }
+    }
+
+    /** Power comes back: everything has to be found again. */
+    public void restart() {
+        startedAt = now;
+        estimate = false;
+        regainedSince = 0;
+    }
+
+    public void setReceiving(boolean on) {
+        if (on && !receiving) {
+            regainedSince = now;
+        } else if (!on && receiving) {
+            lostSince = now;
+        }
+        receiving = on;
+    }
+
+    public boolean hasFix() {
+        return receiving && now - startedAt >= readyAfterMillis * FIX_SHARE;
+    }
+
+    public boolean hasEstimate() {
+        return estimate;
+    }
+}

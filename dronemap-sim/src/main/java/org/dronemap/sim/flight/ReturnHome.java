@@ -1,0 +1,62 @@
+package org.dronemap.sim.flight;
+
+import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.Setpoint;
+import org.jspecify.annotations.Nullable;
+
+/** Climbs to the return height, flies home, waits there a while and lands. */
+public final class ReturnHome implements Manoeuvre {
+    private static final double NEAR_METERS = 1.0;
+
+    private final Cruise cruise;
+    private final Position start;
+    private final Position above;
+    private final long waitMillis;
+    private boolean climbed;
+    private long waitingSince = -1;
+    private @Nullable Landing landing;
+
+    /** {@code returnHeight} in metres above home; one who is higher stays as high. */
+    public ReturnHome(Craft craft, Cruise cruise, double returnHeight, long waitMillis) {
+        Position homePosition = craft.homePosition();
+        double up = Math.max(craft.body().up(), homePosition.up() + returnHeight);
+        this.cruise = cruise;
+        this.start = craft.body().stoppingPoint().withUp(up);
+        this.above = homePosition.withUp(up);
+        this.waitMillis = waitMillis;
+    }
+
+    @Override
+    public Setpoint fly(Craft craft, long nowMillis) {
+        if (landing != null) {
+            return landing.fly(craft, nowMillis);
+        }
+        Position here = craft.body().position();
+        if (craft.landed()) {
+            landing = new Landing(craft, cruise);
+            return landing.fly(craft, nowMillis);
+        }
+        climbed = climbed || here.up() >= above.up() - NEAR_METERS;
+        if (!climbed) {
+            return cruise.to(start, Double.NaN);
+        }
+        if (here.distanceTo(above) < NEAR_METERS && waitingSince < 0) {
+            waitingSince = nowMillis;
+        }
+        if (waitingSince >= 0 && nowMillis - waitingSince >= waitMillis) {
+            landing = new Landing(craft, cruise);
+        }
+        double yaw = here.horizontalDistanceTo(above) > 3 ? here.bearingTo(above) : Double.NaN;
+        return cruise.to(above, yaw);
+    }
+
+    @Override
+    public boolean done() {
+        return landing != null && landing.done();
+    }
+
+    /** True while it is on its last way down. */
+    public boolean landing() {
+        return landing != null;
+    }
+}

@@ -1,0 +1,37 @@
+package org.dronemap.sim.flight;
+
+import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.Setpoint;
+
+/** Spools the motors up and climbs straight to a height in metres of the vehicle's frame. */
+public final class TakeOff implements Manoeuvre {
+    private static final long SPOOL_MILLIS = 1_500;
+    private static final double REACHED_METERS = 0.3;
+
+    private final Position target;
+    private final Cruise cruise;
+    private long begun = -1;
+    private boolean done;
+
+    public TakeOff(Craft craft, double up, Cruise cruise) {
+        this.target = craft.body().position().withUp(up);
+        this.cruise = cruise;
+    }
+
+    @Override
+    public Setpoint fly(Craft craft, long nowMillis) {
+        if (begun < 0) {
+            begun = nowMillis;
+        }
+        if (craft.body().onGround() && nowMillis - begun < SPOOL_MILLIS) {
+            return new Setpoint.Still();
+        }
+        done = done || craft.body().up() >= target.up() - REACHED_METERS;
+        return cruise.to(target, Double.NaN);
+    }
+
+    @Override
+    public boolean done() {
+        return done;
+    }
+}

@@ -1,0 +1,5 @@
+/** What a vehicle does in flight, whatever its autopilot: body and sensors together, manoeuvres, missions; the clock is passed in. */
+@NullMarked
+package org.dronemap.sim.flight;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,60 @@
+package org.dronemap.sim.link;
+
+import java.nio.ByteBuffer;
+import java.util.function.Consumer;
+import org.dronemap.mavlink.FrameReader;
+import org.dronemap.sim.personality.SimulatedVehicle;
+import org.jspecify.annotations.Nullable;
+
+/** A vehicle together with its link and its reader. Owned by the fleet's thread. */
+final class FleetMember {
+    private final FrameReader reader = new FrameReader();
+    private final SimulatedVehicle vehicle;
+    private @Nullable Uplink uplink;
+
+    FleetMember(java.util.function.Function<Consumer<byte[]>, SimulatedVehicle> maker) {
+        this.vehicle = maker.apply(this::send);
+    }
+
+    void attach(Uplink newUplink) {
+        uplink = newUplink;
+    }
+
+    void received(ByteBuffer bytes) {
+        reader.read(bytes, frame -> {
+            if (frame.verified()) {
+                vehicle.receive(frame);
+            }
+        });
+    }
+
+    private void send(byte[] bytes) {
+        if (uplink != null) {
+            uplink.send(bytes);
+        }
+    }
+
+    void advance(long untilMillis, long nowNanos) {
+        if (uplink != null) {
+            uplink.tend(nowNanos);
+            if (vehicle.takeNewAddress()) {
+                uplink.renew();
+            }
+        }
+        vehicle.advance(untilMillis);
+    }
+
+    SimulatedVehicle vehicle() {
+        return vehicle;
+    }
+
+    void close() {
+        if (uplink != null) {
+            uplink.close();
+        }
+    }
+
+    long dropped() {
+        return uplink == null ? 0 : uplink.dropped();
+    }
+}

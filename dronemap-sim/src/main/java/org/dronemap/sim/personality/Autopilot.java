@@ -1,0 +1,71 @@
+package org.dronemap.sim.personality;
+
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.FlightPlan;
+import org.dronemap.sim.flight.Parameters;
+
+/** What differs between autopilots: which orders they accept, their modes, their fail-safes. Owned by the fleet's thread. */
+public interface Autopilot {
+    /** Flies on to {@code nowMillis} of the vehicle's clock. */
+    void step(long nowMillis, double seconds);
+
+    Result obey(Order order);
+
+    Result setMode(int baseMode, long customMode);
+
+    /** SET_MODE is acknowledged by some autopilots as if it were a command. */
+    boolean acknowledgesSetMode();
+
+    void steer(SetPositionTargetGlobalInt target);
+
+    /** The throttle stick of the remote control, 1000 to 2000. */
+    void stick(int throttle);
+
+    /** A heartbeat of the ground station that the fail-safe listens to. */
+    void groundStationHeard(int systemId);
+
+    Heartbeat heartbeat();
+
+    /** MAV_LANDED_STATE. */
+    int landedState();
+
+    boolean readyToArm();
+
+    Craft craft();
+
+    FlightPlan plan();
+
+    Parameters parameters();
+
+    /** Integer parameters travel as their bits in the float. */
+    boolean parametersAsBits();
+
+    /** A parameter has been written. */
+    void parameterChanged(String name);
+
+    MissionStyle missionStyle();
+
+    /** The wire's number of the item that is flown or comes next. */
+    int currentItem();
+
+    /** MISSION_STATE: 1 no mission, 2 not started, 3 active, 4 paused, 5 complete. */
+    int missionState();
+
+    boolean inMissionMode();
+
+    boolean setCurrentItem(int index);
+
+    /** A mission may be cleared now. */
+    boolean mayClearMission();
+
+    /** A new mission is in the plan. */
+    void missionChanged();
+
+    /** Firmware as in AUTOPILOT_VERSION: major, minor, patch and type in one number. */
+    long firmware();
+
+    /** Messages per second that flow before anybody has asked, by message number. */
+    double unaskedRate(int messageId);
+}

@@ -1,0 +1,15 @@
+package org.dronemap.sim.personality;
+
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Message;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.FlightEvent;
+
+/** Which autopilot a vehicle has; also what to print on its link before the first frame. */
+public record AutopilotKind(String name, String banner, Maker maker) {
+    /** Builds an autopilot around a craft. */
+    public interface Maker {
+        Autopilot make(
+                Craft craft, int systemId, Consumer<FlightEvent> events, Consumer<Message> out, Runnable modeAnnouncer);
+    }
+}

@@ -1,0 +1,186 @@
+package org.dronemap.sim.personality;
+
+import java.nio.charset.StandardCharsets;
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameWriter;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionCurrent;
+import org.dronemap.mavlink.message.MissionItemReached;
+import org.dronemap.mavlink.message.Statustext;
+import org.dronemap.mavlink.message.Timesync;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.Severity;
+
+/**
+ * One vehicle on one link: frames in, frames out, time passed in as milliseconds of its own clock. Owned by the fleet's
+ * thread; knows nothing of sockets.
+ */
+public final class SimulatedVehicle {
+    private static final int COMPONENT = 1;
+    private static final int STEP_MILLIS = 50;
+    private static final long BEAT_MILLIS = 1_000;
+    private static final long REBOOT_MILLIS = 1_000;
+
+    private final VehicleSettings settings;
+    private final AutopilotKind kind;
+    private final Craft craft;
+    private final FrameWriter writer;
+    private final Consumer<byte[]> link;
+    private Autopilot autopilot;
+    private Desk desk;
+    private long now;
+    private long bootedAt;
+    private long nextBeat;
+    private long silentUntil = Long.MIN_VALUE;
+    private boolean deaf;
+    private boolean bannerDue;
+    private boolean newAddressDue;
+
+    public SimulatedVehicle(VehicleSettings settings, AutopilotKind kind, Craft craft, Consumer<byte[]> link) {
+        this.settings = settings;
+        this.kind = kind;
+        this.craft = craft;
+        this.link = link;
+        this.writer = new FrameWriter(settings.systemId(), COMPONENT, settings.mavlinkVersion());
+        this.nextBeat = settings.systemId() * 37L % BEAT_MILLIS;
+        this.autopilot = makeAutopilot();
+        this.desk = new Desk(autopilot, settings, 0, this::send, this::hear);
+        this.bannerDue = true;
+    }
+
+    private Autopilot makeAutopilot() {
+        Autopilot made = kind.maker().make(craft, settings.systemId(), this::hear, this::send, this::beatNow);
+        made.stick(settings.stick());
+        return made;
+    }
+
+    /** Lives on to that time, in steps that the physics can take. */
+    public void advance(long untilMillis) {
+        while (now < untilMillis) {
+            long step = Math.min(STEP_MILLIS, untilMillis - now);
+            now += step;
+            autopilot.step(now, step / 1000.0);
+            talk();
+        }
+    }
+
+    private void talk() {
+        if (isSilent()) {
+            return;
+        }
+        if (bannerDue && !kind.banner().isEmpty()) {
+            link.accept(kind.banner().getBytes(StandardCharsets.US_ASCII));
+        }
+        bannerDue = false;
+        if (now >= nextBeat) {
+            nextBeat += BEAT_MILLIS;
+            beatNow();
+            send(new Timesync(0, now * 1_000_000, 0, 0));
+        }
+        desk.step(now);
+    }
+
+    private void beatNow() {
+        send(autopilot.heartbeat());
+    }
+
+    private void send(Message message) {
+        if (!isSilent()) {
+            link.accept(writer.frame(message));
+        }
+    }
+
+    private void hear(FlightEvent event) {
+        if (event instanceof FlightEvent.Text text) {
+            send(new Statustext(text.severity().number(), text.text(), 0, 0));
+        } else if (event instanceof FlightEvent.ItemReached reached) {
+            send(new MissionItemReached(reached.index()));
+            desk.reached(reached.index());
+        } else if (event instanceof FlightEvent.ItemStarted started) {
+            desk.started(started);
+            send(desk.build(MissionCurrent.ID, now));
+        }
+    }
+
+    public void receive(Frame frame) {
+        if (deaf || isSilent()) {
+            return;
+        }
+        if (frame.messageId() == Heartbeat.ID) {
+            autopilot.groundStationHeard(frame.systemId());
+            return;
+        }
+        if (desk.receive(frame, now)) {
+            reboot();
+        }
+    }
+
+    /** Switches off and on again: parameters, mission and battery stay, everything else is found anew. */
+    public void reboot() {
+        Parameters kept = autopilot.parameters();
+        var items = autopilot.plan().items();
+        craft.setArmed(false);
+        craft.repair();
+        craft.navigation().restart();
+        bootedAt = now;
+        autopilot = makeAutopilot();
+        for (int i = 0; i < kept.size(); i++) {
+            autopilot.parameters().set(kept.at(i).name(), kept.at(i).value());
+        }
+        autopilot.plan().replaceAll(items);
+        autopilot.step(now, 0.001);
+        desk = new Desk(autopilot, settings, bootedAt, this::send, this::hear);
+        silentUntil = now + REBOOT_MILLIS;
+        nextBeat = now + REBOOT_MILLIS;
+        bannerDue = true;
+        newAddressDue = true;
+    }
+
+    /** True once after a reboot: a new socket has a new port. */
+    public boolean takeNewAddress() {
+        boolean due = newAddressDue && !isSilent();
+        newAddressDue &= !due;
+        return due;
+    }
+
+    private boolean isSilent() {
+        return now < silentUntil;
+    }
+
+    public void silence(long millis) {
+        silentUntil = now + millis;
+    }
+
+    /** Hears no more of what the ground says, though it goes on talking. */
+    public void setDeaf(boolean on) {
+        deaf = on;
+    }
+
+    public void say(Severity severity, String text) {
+        hear(new FlightEvent.Text(severity, text));
+    }
+
+    public Autopilot autopilot() {
+        return autopilot;
+    }
+
+    public Craft craft() {
+        return craft;
+    }
+
+    public int systemId() {
+        return settings.systemId();
+    }
+
+    public String kindName() {
+        return kind.name();
+    }
+
+    public long nowMillis() {
+        return now;
+    }
+}

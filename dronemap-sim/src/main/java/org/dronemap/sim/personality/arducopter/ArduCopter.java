@@ -1,0 +1,310 @@
+package org.dronemap.sim.personality.arducopter;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.FlightPlan;
+import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.Severity;
+import org.dronemap.sim.personality.Autopilot;
+import org.dronemap.sim.personality.MissionStyle;
+import org.dronemap.sim.personality.Order;
+import org.dronemap.sim.personality.Result;
+
+/** An ArduCopter: checks before arming, modes, fail-safes. Orders are taken apart by {@link CopterOrders}. */
+public final class ArduCopter implements Autopilot {
+    private static final MissionStyle STYLE = new MissionStyle(true, true, false, 1_000, 8_000, 650, true);
+    private static final long FIRMWARE = 4L << 24 | 5 << 16 | 5 << 8 | 255;
+    private static final long LANDED_DISARM_MILLIS = 400;
+    private static final long PREARM_TEXT_MILLIS = 30_000;
+
+    private final Craft craft;
+    private final Parameters parameters;
+    private final FlightPlan plan = new FlightPlan();
+    private final Consumer<FlightEvent> events;
+    private final CopterFlight flight;
+    private final CopterOrders orders;
+    private final BatteryFailsafe battery;
+    private final CopterFailsafes failsafes;
+    private final ArmingChecks checks;
+    private final Runnable modeAnnouncer;
+    private long now;
+    private long idleSince;
+    private long landedSince;
+    private long toldComplaintsAt;
+
+    /** {@code modeAnnouncer} is called when the mode has changed: the heartbeat does not wait for its second */
+    public ArduCopter(
+            Craft craft, int systemId, Consumer<FlightEvent> events, Consumer<Message> out, Runnable modeAnnouncer) {
+        this.craft = craft;
+        this.events = events;
+        this.modeAnnouncer = modeAnnouncer;
+        this.parameters = CopterParameters.defaults(systemId, craft.battery().capacityMilliampHours());
+        this.flight = new CopterFlight(craft, plan, parameters, events);
+        this.battery = new BatteryFailsafe(craft, parameters);
+        this.failsafes = new CopterFailsafes(this, battery);
+        this.checks = new ArmingChecks(craft, parameters, plan, battery);
+        this.orders = new CopterOrders(this, flight, out);
+    }
+
+    @Override
+    public void step(long nowMillis, double seconds) {
+        now = nowMillis;
+        craft.step(flight.fly(nowMillis), nowMillis, seconds);
+        failsafes.check(nowMillis);
+        disarmWhenIdle();
+        tellComplaints();
+    }
+
+    private void disarmWhenIdle() {
+        if (!craft.armed() || !craft.landed()) {
+            idleSince = now;
+            landedSince = now;
+            return;
+        }
+        if (flight.takingOff()) {
+            idleSince = now;
+        }
+        if (!flight.hasLanded()) {
+            landedSince = now;
+        }
+        long delay = (long) (parameters.value("DISARM_DELAY") * 1000);
+        boolean tooLong = delay > 0 && now - idleSince >= delay;
+        if (tooLong || now - landedSince >= LANDED_DISARM_MILLIS) {
+            disarmNow();
+        }
+    }
+
+    private void tellComplaints() {
+        if (craft.armed() || now - toldComplaintsAt < PREARM_TEXT_MILLIS) {
+            return;
+        }
+        tellComplaintsNow();
+    }
+
+    void tellComplaintsNow() {
+        toldComplaintsAt = now;
+        checks.complaints(flight.mode()).forEach(text -> say(Severity.CRITICAL, "PreArm: " + text));
+    }
+
+    Result arm(boolean force) {
+        if (craft.armed()) {
+            return Result.ACCEPTED;
+        }
+        if (!force) {
+            List<String> complaints = checks.complaints(flight.mode());
+            complaints.forEach(text -> say(Severity.CRITICAL, "Arm: " + text));
+            if (complaints.isEmpty() && !flight.mode().armable) {
+                say(Severity.CRITICAL, "Arm: " + flight.mode() + " mode not armable");
+                return Result.FAILED;
+            }
+            if (!complaints.isEmpty()) {
+                return Result.FAILED;
+            }
+        }
+        if (craft.navigation().hasEstimate()) {
+            craft.setHomeHere();
+            orders.sendHome();
+        }
+        craft.setArmed(true);
+        flight.armed();
+        idleSince = now;
+        landedSince = now;
+        say(Severity.INFO, "Arming motors");
+        return Result.ACCEPTED;
+    }
+
+    Result disarm(boolean force) {
+        if (craft.armed()) {
+            if (!force && !craft.landed()) {
+                return Result.FAILED;
+            }
+            disarmNow();
+        }
+        return Result.ACCEPTED;
+    }
+
+    private void disarmNow() {
+        craft.setArmed(false);
+        flight.disarmed();
+        say(Severity.INFO, "Disarming motors");
+    }
+
+    /** Changes the mode, or says why not. */
+    boolean change(CopterMode mode) {
+        if (mode == flight.mode()) {
+            return true;
+        }
+        if (craft.armed() && mode.needsPosition && !craft.navigation().hasEstimate()) {
+            return refuse(mode, "requires position");
+        }
+        if (mode == CopterMode.AUTO && craft.armed()) {
+            if (plan.size() <= 1) {
+                return refuse(mode, "init failed");
+            }
+            if (craft.landed() && !flight.startsWithTakeOff()) {
+                say(Severity.CRITICAL, "Auto: Missing Takeoff Cmd");
+                return refuse(mode, "init failed");
+            }
+        }
+        flight.enter(mode);
+        modeAnnouncer.run();
+        return true;
+    }
+
+    private boolean refuse(CopterMode mode, String why) {
+        say(Severity.WARNING, "Mode change to " + mode + " failed: " + why);
+        return false;
+    }
+
+    void say(Severity severity, String text) {
+        events.accept(new FlightEvent.Text(severity, text));
+    }
+
+    CopterFlight flight() {
+        return flight;
+    }
+
+    @Override
+    public Result obey(Order order) {
+        return orders.obey(order);
+    }
+
+    @Override
+    public Result setMode(int baseMode, long customMode) {
+        if ((baseMode & 1) == 0) {
+            return Result.DENIED;
+        }
+        CopterMode mode = CopterMode.of(customMode);
+        if (mode == null) {
+            say(Severity.WARNING, "No such mode " + customMode);
+            return Result.FAILED;
+        }
+        return Result.acceptedIf(change(mode));
+    }
+
+    @Override
+    public boolean acknowledgesSetMode() {
+        return true;
+    }
+
+    @Override
+    public void steer(SetPositionTargetGlobalInt target) {
+        orders.steer(target);
+    }
+
+    @Override
+    public void stick(int throttle) {
+        flight.setStick(throttle);
+    }
+
+    @Override
+    public void groundStationHeard(int systemId) {
+        if (systemId == (int) parameters.value("SYSID_MYGCS")) {
+            failsafes.groundStationHeard(now);
+        }
+    }
+
+    @Override
+    public Heartbeat heartbeat() {
+        int base = 81 | (flight.mode().guidedFlag ? 8 : 0) | (craft.armed() ? 128 : 0);
+        int status = craft.landed() ? 3 : 4;
+        return new Heartbeat(2, 3, base, flight.mode().number, failsafes.any() ? 5 : status, 3);
+    }
+
+    @Override
+    public int landedState() {
+        if (craft.landed()) {
+            return 1;
+        }
+        return flight.takingOff() ? 3 : flight.landing() ? 4 : 2;
+    }
+
+    @Override
+    public boolean readyToArm() {
+        return checks.complaints(flight.mode()).isEmpty();
+    }
+
+    @Override
+    public Craft craft() {
+        return craft;
+    }
+
+    @Override
+    public FlightPlan plan() {
+        return plan;
+    }
+
+    @Override
+    public Parameters parameters() {
+        return parameters;
+    }
+
+    @Override
+    public boolean parametersAsBits() {
+        return false;
+    }
+
+    @Override
+    public void parameterChanged(String name) {
+        switch (name) {
+            case "SIM_GPS_DISABLE" -> craft.navigation().setReceiving(parameters.value(name) == 0);
+            case "SIM_ENGINE_MUL" -> {
+                if (parameters.value(name) < 0.5) {
+                    craft.failMotor();
+                }
+            }
+            case "SIM_BATT_VOLTAGE" -> battery.restartTimers();
+            default -> flight.readSpeeds();
+        }
+    }
+
+    @Override
+    public MissionStyle missionStyle() {
+        return STYLE;
+    }
+
+    @Override
+    public int currentItem() {
+        return flight.currentItem();
+    }
+
+    @Override
+    public int missionState() {
+        return flight.missionState();
+    }
+
+    @Override
+    public boolean inMissionMode() {
+        return flight.mode() == CopterMode.AUTO;
+    }
+
+    @Override
+    public boolean setCurrentItem(int index) {
+        return flight.setCurrentItem(index);
+    }
+
+    @Override
+    public boolean mayClearMission() {
+        return flight.missionState() != 3;
+    }
+
+    @Override
+    public void missionChanged() {
+        flight.missionChanged();
+    }
+
+    @Override
+    public long firmware() {
+        return FIRMWARE;
+    }
+
+    @Override
+    public double unaskedRate(int messageId) {
+        return 0;
+    }
+}

@@ -1,0 +1,53 @@
+package org.dronemap.sim.personality.arducopter;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.FlightPlan;
+import org.dronemap.sim.flight.Parameters;
+
+/** What ArduCopter wants to be right before its motors turn; the sentences are its own, without "Arm: " or "PreArm: ". */
+final class ArmingChecks {
+    private final Craft craft;
+    private final Parameters parameters;
+    private final FlightPlan plan;
+    private final BatteryFailsafe battery;
+
+    ArmingChecks(Craft craft, Parameters parameters, FlightPlan plan, BatteryFailsafe battery) {
+        this.craft = craft;
+        this.parameters = parameters;
+        this.plan = plan;
+        this.battery = battery;
+    }
+
+    /** What keeps it from arming in {@code mode}; empty when all is well. */
+    List<String> complaints(CopterMode mode) {
+        List<String> found = new ArrayList<>();
+        if (parameters.value("ARMING_CHECK") != 0) {
+            checkSensors(found);
+        }
+        if (craft.crashed() || craft.motorFailed()) {
+            found.add("Motors: Check frame class and type");
+        }
+        if (mode == CopterMode.AUTO && plan.size() <= 1) {
+            found.add("Mode requires mission");
+        }
+        return found;
+    }
+
+    private void checkSensors(List<String> found) {
+        if (!craft.navigation().hasFix()) {
+            found.add("GPS 1: Bad fix");
+        } else if (!craft.navigation().hasEstimate()) {
+            found.add("Need Position Estimate");
+        }
+        if (battery.volts() < parameters.value("BATT_CRT_VOLT")) {
+            found.add("Battery 1 critical voltage failsafe");
+        } else if (battery.volts() < parameters.value("BATT_LOW_VOLT") || battery.tripped()) {
+            found.add("Battery 1 low voltage failsafe");
+        }
+        if (battery.tripped()) {
+            found.add("Battery failsafe");
+        }
+    }
+}

@@ -1,0 +1,97 @@
+package org.dronemap.sim.personality.px4;
+
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.Severity;
+
+/** What PX4 does by itself when the data link, the battery or the position is lost. */
+final class Px4Failsafes {
+    private static final int RETURN_AT_CRITICAL = 3;
+    private static final int LAND_AT_CRITICAL = 2;
+
+    private final Px4 px4;
+    private final Craft craft;
+    private long groundStationHeardAt = -1;
+    private boolean linkLost;
+    private boolean positionLost;
+    private boolean hadPosition;
+    private int batteryLevel;
+
+    Px4Failsafes(Px4 px4) {
+        this.px4 = px4;
+        this.craft = px4.craft();
+    }
+
+    boolean any() {
+        return linkLost || positionLost || batteryLevel > 1;
+    }
+
+    void groundStationHeard(long nowMillis) {
+        groundStationHeardAt = nowMillis;
+    }
+
+    void check(long nowMillis) {
+        checkLink(nowMillis);
+        checkPosition();
+        checkBattery();
+    }
+
+    private void checkLink(long nowMillis) {
+        int action = (int) px4.parameters().value("NAV_DLL_ACT");
+        long timeout = (long) (px4.parameters().value("COM_DL_LOSS_T") * 1000);
+        boolean lost = groundStationHeardAt >= 0 && nowMillis - groundStationHeardAt >= timeout;
+        if (lost && !linkLost && action > 0 && craft.armed() && !craft.landed()) {
+            px4.say(Severity.WARNING, "Failsafe activated: Datalink lost");
+            act(action);
+        } else if (!lost && linkLost) {
+            px4.say(Severity.INFO, "Data link regained");
+        }
+        linkLost = lost;
+    }
+
+    /** NAV_DLL_ACT: 1 hold, 2 return, 3 land, 5 terminate. */
+    private void act(int action) {
+        switch (action) {
+            case 1 -> px4.change(Px4Mode.HOLD);
+            case 2 -> px4.change(Px4Mode.RETURN);
+            case 5 -> px4.disarm(true);
+            default -> px4.change(Px4Mode.LAND);
+        }
+    }
+
+    private void checkPosition() {
+        boolean has = craft.navigation().hasEstimate();
+        hadPosition |= has;
+        boolean lost = hadPosition && !has;
+        if (lost && !positionLost && craft.armed() && px4.flight().mode().needsPosition) {
+            px4.say(Severity.CRITICAL, "Failsafe activated: position estimate lost");
+            px4.change(Px4Mode.LAND);
+        }
+        positionLost = lost;
+    }
+
+    private void checkBattery() {
+        double left = craft.battery().remainingPercent() / 100;
+        int level = 0;
+        for (String name : new String[] {"BAT_LOW_THR", "BAT_CRIT_THR", "BAT_EMERGEN_THR"}) {
+            level += left < px4.parameters().value(name) ? 1 : 0;
+        }
+        if (level > batteryLevel) {
+            batteryFell(level);
+        }
+        batteryLevel = level;
+    }
+
+    private void batteryFell(int level) {
+        String[] words = {"", "Low battery", "Critical battery", "Emergency battery level"};
+        px4.say(level == 1 ? Severity.WARNING : Severity.CRITICAL, words[level]);
+        int action = (int) px4.parameters().value("COM_LOW_BAT_ACT");
+        if (level < 2 || !craft.armed() || craft.landed()) {
+            return;
+        }
+        if (action == LAND_AT_CRITICAL || (action == RETURN_AT_CRITICAL && level == 3)) {
+            px4.change(Px4Mode.LAND);
+        } else if (action == RETURN_AT_CRITICAL) {
+            px4.change(Px4Mode.RETURN);
+        }
+    }
+}

@@ -1,0 +1,14 @@
+package org.dronemap.sim.physics;
+
+/** What the motors are told to bring about until the next step. */
+public sealed interface Setpoint {
+    /** Motors stopped: stands on the ground, or falls. */
+    record Still() implements Setpoint {}
+
+    /** Fly to a place and stay there; speeds in m/s, yaw in radians, NaN keeps the present yaw. */
+    record Reach(Position target, double horizontalSpeed, double climbSpeed, double sinkSpeed, double yaw)
+            implements Setpoint {}
+
+    /** Fly with a velocity in m/s. */
+    record Velocity(double north, double east, double up, double yaw) implements Setpoint {}
+}
