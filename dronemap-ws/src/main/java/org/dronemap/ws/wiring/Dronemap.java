@@ -30,9 +30,11 @@ public final class Dronemap {
     }
 
     private static void start(Settings settings, Closing closing) {
-        House house = HouseBuilder.open(settings, closing);
+        HouseBuilder builder = new HouseBuilder(settings, closing);
+        House house = builder.open();
         ConfigurableApplicationContext faces = FacesServer.start(settings, house);
         closing.add("the faces", faces);
+        builder.connect(house);
         String scheme = settings.tls() == null ? "http" : "https";
         LOG.info(
                 "Dronemap {} is ready at {}://{}:{}",

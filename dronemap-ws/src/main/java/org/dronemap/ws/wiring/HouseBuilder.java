@@ -4,26 +4,40 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
+import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.proxy.Proxy;
+import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Builds what is behind the faces: database, journal, lanes, cloud manager. */
+/** Builds what is around the cloud manager: database, journal and lanes behind the faces, links to vehicles before them. */
 final class HouseBuilder {
     private static final Logger LOG = LoggerFactory.getLogger(HouseBuilder.class);
     private static final int LANES = 2;
 
-    private HouseBuilder() {}
+    private final Settings settings;
+    private final Closing closing;
+    private final List<EndpointUrl> endpoints;
+    private final Lanes lanes = new Lanes(LANES);
 
-    /** What was opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
-    static House open(Settings settings, Closing closing) {
+    /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
+    HouseBuilder(Settings settings, Closing closing) {
+        this.settings = settings;
+        this.closing = closing;
+        this.endpoints =
+                settings.endpoints().stream().map(HouseBuilder::endpoint).toList();
+    }
+
+    /** Everything but the links: nothing is heard and nothing sent yet. */
+    House open() {
         Clock clock = Clock.systemUTC();
-        Database database = database(settings);
+        Database database = database();
         closing.add("the database", database);
         int ended = database.commands()
                 .endUnfinished(new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
@@ -32,7 +46,6 @@ final class HouseBuilder {
         }
         Journal journal = new Journal();
         closing.add("the journal", journal);
-        Lanes lanes = new Lanes(LANES);
         closing.add("the lanes", lanes);
         CloudManager cloud = new CloudManager(
                 lanes,
@@ -47,7 +60,7 @@ final class HouseBuilder {
                 () -> database.health().isUp());
     }
 
-    private static Database database(Settings settings) {
+    private Database database() {
         Path directory = settings.dataDirectory();
         try {
             Files.createDirectories(directory);
@@ -60,5 +73,24 @@ final class HouseBuilder {
         }
         String url = settings.databaseUrl();
         return url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
+    }
+
+    /** Lets vehicles in. */
+    void connect(House house) {
+        Proxy proxy = new Proxy(house.cloud(), lanes, endpoints);
+        try {
+            proxy.start();
+        } catch (IOException e) {
+            throw new SetupException(e.getMessage() + " (DRONEMAP_ENDPOINTS)", e);
+        }
+        closing.add("the links", proxy);
+    }
+
+    private static EndpointUrl endpoint(String url) {
+        try {
+            return EndpointUrl.parse(url);
+        } catch (IllegalArgumentException e) {
+            throw new SetupException("DRONEMAP_ENDPOINTS: " + e.getMessage(), e);
+        }
     }
 }

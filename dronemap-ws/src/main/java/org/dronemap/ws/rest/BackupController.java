@@ -1,0 +1,41 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.BackupService;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Backups of all that is stored. */
+@RestController
+@RequestMapping("/api/v1/backup")
+@Tag(name = "Server")
+public class BackupController {
+    private final BackupService backups;
+    private final CurrentPrincipal current;
+
+    public BackupController(BackupService backups, CurrentPrincipal current) {
+        this.backups = backups;
+        this.current = current;
+    }
+
+    @PostMapping
+    @Operation(summary = "Make a backup (administrator)", description = "The answer is a zip of all that is stored.")
+    public void backup(HttpServletResponse response) throws IOException {
+        Path file = backups.backup(current.principal());
+        try {
+            response.setContentType("application/zip");
+            response.setHeader("Content-Disposition", "attachment; filename=\"dronemap-backup.zip\"");
+            response.setContentLengthLong(Files.size(file));
+            Files.copy(file, response.getOutputStream());
+        } finally {
+            Files.deleteIfExists(file);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.IOException;
+import java.net.URI;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.ReplayService;
+import org.dronemap.ws.service.ReplayView;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Recordings played back. */
+@RestController
+@RequestMapping("/api/v1/replays")
+@Tag(name = "Replays", description = "Recordings (tlog) played back: their drones are shown, marked, never commanded.")
+public class ReplayController {
+    private final ReplayService replays;
+    private final CurrentPrincipal current;
+
+    /** All replays. */
+    public record Replays(List<ReplayView> replays) {}
+
+    public ReplayController(ReplayService replays, CurrentPrincipal current) {
+        this.replays = replays;
+        this.current = current;
+    }
+
+    @PostMapping
+    @Operation(
+            summary = "Play a recording (operator)",
+            description = "The body is the tlog, up to 512 MB, as application/octet-stream.")
+    public ResponseEntity<ReplayView> start(
+            @Parameter(description = "1 to 100 times real time") @RequestParam(required = false) @Nullable Double speed,
+            @RequestParam(required = false) @Nullable String name,
+            @Parameter(hidden = true) HttpServletRequest request)
+            throws IOException {
+        ReplayView replay = replays.start(current.principal(), name, speed, request.getInputStream());
+        return ResponseEntity.accepted()
+                .location(URI.create("/api/v1/replays/" + replay.id()))
+                .body(replay);
+    }
+
+    @GetMapping
+    @Operation(summary = "List the replays")
+    public Replays replays() {
+        current.principal();
+        return new Replays(replays.replays());
+    }
+
+    @GetMapping("/{id}")
+    @Operation(summary = "Look at one replay")
+    public ReplayView replay(@PathVariable String id) {
+        current.principal();
+        return replays.replay(id);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "End a replay and remove its drones (operator)")
+    public void remove(@PathVariable String id) {
+        replays.remove(current.principal(), id);
+    }
+}

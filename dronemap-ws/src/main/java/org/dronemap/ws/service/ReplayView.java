@@ -1,0 +1,23 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A recording being played back, as clients see it.
+ *
+ * @param progress 0 to 1
+ * @param failure the sentence when the state is failed
+ */
+public record ReplayView(
+        String id,
+        String name,
+        double speed,
+        List<String> drones,
+        String state,
+        long records,
+        long goodMessages,
+        long brokenRuns,
+        long brokenBytes,
+        double progress,
+        @Nullable String failure) {}
