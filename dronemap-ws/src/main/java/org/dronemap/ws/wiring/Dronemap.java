@@ -1,6 +1,9 @@
 package org.dronemap.ws.wiring;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Map;
+import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
@@ -12,14 +15,20 @@ public final class Dronemap {
     private Dronemap() {}
 
     public static void main(String[] arguments) {
-        System.exit(run(System.getenv()));
+        System.exit(run(arguments, System.getenv()));
     }
 
     /** The exit code; returns when the server was stopped. */
-    private static int run(Map<String, String> environment) {
+    private static int run(String[] arguments, Map<String, String> environment) {
         Closing closing = new Closing();
         try {
             Settings settings = Settings.fromEnvironment(environment);
+            Optional<Path> backup = backupToRestore(arguments);
+            if (backup.isPresent()) {
+                new HouseBuilder(settings, closing).restore(backup.get());
+                closing.close();
+                return 0;
+            }
             start(settings, closing);
         } catch (RuntimeException | LinkageError e) {
             closing.close();
@@ -27,6 +36,21 @@ public final class Dronemap {
             return 1;
         }
         return waitForTheEnd(closing);
+    }
+
+    private static Optional<Path> backupToRestore(String[] arguments) {
+        if (arguments.length == 0) {
+            return Optional.empty();
+        }
+        if (arguments.length != 2 || !arguments[0].equals("--restore")) {
+            throw new SetupException("Unknown arguments: " + String.join(" ", arguments)
+                    + "; there is only --restore FILE, everything else is set by the environment.");
+        }
+        Path file = Path.of(arguments[1]).toAbsolutePath();
+        if (!Files.isReadable(file)) {
+            throw new SetupException("There is no readable backup " + file + ".");
+        }
+        return Optional.of(file);
     }
 
     private static void start(Settings settings, Closing closing) {

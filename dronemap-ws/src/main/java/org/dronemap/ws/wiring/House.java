@@ -4,6 +4,12 @@ import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.mission.MissionStore;
+import org.dronemap.ws.service.BackupService;
 
 /** Everything behind the faces, built and running. */
-public record House(CloudManager cloud, AccessStore access, MissionStore missions, BooleanSupplier databaseUp) {}
+public record House(
+        CloudManager cloud,
+        AccessStore access,
+        MissionStore missions,
+        BooleanSupplier databaseUp,
+        BackupService.BackupWriter backups) {}

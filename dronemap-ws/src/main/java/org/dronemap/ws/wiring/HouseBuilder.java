@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
@@ -11,6 +12,7 @@ import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.store.postgres.BackupSummary;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
 import org.slf4j.Logger;
@@ -57,7 +59,23 @@ final class HouseBuilder {
                 cloud,
                 database.access(),
                 database.missions(),
-                () -> database.health().isUp());
+                () -> database.health().isUp(),
+                file -> writeBackup(database, file));
+    }
+
+    private static void writeBackup(Database database, Path file) throws IOException {
+        try (OutputStream out = Files.newOutputStream(file)) {
+            BackupSummary summary = database.backup().write(out);
+            LOG.info("A backup was written: {}", summary);
+        }
+    }
+
+    /** Replaces all that is stored by what a backup holds; for a server that does not run. */
+    void restore(Path backup) {
+        Database database = database();
+        closing.add("the database", database);
+        BackupSummary summary = database.backup().restore(backup);
+        LOG.info("Restored from {}: {}", backup, summary);
     }
 
     private Database database() {

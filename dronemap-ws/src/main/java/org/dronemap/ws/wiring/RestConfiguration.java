@@ -4,6 +4,7 @@ import io.swagger.v3.oas.models.OpenAPI;
 import org.dronemap.ws.rest.AccessController;
 import org.dronemap.ws.rest.AccessLogFilter;
 import org.dronemap.ws.rest.ApiDescription;
+import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BodyLimitFilter;
 import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.DroneController;
@@ -37,6 +38,7 @@ import tools.jackson.databind.DeserializationFeature;
     DroneController.class,
     CommandController.class,
     MissionController.class,
+    BackupController.class,
     SystemController.class,
     StreamTicketController.class,
     ProblemAdvice.class,

@@ -6,6 +6,7 @@ import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.FirstStart;
 import org.dronemap.ws.service.AccessService;
+import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
@@ -101,5 +102,10 @@ public class ServiceConfiguration {
                 house.databaseUp(),
                 new SystemService.SettingsView(
                         stream.number(), settings.tileAddress(), Version.current(), settings.publicMode()));
+    }
+
+    @Bean
+    BackupService backupService(House house, Settings settings) {
+        return new BackupService(house.backups(), settings.dataDirectory());
     }
 }

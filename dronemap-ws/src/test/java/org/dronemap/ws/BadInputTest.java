@@ -1,0 +1,215 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.MAVLinkController;
+import org.dronemap.ws.soap.SoapWaypoint;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tools.jackson.databind.JsonNode;
+
+/** What is wrong is said the same way in REST, SOAP and the stream, and never reaches the vehicle. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class BadInputTest {
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private String operatorKey;
+    private Http operator;
+
+    @BeforeAll
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15680);
+        operatorKey = house.key(Role.OPERATOR);
+        operator = new Http(house, operatorKey);
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+    }
+
+    @AfterEach
+    void nothingReachedTheVehicle() {
+        assertThat(vehicle.performed()).isEmpty();
+    }
+
+    static Stream<Arguments> badCommands() {
+        String waypoint = "{\"type\":\"waypoint\",\"latitude\":47,\"longitude\":8";
+        return Stream.of(
+                Arguments.of(
+                        "{\"type\":\"uploadMission\",\"items\":[" + waypoint + ",\"altitude\":20}," + waypoint + "}]}",
+                        "items[1].altitude",
+                        "-10000 to 10000 m"),
+                Arguments.of(
+                        "{\"type\":\"goTo\",\"latitude\":95,\"longitude\":8,\"altitude\":20}",
+                        "latitude",
+                        "-90 to 90 degrees"),
+                Arguments.of(
+                        "{\"type\":\"goTo\",\"latitude\":5,\"longitude\":-181,\"altitude\":20}",
+                        "longitude",
+                        "-180 to 180 degrees"),
+                Arguments.of("{\"type\":\"takeOff\",\"altitude\":0.5}", "altitude", "1 to 500 m"),
+                Arguments.of("{\"type\":\"takeOff\",\"altitude\":\"high\"}", "altitude", "a number"),
+                Arguments.of("{\"type\":\"takeOff\",\"altitud\":5}", "altitud", "altitude"),
+                Arguments.of("{\"type\":\"uploadMission\",\"items\":[]}", "items", "1 to 500 items"),
+                Arguments.of("{\"type\":\"startMission\",\"onCloudLoss\":\"panic\"}", "onCloudLoss", "continue or rtl"),
+                Arguments.of("{\"type\":\"fly\"}", "type", "takeOff"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("badCommands")
+    void namesTheFieldAndWhatIsAllowedInRestAndStream(String command, String field, String allowed) {
+        Http.Answer rest = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", command);
+
+        assertThat(rest.status()).isEqualTo(422);
+        assertThat(rest.raw().headers().firstValue("Content-Type")).hasValue("application/problem+json");
+        assertThat(rest.text("field")).isEqualTo(field);
+        assertThat(rest.text("allowed")).contains(allowed);
+        try (StreamListener stream = StreamListener.withKey(house, operatorKey)) {
+            stream.send("{\"type\":\"command\",\"requestId\":\"r1\",\"drone\":\"" + vehicle.id() + "\",\"command\":"
+                    + command + "}");
+            JsonNode error =
+                    stream.await(message -> message.path("type").asString().equals("error"));
+            assertThat(error.path("problem").path("allowed").asString()).contains(allowed);
+        }
+    }
+
+    @Test
+    void saysTheSameSentenceInAllFaces() {
+        String sentence = operator.post(
+                        "/api/v1/drones/" + vehicle.id() + "/commands",
+                        "{\"type\":\"goTo\",\"latitude\":95,\"longitude\":8,\"altitude\":20}")
+                .text("detail");
+        DronemapFault fault =
+                fault(SoapClient.withKey(house, operatorKey), soap -> soap.goTo(vehicle.id(), 95.0, 8.0, 20.0));
+        String streamed;
+        try (StreamListener stream = StreamListener.withKey(house, operatorKey)) {
+            stream.send("{\"type\":\"command\",\"requestId\":\"r2\",\"drone\":\"" + vehicle.id()
+                    + "\",\"command\":{\"type\":\"goTo\",\"latitude\":95,\"longitude\":8,\"altitude\":20}}");
+            streamed = stream.await(
+                            message -> message.path("requestId").asString("").equals("r2"))
+                    .path("problem")
+                    .path("detail")
+                    .asString();
+        }
+
+        assertThat(sentence).isEqualTo("\"latitude\" must be -90 to 90 degrees, not 95.0.");
+        assertThat(fault.getMessage()).isEqualTo(sentence);
+        assertThat(fault.getFaultInfo().getField()).isEqualTo("latitude");
+        assertThat(fault.getFaultInfo().getAllowed()).isEqualTo("-90 to 90 degrees");
+        assertThat(streamed).isEqualTo(sentence);
+    }
+
+    @Test
+    void namesTheWaypointWithoutAltitudeInSoap() {
+        DronemapFault fault = fault(
+                SoapClient.withKey(house, operatorKey),
+                soap -> soap.uploadMission(
+                        vehicle.id(), List.of(SoapWaypoint.at(47.0, 8.0, 20.0), SoapWaypoint.at(47.0, 8.0, null))));
+
+        assertThat(fault.getFaultInfo().getField()).isEqualTo("items[1].altitude");
+    }
+
+    @Test
+    void doesNotKnowAnUnknownDrone() {
+        Http.Answer rest = operator.post("/api/v1/drones/nosuchdrone/commands", "{\"type\":\"arm\"}");
+        DronemapFault fault = fault(SoapClient.withKey(house, operatorKey), soap -> soap.arm("nosuchdrone"));
+
+        assertThat(rest.status()).isEqualTo(404);
+        assertThat(rest.text("detail")).isEqualTo("There is no drone nosuchdrone.");
+        assertThat(fault.getMessage()).isEqualTo("There is no drone nosuchdrone.");
+    }
+
+    @Test
+    void refusesAWrongKeyInAllFaces() {
+        Http.Answer rest = new Http(house, "wrong").get("/api/v1/drones");
+        DronemapFault fault = fault(SoapClient.withKey(house, "wrong"), soap -> soap.arm(vehicle.id()));
+
+        assertThat(rest.status()).isEqualTo(401);
+        assertThat(rest.text("detail")).isEqualTo("The access key is not valid; it may have been removed.");
+        assertThat(fault.getMessage()).isEqualTo(rest.text("detail"));
+        try (StreamListener stream = StreamListener.withKey(house, "wrong")) {
+            assertThat(stream.awaitClose()).isEqualTo(rest.text("detail"));
+        }
+    }
+
+    @Test
+    void letsAViewerLookButNotArm() {
+        String key = house.key(Role.VIEWER);
+        Http viewer = new Http(house, key);
+
+        Http.Answer look = viewer.get("/api/v1/drones/" + vehicle.id());
+        Http.Answer arm = viewer.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"arm\"}");
+        DronemapFault fault = fault(SoapClient.withKey(house, key), soap -> soap.arm(vehicle.id()));
+
+        assertThat(look.status()).isEqualTo(200);
+        assertThat(look.json().path("actions").path("arm").path("allowed").asBoolean())
+                .isFalse();
+        assertThat(arm.status()).isEqualTo(403);
+        assertThat(arm.text("detail"))
+                .isEqualTo("Your role may look, not command; ask an administrator for the operator role.");
+        assertThat(fault.getMessage()).isEqualTo(arm.text("detail"));
+    }
+
+    @Test
+    void saysWhereJsonBreaks() {
+        Http.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\n \"arm\"");
+
+        assertThat(answer.status()).isEqualTo(400);
+        assertThat(answer.text("detail")).contains("line 2, column 7").doesNotContain("Exception");
+    }
+
+    @Test
+    void answersEveryMistakeOfHttpWithAProblem() {
+        assertThat(operator.send("/api/v1/drones", request -> request.DELETE()).status())
+                .isEqualTo(405);
+        assertThat(operator.get("/api/v1/nothing").status()).isEqualTo(404);
+        assertThat(operator.get("/api/v1/commands/nothing").text("detail")).isEqualTo("There is no command nothing.");
+        assertThat(operator.post("/api/v1/missions", "{\"name\":\"" + "x".repeat(1_100_000) + "\"}")
+                        .status())
+                .isEqualTo(413);
+        assertThat(new Http(house, "").get("/api/v1/drones").status()).isEqualTo(401);
+        assertThat(operator.post("/api/v1/drones/" + vehicle.id() + "/commands?wait=61", "{\"type\":\"arm\"}")
+                        .text("allowed"))
+                .isEqualTo("0 to 60 seconds");
+    }
+
+    @Test
+    void refusesADoctypeInSoap() {
+        Http.Answer answer = operator.send(
+                "/services/MAVLinkControllerService",
+                request -> request.header("Content-Type", "text/xml")
+                        .POST(java.net.http.HttpRequest.BodyPublishers.ofString(
+                                "<!DOCTYPE x [<!ENTITY a \"b\">]><x>&a;</x>")));
+
+        assertThat(answer.status()).isEqualTo(500);
+        assertThat(answer.raw().body()).contains("must not have a DOCTYPE").doesNotContain("Exception");
+    }
+
+    private interface Call {
+        Object on(MAVLinkController soap) throws DronemapFault;
+    }
+
+    private static DronemapFault fault(MAVLinkController soap, Call call) {
+        return catchThrowableOfType(DronemapFault.class, () -> call.on(soap));
+    }
+}

@@ -1,0 +1,82 @@
+package org.dronemap.ws.house;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.DroneLink;
+import org.dronemap.core.cloud.LinkSession;
+import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+
+/** A vehicle at the end of a channel: keeps what it was asked for, and ends each command as the test says. */
+public final class ScriptedVehicle implements VehicleChannel {
+    private static final Identification COPTER =
+            new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", null);
+    private static final Capabilities ALL =
+            new Capabilities(Set.of(Capability.values()), List.of("STABILIZE", "GUIDED", "AUTO"));
+
+    private final List<Command> performed = new CopyOnWriteArrayList<>();
+    private volatile Function<Command, Outcome> script = command -> new Outcome.Succeeded();
+    private final DroneLink link;
+
+    private ScriptedVehicle(CloudManager cloud, int port) {
+        DroneKey key = new DroneKey("127.0.0.1", port, 1);
+        link = cloud.connect(new LinkSession(key, "udp", false, "Copter " + port, this), COPTER);
+    }
+
+    /** In contact, at a place near Zürich, disarmed on the ground. */
+    public static ScriptedVehicle connect(CloudManager cloud, int port) {
+        ScriptedVehicle vehicle = new ScriptedVehicle(cloud, port);
+        vehicle.says(new DroneEvent.Identified(COPTER, ALL));
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
+        vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 488.0, 0.0)));
+        return vehicle;
+    }
+
+    public String id() {
+        return link.id().value();
+    }
+
+    /** How every command from now on ends. */
+    public void ends(Function<Command, Outcome> how) {
+        script = how;
+    }
+
+    public void says(DroneEvent event) {
+        link.lane().execute(() -> link.accept(event));
+    }
+
+    /** What reached the vehicle. */
+    public List<Command> performed() {
+        return List.copyOf(performed);
+    }
+
+    @Override
+    public void perform(CommandId id, Command command, Report report) {
+        performed.add(command);
+        report.accepted();
+        report.ended(script.apply(command));
+    }
+
+    @Override
+    public void cancel(CommandId id) {
+        // every command of a scripted vehicle has ended already
+    }
+
+    @Override
+    public void probe() {
+        link.lane().execute(link::heard);
+    }
+}

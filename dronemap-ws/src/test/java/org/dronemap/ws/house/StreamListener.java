@@ -1,0 +1,87 @@
+package org.dronemap.ws.house;
+
+import java.net.URI;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.dronemap.ws.wiring.StreamPort;
+import org.java_websocket.client.WebSocketClient;
+import org.java_websocket.handshake.ServerHandshake;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A client of the stream that keeps all it hears. */
+public final class StreamListener implements AutoCloseable {
+    private final List<JsonNode> heard = new CopyOnWriteArrayList<>();
+    private final CompletableFuture<String> closed = new CompletableFuture<>();
+    private final JsonMapper json = new JsonMapper();
+    private final WebSocketClient socket;
+
+    private StreamListener(TestHouse house, String query, Map<String, String> headers) {
+        URI address =
+                URI.create("ws://127.0.0.1:" + house.bean(StreamPort.class).number() + "/stream" + query);
+        socket = new WebSocketClient(address, headers) {
+            @Override
+            public void onOpen(ServerHandshake handshake) {
+                // what counts comes as messages
+            }
+
+            @Override
+            public void onMessage(String message) {
+                heard.add(json.readTree(message));
+            }
+
+            @Override
+            public void onClose(int code, String reason, boolean remote) {
+                closed.complete(reason);
+            }
+
+            @Override
+            public void onError(Exception e) {
+                closed.completeExceptionally(e);
+            }
+        };
+        try {
+            if (!socket.connectBlocking(10, TimeUnit.SECONDS)) {
+                throw new IllegalStateException("the stream cannot be reached");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    public static StreamListener withKey(TestHouse house, String key) {
+        return new StreamListener(house, "", Map.of("Authorization", "Bearer " + key));
+    }
+
+    public static StreamListener with(TestHouse house, String query, Map<String, String> headers) {
+        return new StreamListener(house, query, headers);
+    }
+
+    public void send(String message) {
+        socket.send(message);
+    }
+
+    public List<JsonNode> heard() {
+        return List.copyOf(heard);
+    }
+
+    public JsonNode await(Predicate<JsonNode> wanted) {
+        return Waiting.until(
+                "a message of the stream", () -> heard.stream().filter(wanted).findFirst());
+    }
+
+    /** The reason that the server gave. */
+    public String awaitClose() {
+        return Waiting.until("the stream closes", () -> Optional.ofNullable(closed.getNow(null)));
+    }
+
+    @Override
+    public void close() {
+        socket.close();
+    }
+}

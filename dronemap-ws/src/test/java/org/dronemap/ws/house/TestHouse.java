@@ -1,0 +1,108 @@
+package org.dronemap.ws.house;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.store.memory.MemoryAccessStore;
+import org.dronemap.store.memory.MemoryCommandStore;
+import org.dronemap.store.memory.MemoryDroneStore;
+import org.dronemap.store.memory.MemoryMissionStore;
+import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.wiring.FacesServer;
+import org.dronemap.ws.wiring.House;
+import org.dronemap.ws.wiring.Settings;
+import org.springframework.context.ConfigurableApplicationContext;
+
+/** All faces on free ports over stores in memory. */
+public final class TestHouse implements AutoCloseable {
+    private static final Watchdog PATIENT =
+            new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10));
+
+    private final Lanes lanes = new Lanes(2);
+    private final Journal journal = new Journal();
+    private final MemoryAccessStore access = new MemoryAccessStore();
+    private final AtomicInteger ids = new AtomicInteger();
+    private final CloudManager cloud;
+    private final ConfigurableApplicationContext faces;
+    private final Path data;
+
+    public TestHouse(Path data, boolean publicMode) {
+        this.data = data;
+        cloud = new CloudManager(
+                lanes,
+                PATIENT,
+                Clock.systemUTC(),
+                new CloudManager.Keeping(new MemoryDroneStore(), new MemoryCommandStore(), journal),
+                () -> new DroneId("drone-" + ids.incrementAndGet()));
+        House house = new House(
+                cloud,
+                access,
+                new MemoryMissionStore(),
+                () -> true,
+                file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)));
+        Settings settings = new Settings(
+                data,
+                "127.0.0.1",
+                0,
+                0,
+                List.of(),
+                null,
+                publicMode,
+                null,
+                "https://tiles.example/{z}/{x}/{y}",
+                PATIENT);
+        faces = FacesServer.start(settings, house);
+    }
+
+    public CloudManager cloud() {
+        return cloud;
+    }
+
+    public Path data() {
+        return data;
+    }
+
+    public int httpPort() {
+        return Integer.parseInt(String.valueOf(faces.getEnvironment().getProperty("local.server.port")));
+    }
+
+    public <T> T bean(Class<T> type) {
+        return faces.getBean(type);
+    }
+
+    /** An access key of a new user with this role. */
+    public String key(Role role) {
+        String name = "user" + ids.incrementAndGet();
+        String secret = new Secrets().token();
+        if (!access.addUser(new User(name, role, "none", false))) {
+            throw new IllegalStateException("the user " + name + " was there already");
+        }
+        access.addAccessKey(new AccessKey(
+                "key-" + name,
+                "test",
+                name,
+                role,
+                Secrets.hash(secret),
+                Clock.systemUTC().instant()));
+        return secret;
+    }
+
+    @Override
+    public void close() {
+        faces.close();
+        lanes.close();
+        journal.close();
+    }
+}
