@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.springframework.core.io.Resource;
 import org.springframework.http.CacheControl;
 import org.springframework.web.servlet.config.annotation.ResourceHandlerRegistry;
+import org.springframework.web.servlet.config.annotation.ViewControllerRegistry;
 import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
 import org.springframework.web.servlet.resource.PathResourceResolver;
 
@@ -26,6 +27,12 @@ public final class WebClientPages implements WebMvcConfigurer {
                 .setCacheControl(CacheControl.noCache())
                 .resourceChain(false)
                 .addResolver(new OrFirstPage());
+    }
+
+    @Override
+    public void addViewControllers(ViewControllerRegistry registry) {
+        // resource handlers never see the bare root: to them an empty path is no file
+        registry.addViewController("/").setViewName("forward:/index.html");
     }
 
     private static final class OrFirstPage extends PathResourceResolver {
