@@ -17,6 +17,7 @@ final class PeerSessions implements PeerHandler {
     private final EndpointCounters counters;
     private final FrameReader reader = new FrameReader();
     private final Map<Integer, VehicleSession> sessions = new HashMap<>();
+    private final Beforehand beforehand = new Beforehand();
     private long countedFrames;
     private long countedBroken;
 
@@ -45,9 +46,11 @@ final class PeerSessions implements PeerHandler {
             LinkLabel label = new LinkLabel(key, peer.transport(), false);
             VehicleSession opened = table.open(label, new Downlink(peer), frame).orElse(null);
             if (opened == null) {
+                beforehand.heard(frame);
                 return;
             }
             session = opened;
+            beforehand.tell(opened, systemId);
             sessions.put(systemId, opened);
         }
         if (!session.offer(frame)) {

@@ -16,6 +16,7 @@ public final class ReplayFeed {
     private final SessionTable table;
     private final int number;
     private final Map<Integer, VehicleSession> sessions = new LinkedHashMap<>();
+    private final Beforehand beforehand = new Beforehand();
 
     ReplayFeed(SessionTable table, int number) {
         this.table = table;
@@ -33,9 +34,11 @@ public final class ReplayFeed {
                 session = table.open(label, new Downlink(new Nobody(number)), frame)
                         .orElse(null);
                 if (session == null) {
+                    beforehand.heard(frame);
                     return true;
                 }
                 sessions.put(systemId, session);
+                beforehand.tell(session, systemId);
             }
         }
         return session.isOver() || session.offer(frame);

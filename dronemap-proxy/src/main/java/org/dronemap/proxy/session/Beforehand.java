@@ -1,0 +1,26 @@
+package org.dronemap.proxy.session;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.AutopilotVersion;
+
+/** Who systems said they are before their first heartbeat: said once, often before anybody knows it matters. */
+final class Beforehand {
+    private final Map<Integer, Frame> versions = new HashMap<>();
+
+    /** At most one frame a system id. */
+    void heard(Frame frame) {
+        if (frame.messageId() == AutopilotVersion.ID) {
+            versions.put(frame.systemId(), frame);
+        }
+    }
+
+    /** Tells a session, just opened by its heartbeat, what was said before. */
+    void tell(VehicleSession session, int systemId) {
+        Frame version = versions.remove(systemId);
+        if (version != null) {
+            session.offer(version);
+        }
+    }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.endpoint;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,165 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.CommandLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CommandExchangeTest {
+    private static final int ARM = 400;
+    private static final Outcome DONE = new Outcome.Succeeded();
+
+    private final Wire wire = new Wire();
+
+    private CommandExchange exchange(CommandRequest.Proof proof) {
+        return new CommandExchange(wire.target(), request(proof), Observer.NONE);
+    }
+
+    private CommandRequest request(CommandRequest.Proof proof) {
+        return CommandRequest.ofLong(wire.target(), ARM, new float[] {1f}, proof);
+    }
+
+    private static CommandRequest.Proof seen(BooleanSupplier seen) {
+        return new CommandRequest.Proof(seen, Duration.ofSeconds(5), "It did not arm.");
+    }
+
+    private static CommandAck ack(int result) {
+        return new CommandAck(ARM, result, 0, 0, 255, 190);
+    }
+
+    @Test
+    void isSentOnceWhenTheAnswerComes() {
+        wire.peer((w, message) -> w.answer(ack(0)));
+
+        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.sent()).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 5, 8})
+    void survivesSoManyLostAnswersWithRisingConfirmation(int lost) {
+        wire.peer((w, message) -> {
+            if (((CommandLong) message).confirmation() == lost) {
+                w.answer(ack(0));
+            }
+        });
+
+        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.sent(CommandLong.class))
+                .extracting(CommandLong::confirmation)
+                .hasSize(lost + 1)
+                .isSorted();
+    }
+
+    @Test
+    void endsTimedOutWithinTheStatedTime() {
+        long before = wire.now();
+
+        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED)))
+                .isEqualTo(new Outcome.TimedOut("No answer from the vehicle within 8 s (9 tries)."));
+        assertThat(wire.sent()).hasSize(9);
+        assertThat(wire.now() - before).isLessThan(8_100_000_000L);
+    }
+
+    @Test
+    void countsWhatIsSeenMoreThanTheAnswer() {
+        AtomicBoolean armed = new AtomicBoolean();
+        wire.peer((w, message) -> {
+            armed.set(true);
+            w.answer(new CommandAck(999, 0, 0, 0, 255, 190));
+        });
+
+        assertThat(wire.runWhole(exchange(seen(armed::get)))).isEqualTo(DONE);
+        assertThat(wire.sent()).hasSize(1);
+    }
+
+    @Test
+    void takesWhatWasSoBeforeForNoProof() {
+        assertThat(wire.runWhole(exchange(seen(() -> true)))).isInstanceOf(Outcome.TimedOut.class);
+    }
+
+    @Test
+    void failsWhenAcceptedButNeverSeen() {
+        wire.peer((w, message) -> w.answer(ack(0)));
+
+        assertThat(wire.runWhole(exchange(seen(() -> false)))).isEqualTo(new Outcome.Failed("It did not arm."));
+        assertThat(wire.sent()).hasSize(1);
+    }
+
+    @Test
+    void tellsTheSentenceThatFollowsARefusal() {
+        wire.peer((w, message) -> w.answer(ack(4)));
+        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        exchange.start(wire.now());
+        wire.run(exchange, 0.5);
+        exchange.said(Severity.CRITICAL, "PreArm: GPS not ready", wire.now());
+
+        assertThat(wire.run(exchange, 1)).isEqualTo(new Outcome.Refused("vehicle", "PreArm: GPS not ready"));
+    }
+
+    @Test
+    void tellsTheSentenceThatCameJustBeforeARefusalButNoOlderOne() {
+        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        exchange.start(wire.now());
+        exchange.said(Severity.CRITICAL, "an old story", wire.now());
+        wire.run(exchange, 0.7);
+        exchange.said(Severity.CRITICAL, "Arm: compass not healthy", wire.now());
+        exchange.heard(wire.frame(ack(4)), wire.now());
+
+        assertThat(wire.run(exchange, 2)).isEqualTo(new Outcome.Refused("vehicle", "Arm: compass not healthy"));
+    }
+
+    @Test
+    void saysTheResultInWordsWhenTheVehicleSaysNothing() {
+        wire.peer((w, message) -> w.answer(ack(2)));
+
+        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED)))
+                .isEqualTo(new Outcome.Refused("vehicle", "The vehicle denied it and gave no reason."));
+    }
+
+    @Test
+    void waitsLongerWhileInProgress() {
+        wire.peer((w, message) -> w.answer(ack(5)));
+        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        exchange.start(wire.now());
+        wire.run(exchange, 20);
+        exchange.heard(wire.frame(ack(0)), wire.now());
+
+        assertThat(wire.run(exchange, 1)).isEqualTo(DONE);
+        assertThat(wire.sent()).hasSize(1);
+    }
+
+    @Test
+    void ignoresAnswersToSomebodyElse() {
+        wire.peer((w, message) -> w.answer(new CommandAck(ARM, 0, 0, 0, 42, 1)));
+
+        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isInstanceOf(Outcome.TimedOut.class);
+    }
+
+    @Test
+    void takesADoubledAnswerOnce() {
+        wire.peer((w, message) -> {
+            w.answer(ack(0));
+            w.answer(ack(4));
+        });
+
+        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+    }
+
+    @Test
+    void doesNotRepeatATakeOffWithoutALookAtTheVehicle() {
+        CommandExchange exchange =
+                new CommandExchange(wire.target(), request(seen(() -> false)).verifyFirst(), Observer.NONE);
+
+        assertThat(wire.runWhole(exchange)).isInstanceOf(Outcome.TimedOut.class);
+        assertThat(wire.sent()).hasSize(1);
+    }
+}

@@ -1,0 +1,169 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.MissionAck;
+import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.mavlink.message.MissionRequestList;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class MissionTransferTest {
+    private static final int ITEMS = 6;
+    private static final Outcome DONE = new Outcome.Succeeded();
+
+    private final Wire wire = new Wire();
+    private final Map<Integer, MissionItemInt> held = new TreeMap<>();
+    private int expected;
+    private int passed;
+    private IntPredicate lost = number -> false;
+
+    private static List<MissionItemInt> items() {
+        return IntStream.range(0, ITEMS)
+                .mapToObj(seq -> new MissionItemInt(1, 1, seq, 3, 16, 0, 1, 0f, 0f, 0f, 0f, 10 + seq, 20, 30f, 0))
+                .toList();
+    }
+
+    /** Every message in either direction has a number; some are lost. */
+    private boolean passes() {
+        return !lost.test(passed++);
+    }
+
+    private void say(Message message) {
+        if (passes()) {
+            wire.answer(message);
+        }
+    }
+
+    /** A vehicle that takes and gives missions in order, as autopilots do. */
+    private void vehicle(Wire w, Message message) {
+        if (!passes()) {
+            return;
+        }
+        if (message instanceof MissionCount count) {
+            expected = count.count();
+            held.clear();
+            say(new MissionRequestInt(255, 190, 0, 0));
+        } else if (message instanceof MissionItemInt item) {
+            if (item.seq() == held.size() && held.size() < expected) {
+                held.put(item.seq(), item);
+            }
+            say(
+                    held.size() == expected
+                            ? new MissionAck(255, 190, 0, 0)
+                            : new MissionRequestInt(255, 190, held.size(), 0));
+        } else if (message instanceof MissionRequestList) {
+            say(new MissionCount(255, 190, held.size(), 0));
+        } else if (message instanceof MissionRequestInt request) {
+            say(held.get(request.seq()));
+        }
+    }
+
+    static IntStream everyMessage() {
+        return IntStream.range(0, 2 * ITEMS + 4);
+    }
+
+    @ParameterizedTest
+    @MethodSource("everyMessage")
+    void uploadsThoughOneMessageIsLost(int number) {
+        lost = n -> n == number;
+        wire.peer(this::vehicle);
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(held.values()).containsExactlyElementsOf(items());
+    }
+
+    @ParameterizedTest
+    @MethodSource("everyMessage")
+    void downloadsThoughOneMessageIsLost(int number) {
+        items().forEach(item -> held.put(item.seq(), item));
+        lost = n -> n == number;
+        wire.peer(this::vehicle);
+        MissionDownload download = MissionDownload.whole(wire.target());
+
+        assertThat(wire.runWhole(download)).isEqualTo(DONE);
+        assertThat(download.items()).containsExactlyElementsOf(items());
+    }
+
+    @Test
+    void uploadsThoughEveryThirdMessageIsLost() {
+        lost = n -> n % 3 == 1;
+        wire.peer(this::vehicle);
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(held.values()).containsExactlyElementsOf(items());
+    }
+
+    @Test
+    void takesEveryAnswerTwiceWithoutHarm() {
+        wire.peer((w, message) -> {
+            vehicle(w, message);
+            if (message instanceof MissionItemInt) {
+                w.answer(new MissionRequestInt(255, 190, Math.min(held.size(), ITEMS - 1), 0));
+            }
+        });
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(held.values()).containsExactlyElementsOf(items());
+    }
+
+    @Test
+    void saysThatAVehicleNeverAnswered() {
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), items(), Observer.NONE)))
+                .isEqualTo(new Outcome.TimedOut("No answer from the vehicle within 6 s (9 tries)."));
+        assertThat(wire.sent()).hasSize(9);
+    }
+
+    @Test
+    void saysWhyAVehicleRefusesAMission() {
+        wire.peer((w, message) -> w.answer(new MissionAck(255, 190, 4, 0)));
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), items(), Observer.NONE)))
+                .isEqualTo(new Outcome.Refused("vehicle", "The vehicle has no room for so many mission items."));
+    }
+
+    @Test
+    void beginsAgainWhenTheVehicleCancels() {
+        List<Message> counts = new ArrayList<>();
+        wire.peer((w, message) -> {
+            if (message instanceof MissionCount) {
+                counts.add(message);
+            }
+            if (counts.size() == 1) {
+                w.answer(new MissionAck(255, 190, 15, 0));
+            } else {
+                vehicle(w, message);
+            }
+        });
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(held).hasSize(ITEMS);
+    }
+
+    @Test
+    void ignoresFencesAndRallyPoints() {
+        wire.peer((w, message) -> {
+            w.answer(new MissionCount(255, 190, 3, 1));
+            vehicle(w, message);
+        });
+        MissionDownload download = MissionDownload.whole(wire.target());
+
+        assertThat(wire.runWhole(download)).isEqualTo(DONE);
+        assertThat(download.items()).isEmpty();
+    }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.mavlink.procedure;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.mavlink.translate;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,186 @@
+package org.dronemap.proxy.record;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.UUID;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CommandGate;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.mavlink.FrameWriter;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.GlobalPositionInt;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.PlayedVehicle;
+import org.dronemap.proxy.TestCloud;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+
+class ReplayTest {
+    private static final long START_MICROS = 1_700_000_000_000_000L;
+
+    private final TestCloud cloud = new TestCloud(0);
+    private final ByteArrayOutputStream tlog = new ByteArrayOutputStream();
+    private long micros = START_MICROS;
+
+    @AfterEach
+    void close() {
+        cloud.close();
+    }
+
+    private void record(int systemId, int componentId, Message message) {
+        tlog.writeBytes(ByteBuffer.allocate(8).putLong(micros).array());
+        tlog.writeBytes(new FrameWriter(systemId, componentId, 2).frame(message));
+        micros += 100_000;
+    }
+
+    private Replay play(double speed) {
+        return cloud.proxy()
+                .replays()
+                .start(new Replays.Recording(
+                        "flight.tlog", new ByteArrayInputStream(tlog.toByteArray()), tlog.size(), speed));
+    }
+
+    private void recordTwoVehicles() {
+        for (int second = 0; second < 10; second++) {
+            record(1, 1, PlayedVehicle.copter(5, true));
+            record(1, 100, new Heartbeat(30, 8, 0, 0, 3, 3));
+            record(255, 190, new Heartbeat(6, 8, 0, 0, 4, 3));
+            record(2, 1, new Heartbeat(10, 3, 1, 4, 4, 3));
+            record(1, 1, new GlobalPositionInt(0, 473977420, 85455940, 500_000, 12_000, 0, 0, 0, 0));
+        }
+    }
+
+    private static void awaitState(Replay replay, ReplayStatus.State state) {
+        TestCloud.await(
+                Duration.ofSeconds(60),
+                () -> replay.status().state() == state,
+                () -> replay.status().toString());
+    }
+
+    @Test
+    void showsTheVehiclesOfARecordingMarkedAndBeyondCommand() {
+        recordTwoVehicles();
+        Replay replay = play(100);
+        awaitState(replay, ReplayStatus.State.FINISHED);
+        DroneState copter = cloud.awaitDrone(state -> state.position() != null);
+
+        assertThat(replay.status().records()).isEqualTo(50);
+        assertThat(replay.status().goodMessages()).isEqualTo(50);
+        assertThat(replay.status().progress()).isEqualTo(1);
+        assertThat(replay.status().drones()).hasSize(2);
+        assertThat(cloud.cloud().drones()).hasSize(2).allMatch(DroneState::replay);
+        assertThat(copter.mode()).isEqualTo("LOITER");
+        assertThat(copter.link().transport()).isEqualTo("replay");
+        assertThat(cloud.cloud()
+                        .gate()
+                        .submit(
+                                new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "rest"),
+                                copter.id(),
+                                new CommandId(UUID.randomUUID().toString()),
+                                new Command.Land())
+                        .outcome())
+                .isEqualTo(new Outcome.Refused("gate", "This is a recording; it cannot be commanded."));
+    }
+
+    @Test
+    void takesItsDronesAwayWhenCancelled() {
+        recordTwoVehicles();
+        Replay replay = play(1);
+        TestCloud.await(Duration.ofSeconds(10), () -> replay.status().drones().size() == 2, () -> "no drones");
+
+        assertThat(cloud.proxy().replays().remove(replay.id())).isTrue();
+        awaitState(replay, ReplayStatus.State.CANCELLED);
+        TestCloud.await(Duration.ofSeconds(5), () -> cloud.cloud().drones().isEmpty(), () -> "still there");
+    }
+
+    @Test
+    void keepsTheRecordingsTimeAtItsSpeed() {
+        recordTwoVehicles();
+        long before = System.nanoTime();
+        awaitState(play(10), ReplayStatus.State.FINISHED);
+
+        assertThat((System.nanoTime() - before) / 1e9).isBetween(0.4, 2.0);
+    }
+
+    @Test
+    void saysThatItCouldNotBeRead() {
+        InputStream broken = new InputStream() {
+            @Override
+            public int read() throws IOException {
+                throw new IOException("the disk is gone");
+            }
+        };
+        Replay replay = cloud.proxy().replays().start(new Replays.Recording("x.tlog", broken, 10, 1));
+        awaitState(replay, ReplayStatus.State.FAILED);
+
+        assertThat(replay.status().failure()).isEqualTo("The recording could not be read: the disk is gone.");
+    }
+
+    @Test
+    void refusesASpeedThatMakesNoSense() {
+        assertThatThrownBy(() -> new Replays.Recording("x", InputStream.nullInputStream(), 0, 0))
+                .hasMessage("speed must be 0.1 to 100 times: 0.0");
+    }
+
+    /** Recordings of real vehicles, where they are at hand. */
+    private DroneState replayed(String name) throws IOException {
+        String folder = System.getenv("DRONEMAP_TEST_DATA");
+        Assumptions.assumeTrue(folder != null, "DRONEMAP_TEST_DATA is not set; recordings are not played");
+        Path file = Path.of(folder, "tlogs", name);
+        Replay replay = cloud.proxy()
+                .replays()
+                .start(new Replays.Recording(name, Files.newInputStream(file), Files.size(file), 100));
+        awaitState(replay, ReplayStatus.State.FINISHED);
+        TestCloud.await(Duration.ofSeconds(5), () -> replay.status().drones().size() == 1, () -> "not one drone");
+        List<DroneState> drones = cloud.cloud().drones();
+        assertThat(drones).hasSize(1);
+        DroneState drone = drones.get(0);
+        assertThat(drone.identification().kind()).isEqualTo(VehicleKind.SUBMARINE);
+        assertThat(drone.identification().autopilot()).isEqualTo("ArduPilot");
+        assertThat(drone.identification().vehicle()).isEqualTo("ArduSub");
+        assertThat(drone.battery().percent()).isNull();
+        return drone;
+    }
+
+    @Test
+    void showsARealSubmarineWithItsPosition() throws IOException {
+        DroneState drone = replayed("ardusub_small.tlog");
+
+        assertThat(drone.mode()).isEqualTo("MANUAL");
+        assertThat(drone.identification().firmware()).isEqualTo("4.1.1");
+        assertThat(drone.position().point().latitudeDegrees()).isBetween(48.0, 49.0);
+        assertThat(drone.battery().volts()).isBetween(14.0, 17.0);
+    }
+
+    @Test
+    void showsARealSubmarineWithoutAPositionThatItNeverHad() throws IOException {
+        DroneState drone = replayed("mavlinkserver_00025.tlog");
+
+        assertThat(drone.position().point()).isNull();
+        assertThat(drone.position().altitudeAmslMeters()).isNull();
+    }
+
+    @Test
+    void losesNoGoodMessageOfARecordingWithBrokenBytes() throws IOException {
+        DroneState drone = replayed("ardusub_pymavlink_bug_2023-04-18.tlog");
+
+        assertThat(drone.position().point()).isNull();
+        assertThat(cloud.proxy().replays().all().get(0).status().goodMessages()).isEqualTo(50_136);
+    }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.record;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.session;
+
+import org.jspecify.annotations.NullMarked;
