@@ -41,15 +41,17 @@ public record Settings(
             throw new SetupException("DRONEMAP_HTTP_PORT and DRONEMAP_STREAM_PORT are both " + httpPort
                     + "; they must be different ports.");
         }
-        if (publicMode && tls == null) {
-            throw new SetupException("DRONEMAP_PUBLIC is on without TLS: passwords would cross the network in clear;"
-                    + " set DRONEMAP_TLS_CERT and DRONEMAP_TLS_KEY.");
-        }
     }
 
     public static Settings fromEnvironment(Map<String, String> environment) {
         String bind = environment.getOrDefault("DRONEMAP_BIND", "127.0.0.1").strip();
         String tile = text(environment, "DRONEMAP_TILE_ADDRESS");
+        boolean publicMode = flag(environment, "DRONEMAP_PUBLIC");
+        Tls tls = tls(environment);
+        if (publicMode && tls == null) {
+            throw new SetupException("DRONEMAP_PUBLIC is on without TLS: passwords would cross the network in clear;"
+                    + " set DRONEMAP_TLS_CERT and DRONEMAP_TLS_KEY.");
+        }
         if (tile != null) {
             checkTile(tile);
         }
@@ -60,8 +62,8 @@ public record Settings(
                 port(environment, "DRONEMAP_STREAM_PORT", DEFAULT_STREAM_PORT),
                 endpoints(environment, bind),
                 text(environment, "DRONEMAP_DATABASE_URL"),
-                flag(environment, "DRONEMAP_PUBLIC"),
-                tls(environment),
+                publicMode,
+                tls,
                 tile,
                 watchdog(environment));
     }

@@ -1,0 +1,200 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.http.HttpRequest;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Base64;
+import java.util.function.UnaryOperator;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.soap.DronemapFault;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class AccessTest {
+    private static final String NEXT = "a better password";
+
+    @TempDir
+    private Path data;
+
+    private TestHouse house;
+    private Http nobody;
+
+    @BeforeEach
+    void open() {
+        house = new TestHouse(data, false);
+        nobody = new Http(house, "");
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void makesTheFirstAdministratorWithAPasswordOnlyTheOwnerCanRead() throws IOException {
+        Path file = data.resolve("first-password.txt");
+
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
+                .isEqualTo("rw-------");
+        assertThat(Files.readString(file)).matches("admin [a-z0-9-]{20,}\n");
+        Http.Answer session = signIn(firstPassword());
+        assertThat(session.status()).isEqualTo(200);
+        assertThat(session.json().path("mustChangePassword").asBoolean()).isTrue();
+        assertThat(session.raw().headers().firstValue("Set-Cookie").orElse(""))
+                .contains("HttpOnly", "SameSite=Strict", "Max-Age=43200");
+    }
+
+    @Test
+    void removesTheFileWhenThePasswordIsChangedAndEndsOtherSessions() throws IOException {
+        String one = cookie(signIn(firstPassword()));
+        String other = cookie(signIn(firstPassword()));
+
+        Http.Answer changed = change(one, firstPassword(), NEXT);
+
+        assertThat(changed.status()).isEqualTo(204);
+        assertThat(data.resolve("first-password.txt")).doesNotExist();
+        assertThat(session(one).json().path("mustChangePassword").asBoolean()).isFalse();
+        assertThat(session(other).status()).isEqualTo(401);
+        assertThat(signIn(NEXT).status()).isEqualTo(200);
+    }
+
+    @Test
+    void wantsTenCharacters() throws IOException {
+        Http.Answer answer = change(cookie(signIn(firstPassword())), firstPassword(), "short");
+
+        assertThat(answer.status()).isEqualTo(422);
+        assertThat(answer.text("field")).isEqualTo("next");
+        assertThat(answer.text("detail")).isEqualTo("A password must have 10 to 200 characters; this one has 5.");
+    }
+
+    @Test
+    void wantsAHeaderThatOtherSitesCannotSend() throws IOException {
+        String cookie = cookie(signIn(firstPassword()));
+
+        Http.Answer without = nobody.send(
+                "/api/v1/session", request -> request.header("Cookie", cookie).DELETE());
+        Http.Answer with = nobody.send(
+                "/api/v1/session",
+                request -> request.header("Cookie", cookie)
+                        .header("X-Dronemap", "1")
+                        .DELETE());
+
+        assertThat(without.status()).isEqualTo(403);
+        assertThat(with.status()).isEqualTo(204);
+        assertThat(session(cookie).status()).isEqualTo(401);
+    }
+
+    @Test
+    void makesGuessersWait() throws IOException {
+        for (int attempt = 0; attempt < 5; attempt++) {
+            assertThat(signIn("wrong").status()).isEqualTo(401);
+        }
+
+        Http.Answer sixth = signIn(firstPassword());
+
+        assertThat(sixth.status()).isEqualTo(429);
+        assertThat(sixth.text("detail")).matches("Too many wrong passwords; wait \\d+ s and try again\\.");
+    }
+
+    @Test
+    void letsTheOwnerOfTheMachineMakeKeysThatDoNoMoreThanTheySay() throws IOException {
+        Http owner = new Http(house, Files.readString(data.resolve("local-key")).strip());
+
+        Http.Answer made = owner.post("/api/v1/access-keys", "{\"label\":\"a viewer\",\"role\":\"viewer\"}");
+        Http viewer = new Http(house, made.text("key"));
+
+        assertThat(made.status()).isEqualTo(201);
+        assertThat(viewer.get("/api/v1/drones").status()).isEqualTo(200);
+        assertThat(viewer.get("/api/v1/users").status()).isEqualTo(403);
+        assertThat(viewer.post("/api/v1/access-keys", "{\"label\":\"more\",\"role\":\"administrator\"}")
+                        .status())
+                .isEqualTo(403);
+        assertThat(owner.get("/api/v1/access-keys").raw().body()).doesNotContain(made.text("key"));
+        assertThat(owner.send("/api/v1/access-keys/" + made.text("id"), HttpRequest.Builder::DELETE)
+                        .status())
+                .isEqualTo(204);
+        assertThat(viewer.get("/api/v1/drones").status()).isEqualTo(401);
+    }
+
+    @Test
+    void takesAKeyAwayWithItsOwner() {
+        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        administrator.post("/api/v1/users", "{\"name\":\"bob\",\"role\":\"operator\",\"password\":\"0123456789\"}");
+        Http.Answer bob = nobody.post("/api/v1/session", "{\"name\":\"bob\",\"password\":\"0123456789\"}");
+        assertThat(bob.text("role")).isEqualTo("operator");
+
+        administrator.send("/api/v1/users/bob", HttpRequest.Builder::DELETE);
+
+        assertThat(session(cookie(bob)).status()).isEqualTo(401);
+    }
+
+    @Test
+    void signsInToSoapByNameAndPassword() throws IOException, DronemapFault {
+        String basic = "Basic "
+                + Base64.getEncoder().encodeToString(("admin:" + firstPassword()).getBytes(StandardCharsets.UTF_8));
+
+        assertThat(SoapClient.withHeader(house, basic).getDronesList()).isNullOrEmpty();
+    }
+
+    @Test
+    void staysClosedToTheNetworkWithTheFirstPassword(@TempDir Path openData) throws IOException {
+        house.close();
+        try (TestHouse open = new TestHouse(openData, true)) {
+            house = open;
+            nobody = new Http(open, "");
+            String sentence = "This server is open to the network and still has its first administrator password;"
+                    + " sign in as admin and change it, then everything works.";
+            String cookie = cookie(signIn(firstPassword()));
+            String key = open.key(Role.OPERATOR);
+
+            assertThat(new Http(open, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
+            assertThatThrownBy(() -> SoapClient.withKey(open, key).getDronesList())
+                    .hasMessage(sentence);
+            try (StreamListener stream = StreamListener.withKey(open, key)) {
+                assertThat(stream.awaitClose()).startsWith("This server is open to the network");
+            }
+            assertThat(change(cookie, firstPassword(), NEXT).status()).isEqualTo(204);
+            assertThat(new Http(open, key).get("/api/v1/drones").status()).isEqualTo(200);
+        }
+    }
+
+    private String firstPassword() throws IOException {
+        return Files.readString(house.data().resolve("first-password.txt"))
+                .strip()
+                .split(" ", 2)[1];
+    }
+
+    private Http.Answer signIn(String password) {
+        return nobody.post("/api/v1/session", "{\"name\":\"admin\",\"password\":\"" + password + "\"}");
+    }
+
+    private Http.Answer session(String cookie) {
+        return nobody.send(
+                "/api/v1/session", request -> request.header("Cookie", cookie).GET());
+    }
+
+    private Http.Answer change(String cookie, String current, String next) {
+        UnaryOperator<HttpRequest.Builder> how = request -> request.header("Cookie", cookie)
+                .header("X-Dronemap", "1")
+                .header("Content-Type", "application/json")
+                .POST(HttpRequest.BodyPublishers.ofString(
+                        "{\"current\":\"" + current + "\",\"next\":\"" + next + "\"}"));
+        return nobody.send("/api/v1/session/password", how);
+    }
+
+    private static String cookie(Http.Answer session) {
+        return session.raw().headers().firstValue("Set-Cookie").orElse("").split(";", 2)[0];
+    }
+}

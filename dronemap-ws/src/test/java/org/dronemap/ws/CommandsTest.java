@@ -1,0 +1,153 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.SoapOutcome;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+class CommandsTest {
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private String key;
+    private Http operator;
+    private String commands;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15681);
+        key = house.key(Role.OPERATOR);
+        operator = new Http(house, key);
+        commands = "/api/v1/drones/" + vehicle.id() + "/commands";
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void waitsForTheOutcome() {
+        Http.Answer answer = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
+
+        assertThat(answer.status()).isEqualTo(200);
+        assertThat(answer.text("type")).isEqualTo("arm");
+        assertThat(answer.text("phase")).isEqualTo("done");
+        assertThat(answer.json().path("outcome").path("result").asString()).isEqualTo("succeeded");
+        assertThat(operator.get("/api/v1/commands/" + answer.text("id")).json()).isEqualTo(answer.json());
+        assertThat(vehicle.performed()).containsExactly(new Command.Arm());
+    }
+
+    @Test
+    void actsOnceWhenTheSameIdComesTwice() {
+        String body = "{\"type\":\"arm\",\"id\":\"the-same-id\"}";
+        Http.Answer first = operator.post(commands + "?wait=10", body);
+        Http.Answer second = operator.post(commands + "?wait=10", body);
+
+        assertThat(second.json()).isEqualTo(first.json());
+        assertThat(vehicle.performed()).hasSize(1);
+    }
+
+    @Test
+    void refusesAnIdThatBelongsToAnotherCommand() {
+        operator.post(commands + "?wait=10", "{\"type\":\"arm\",\"id\":\"the-same-id\"}");
+        Http.Answer other = operator.post(commands, "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"the-same-id\"}");
+
+        assertThat(other.status()).isEqualTo(409);
+        assertThat(other.text("detail")).contains("belongs to another command");
+    }
+
+    @Test
+    void tellsWhyTheGateRefusesInAllFaces() throws DronemapFault {
+        Http.Answer rest = operator.post(commands, "{\"type\":\"takeOff\",\"altitude\":20}");
+        SoapOutcome soap = SoapClient.withKey(house, key).takeoff(vehicle.id(), 20.0);
+
+        assertThat(rest.status()).isEqualTo(409);
+        assertThat(rest.text("detail")).isEqualTo("Arm first.");
+        JsonNode record =
+                operator.get("/api/v1/commands/" + rest.text("commandId")).json();
+        assertThat(record.path("outcome").path("result").asString()).isEqualTo("refused");
+        assertThat(record.path("outcome").path("by").asString()).isEqualTo("gate");
+        assertThat(List.of(soap.getResult(), String.valueOf(soap.getBy()), String.valueOf(soap.getReason())))
+                .containsExactly("refused", "gate", "Arm first.");
+        assertThat(vehicle.performed()).isEmpty();
+    }
+
+    @Test
+    void bringsTheVehiclesOwnSentenceToAllFaces() throws DronemapFault {
+        String sentence = "PreArm: compass 7 not healthy";
+        vehicle.ends(command -> new Outcome.Refused("vehicle", sentence));
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+            Http.Answer rest = operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
+            SoapOutcome soap = SoapClient.withKey(house, key).arm(vehicle.id());
+            JsonNode streamed = stream.await(
+                    message -> message.path("command").path("id").asString("").equals(rest.text("id"))
+                            && message.path("command").path("phase").asString().equals("done"));
+
+            assertThat(rest.json().path("outcome").path("reason").asString()).isEqualTo(sentence);
+            assertThat(rest.json().path("outcome").path("by").asString()).isEqualTo("vehicle");
+            assertThat(soap.getReason()).isEqualTo(sentence);
+            assertThat(streamed.path("command").path("outcome").path("reason").asString())
+                    .isEqualTo(sentence);
+        }
+    }
+
+    @Test
+    void putsATakeOffInFrontOfAMissionThatHasNone() {
+        operator.post(
+                commands + "?wait=10",
+                "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":47,\"longitude\":8,"
+                        + "\"altitude\":35},{\"type\":\"returnToLaunch\"}]}");
+
+        assertThat(vehicle.performed()).hasSize(1);
+        assertThat(vehicle.performed().get(0)).isInstanceOfSatisfying(Command.UploadMission.class, upload -> {
+            assertThat(upload.mission().items()).hasSize(3);
+            assertThat(upload.mission().items().get(0)).isEqualTo(new MissionItem.TakeOff(35));
+        });
+    }
+
+    @Test
+    void listsTheCommandsOfADroneNewestFirst() {
+        operator.post(commands + "?wait=10", "{\"type\":\"arm\"}");
+        operator.post(commands + "?wait=10", "{\"type\":\"setMode\",\"mode\":\"AUTO\"}");
+
+        JsonNode listed = operator.get(commands).json().path("commands");
+
+        assertThat(listed.size()).isEqualTo(2);
+        assertThat(listed.path(0).path("summary").asString()).isEqualTo("change mode to AUTO");
+        assertThat(listed.path(0).path("face").asString()).isEqualTo("rest");
+    }
+
+    @Test
+    void showsAbsentFactsAsNull() {
+        vehicle.says(new DroneEvent.TextHeard(org.dronemap.core.drone.Severity.INFO, "hello"));
+        JsonNode drone = operator.get("/api/v1/drones/" + vehicle.id()).json();
+
+        assertThat(drone.path("battery").isNull()).isTrue();
+        assertThat(drone.path("home").isNull()).isTrue();
+        assertThat(drone.path("mission").path("items").isNull()).isTrue();
+        assertThat(drone.path("position").path("latitude").asDouble()).isEqualTo(47.3977);
+        assertThat(drone.path("kind").asString()).isEqualTo("multicopter");
+        assertThat(drone.path("actions").path("arm").path("allowed").asBoolean())
+                .isTrue();
+        assertThat(drone.path("actions").path("takeOff").path("why").asString()).isEqualTo("Arm first.");
+    }
+}

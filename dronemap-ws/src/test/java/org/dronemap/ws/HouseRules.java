@@ -1,0 +1,113 @@
+package org.dronemap.ws;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaCall;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.lang.ArchRule;
+import org.dronemap.core.cloud.CommandGate;
+import org.dronemap.core.cloud.VehicleChannel;
+
+/** The rules of the house that the compiler cannot see. */
+final class HouseRules {
+    private HouseRules() {}
+
+    static final ArchRule CORE_KNOWS_ONLY_THE_JDK = classes()
+            .that()
+            .resideInAPackage("org.dronemap.core..")
+            .should()
+            .onlyDependOnClassesThat()
+            .resideInAnyPackage("org.dronemap.core..", "java..", "org.jspecify..", "org.slf4j..")
+            .as("core knows no framework and no driver");
+
+    static final ArchRule CORE_OPENS_NO_SOCKETS = noClasses()
+            .that()
+            .resideInAPackage("org.dronemap.core..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("java.net..", "java.nio.channels..", "java.sql..", "javax..")
+            .as("core has no sockets and no database");
+
+    static final ArchRule CORE_NAMES_NO_PROTOCOL = noClasses()
+            .that()
+            .resideInAPackage("org.dronemap.core..")
+            .should()
+            .haveNameMatching("(?i).*(mavlink|roslink|soap|http|websocket|postgres).*")
+            .as("no class of core names a protocol");
+
+    static final ArchRule FLOORS_OF_CORE = layeredArchitecture()
+            .consideringOnlyDependenciesInLayers()
+            .layer("geo")
+            .definedBy("org.dronemap.core.geo..")
+            .layer("mission")
+            .definedBy("org.dronemap.core.mission..")
+            .layer("drone")
+            .definedBy("org.dronemap.core.drone..")
+            .layer("words")
+            .definedBy("org.dronemap.core.event..", "org.dronemap.core.command..", "org.dronemap.core.access..")
+            .layer("cloud")
+            .definedBy("org.dronemap.core.cloud..")
+            .whereLayer("cloud")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("words")
+            .mayOnlyBeAccessedByLayers("cloud")
+            .whereLayer("drone")
+            .mayOnlyBeAccessedByLayers("words", "cloud")
+            .whereLayer("mission")
+            .mayOnlyBeAccessedByLayers("drone", "words", "cloud");
+
+    static final ArchRule FLOORS_OF_WS = layeredArchitecture()
+            .consideringOnlyDependenciesInLayers()
+            .layer("service")
+            .definedBy("org.dronemap.ws.service..")
+            .layer("security")
+            .definedBy("org.dronemap.ws.security..")
+            .layer("rest")
+            .definedBy("org.dronemap.ws.rest..")
+            .layer("soap")
+            .definedBy("org.dronemap.ws.soap..")
+            .layer("stream")
+            .definedBy("org.dronemap.ws.stream..")
+            .layer("wiring")
+            .definedBy("org.dronemap.ws.wiring..")
+            .whereLayer("wiring")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("rest")
+            .mayOnlyBeAccessedByLayers("wiring")
+            .whereLayer("soap")
+            .mayOnlyBeAccessedByLayers("wiring")
+            .whereLayer("stream")
+            .mayOnlyBeAccessedByLayers("wiring")
+            .whereLayer("security")
+            .mayOnlyBeAccessedByLayers("rest", "soap", "stream", "wiring");
+
+    static final ArchRule ONLY_THE_WIRING_SEES_LINKS_AND_STORES = noClasses()
+            .that()
+            .resideInAPackage("org.dronemap.ws..")
+            .and()
+            .resideOutsideOfPackage("org.dronemap.ws.wiring..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("org.dronemap.proxy..", "org.dronemap.store..", "org.dronemap.mavlink..");
+
+    static final ArchRule NO_CYCLES =
+            slices().matching("org.dronemap.(*).(**)").should().beFreeOfCycles();
+
+    static final ArchRule ONLY_THE_GATE_COMMANDS = noClasses()
+            .that()
+            .areNotAssignableTo(CommandGate.class)
+            .should()
+            .callMethodWhere(new DescribedPredicate<JavaCall<?>>("it is a vehicle channel's perform") {
+                @Override
+                public boolean test(JavaCall<?> call) {
+                    JavaClass owner = call.getTargetOwner();
+                    return owner.isAssignableTo(VehicleChannel.class)
+                            && call.getName().equals("perform");
+                }
+            })
+            .as("only the gate calls a vehicle channel's perform");
+}

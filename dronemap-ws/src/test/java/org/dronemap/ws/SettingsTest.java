@@ -1,0 +1,52 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.Map;
+import org.dronemap.ws.wiring.Settings;
+import org.dronemap.ws.wiring.SetupException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SettingsTest {
+
+    @Test
+    void listensOnLoopbackUnlessToldOtherwise() {
+        Settings settings = Settings.fromEnvironment(Map.of());
+
+        assertThat(settings.bindAddress()).isEqualTo("127.0.0.1");
+        assertThat(settings.endpoints()).containsExactly("udpserver://127.0.0.1:14550", "tcpserver://127.0.0.1:5760");
+        assertThat(settings.httpPort()).isEqualTo(8080);
+        assertThat(settings.streamPort()).isEqualTo(8081);
+        assertThat(settings.publicMode()).isFalse();
+    }
+
+    @Test
+    void scalesTheWatchdog() {
+        Settings settings = Settings.fromEnvironment(Map.of("DRONEMAP_WATCHDOG_LOST_SECONDS", "10"));
+
+        assertThat(settings.watchdog().lostAfter()).isEqualTo(Duration.ofSeconds(10));
+        assertThat(settings.watchdog().probeAfter()).isEqualTo(Duration.ofSeconds(6));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "DRONEMAP_HTTP_PORT, 99999, '\"99999\"'",
+        "DRONEMAP_STREAM_PORT, web, '\"web\"'",
+        "DRONEMAP_PUBLIC, perhaps, '\"perhaps\"'",
+        "DRONEMAP_PUBLIC, true, DRONEMAP_TLS_CERT",
+        "DRONEMAP_TLS_CERT, /no/such/file, /no/such/file",
+        "DRONEMAP_TILE_ADDRESS, tiles, '\"tiles\"'",
+        "DRONEMAP_WATCHDOG_LOST_SECONDS, 1, 2 to 600 seconds",
+        "DRONEMAP_STREAM_PORT, 8080, 8080"
+    })
+    void namesTheSettingAndTheValueThatAreWrong(String name, String value, String named) {
+        assertThatThrownBy(() -> Settings.fromEnvironment(Map.of(name, value)))
+                .isInstanceOf(SetupException.class)
+                .hasMessageContaining(name)
+                .hasMessageContaining(named);
+    }
+}

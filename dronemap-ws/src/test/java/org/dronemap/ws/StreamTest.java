@@ -1,0 +1,197 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.stream.StreamFace;
+import org.dronemap.ws.wiring.StreamPort;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+class StreamTest {
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private String key;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15682);
+        key = house.key(Role.OPERATOR);
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void greetsAndListsAllDronesFirst() {
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            JsonNode list = stream.await(message -> isType(message, "drones"));
+
+            assertThat(stream.heard().get(0).path("type").asString()).isEqualTo("hello");
+            assertThat(stream.heard().get(0).path("role").asString()).isEqualTo("operator");
+            assertThat(list.path("drones").path(0).path("id").asString()).isEqualTo(vehicle.id());
+        }
+    }
+
+    @Test
+    void sendsTheNewestStateAndNotEveryOne() {
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> isType(message, "drones"));
+            for (int percent = 1; percent <= 100; percent++) {
+                vehicle.says(new DroneEvent.BatteryHeard(new Battery(percent, null, null)));
+            }
+
+            stream.await(message -> percent(message) == 100);
+
+            long pictures = stream.heard().stream()
+                    .filter(message -> isType(message, "drone"))
+                    .count();
+            assertThat(pictures).isBetween(1L, 10L);
+        }
+    }
+
+    @Test
+    void takesATicketOnce() {
+        String ticket = new Http(house, key).post("/api/v1/stream-tickets", "").text("ticket");
+
+        try (StreamListener first = StreamListener.with(house, "?ticket=" + ticket, Map.of());
+                StreamListener second = StreamListener.with(house, "?ticket=" + ticket, Map.of())) {
+            first.await(message -> isType(message, "drones"));
+            assertThat(second.awaitClose()).contains("ticket was used already");
+        }
+    }
+
+    @Test
+    void takesAKeyAsFirstMessage() {
+        try (StreamListener stream = StreamListener.with(house, "", Map.of())) {
+            stream.send("{\"type\":\"authenticate\",\"key\":\"" + key + "\"}");
+
+            assertThat(stream.await(message -> isType(message, "hello"))
+                            .path("user")
+                            .asString())
+                    .startsWith("user");
+        }
+    }
+
+    @Test
+    void turnsAPageOfAnotherSiteAway() {
+        try (StreamListener stream = StreamListener.with(
+                house, "", Map.of("Authorization", "Bearer " + key, "Origin", "https://evil.example"))) {
+            assertThat(stream.awaitClose()).contains("only pages of its own host");
+        }
+    }
+
+    @Test
+    void commandsAndTellsEveryPhase() {
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.send("{\"type\":\"command\",\"requestId\":\"r1\",\"drone\":\"" + vehicle.id()
+                    + "\",\"command\":{\"type\":\"arm\"}}");
+            String id = stream.await(message -> isType(message, "commandAccepted"))
+                    .path("command")
+                    .path("id")
+                    .asString();
+            stream.await(message -> isPhase(message, id, "done"));
+
+            List<String> phases = stream.heard().stream()
+                    .filter(message -> isType(message, "command"))
+                    .map(message -> message.path("command").path("phase").asString())
+                    .toList();
+            assertThat(phases).containsExactly("sent", "accepted", "done");
+            assertThat(vehicle.performed()).hasSize(1);
+        }
+    }
+
+    @Test
+    void closesAClientThatDoesNotReadAndServesTheOthers() throws IOException {
+        StreamFace face = house.bean(StreamFace.class);
+        CommandRecord large = new CommandRecord(
+                new CommandId("a-large-command"),
+                new DroneId(vehicle.id()),
+                "somebody",
+                "rest",
+                "Arm",
+                "x".repeat(10_000),
+                Instant.EPOCH,
+                CommandPhase.SENT,
+                null,
+                null,
+                null);
+        try (Socket deaf = new Socket();
+                StreamListener other = StreamListener.withKey(house, key)) {
+            deaf.setReceiveBufferSize(1024);
+            deaf.connect(new InetSocketAddress(
+                    "127.0.0.1", house.bean(StreamPort.class).number()));
+            upgrade(deaf);
+            other.await(message -> isType(message, "drones"));
+            Waiting.until("both are there", () -> clients() == 2 ? Optional.of(true) : Optional.empty());
+
+            Waiting.until("the deaf one is closed", () -> {
+                for (int count = 0; count < 50; count++) {
+                    face.commandChanged(large);
+                }
+                return clients() == 1 ? Optional.of(true) : Optional.empty();
+            });
+
+            other.send("{\"type\":\"ping\"}");
+            other.await(message -> isType(message, "pong"));
+        }
+    }
+
+    private int clients() {
+        return house.bean(StreamFace.class).clientCount();
+    }
+
+    /** Opens the stream by hand and then reads nothing any more. */
+    private void upgrade(Socket socket) throws IOException {
+        OutputStream out = socket.getOutputStream();
+        out.write(("GET /stream HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                        + "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n"
+                        + "Authorization: Bearer " + key + "\r\n\r\n")
+                .getBytes(StandardCharsets.US_ASCII));
+        InputStream in = socket.getInputStream();
+        assertThat(new String(in.readNBytes(12), StandardCharsets.US_ASCII)).isEqualTo("HTTP/1.1 101");
+    }
+
+    private static boolean isType(JsonNode message, String type) {
+        return message.path("type").asString("").equals(type);
+    }
+
+    private static boolean isPhase(JsonNode message, String id, String phase) {
+        JsonNode command = message.path("command");
+        return isType(message, "command")
+                && command.path("id").asString("").equals(id)
+                && command.path("phase").asString("").equals(phase);
+    }
+
+    private static int percent(JsonNode message) {
+        return message.path("drone").path("battery").path("percent").asInt(0);
+    }
+}
