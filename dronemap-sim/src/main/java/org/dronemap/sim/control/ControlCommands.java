@@ -6,7 +6,7 @@ import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.personality.SimulatedVehicle;
 
 /** Understands a line of the control port and carries it out; each answer begins with "ok" or "err". On the fleet's thread. */
-final class ControlCommands {
+public final class ControlCommands {
     static final String HELP = """
             list                                  all vehicles
             fault <sysid|all> silent <seconds>s   stops talking and listening for a while
@@ -22,7 +22,7 @@ final class ControlCommands {
 
     private ControlCommands() {}
 
-    static String run(String line, List<SimulatedVehicle> vehicles) {
+    public static String run(String line, List<SimulatedVehicle> vehicles) {
         String[] words = line.trim().toLowerCase(Locale.ROOT).split("\\s+");
         return switch (words[0]) {
             case "help" -> HELP;

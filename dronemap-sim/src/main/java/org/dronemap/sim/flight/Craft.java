@@ -57,6 +57,12 @@ public final class Craft {
         }
     }
 
+    /** The motors push: the autopilot counts itself as flying just before it leaves the ground. */
+    public void liftOff(long nowMillis) {
+        landed = false;
+        groundedSince = nowMillis;
+    }
+
     public void setArmed(boolean on) {
         armed = on;
     }

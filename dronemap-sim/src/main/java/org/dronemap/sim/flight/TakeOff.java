@@ -5,7 +5,8 @@ import org.dronemap.sim.physics.Setpoint;
 
 /** Spools the motors up and climbs straight to a height in metres of the vehicle's frame. */
 public final class TakeOff implements Manoeuvre {
-    private static final long SPOOL_MILLIS = 1_500;
+    private static final long SPOOL_MILLIS = 2_400;
+    private static final long LIFTING_MILLIS = 1_900;
     private static final double REACHED_METERS = 0.3;
 
     private final Position target;
@@ -24,6 +25,9 @@ public final class TakeOff implements Manoeuvre {
             begun = nowMillis;
         }
         if (craft.body().onGround() && nowMillis - begun < SPOOL_MILLIS) {
+            if (nowMillis - begun >= LIFTING_MILLIS) {
+                craft.liftOff(nowMillis);
+            }
             return new Setpoint.Still();
         }
         done = done || craft.body().up() >= target.up() - REACHED_METERS;
