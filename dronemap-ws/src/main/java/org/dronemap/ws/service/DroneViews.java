@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.drone.Capability;
@@ -18,6 +19,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Maps a drone's state to what clients see, once for all faces. Any thread. */
 public final class DroneViews {
+    /** What autopilots call the mode in which they fly their mission. */
+    private static final Set<String> MISSION_MODES = Set.of("AUTO", "MISSION");
+
     private final DronePlaces places;
 
     public DroneViews(DronePlaces places) {
@@ -115,7 +119,8 @@ public final class DroneViews {
     private static DroneView.MissionView mission(DroneState state) {
         MissionProgress mission = state.mission();
         var items = mission.items();
-        boolean running = Boolean.TRUE.equals(state.armed()) && mission.current() != null;
+        String mode = state.mode();
+        boolean running = Boolean.TRUE.equals(state.armed()) && mode != null && MISSION_MODES.contains(mode);
         return new DroneView.MissionView(
                 items == null ? null : MissionItemView.of(items),
                 mission.current(),

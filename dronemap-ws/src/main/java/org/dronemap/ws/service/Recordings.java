@@ -18,6 +18,6 @@ public interface Recordings {
 
     Optional<ReplayView> find(String id);
 
-    /** Ends it and forgets it, with its drones. */
-    void remove(String id);
+    /** Cancels one that plays, forgets one that has played; its drones go. False when there is none. */
+    boolean remove(String id);
 }

@@ -46,10 +46,11 @@ public final class ReplayService {
         }
     }
 
-    private ReplayView play(String name, InputStream bytes, long length, double speed) {
+    private ReplayView play(String name, InputStream bytes, long length, double speed) throws IOException {
         try {
             return recordings.start(name, bytes, length, speed);
         } catch (IllegalStateException tooMany) {
+            bytes.close();
             throw Rejection.conflict(String.valueOf(tooMany.getMessage()));
         }
     }
@@ -64,6 +65,8 @@ public final class ReplayService {
 
     public void remove(Principal principal, String id) {
         Roles.require(principal, Role.OPERATOR);
-        recordings.remove(replay(id).id());
+        if (!recordings.remove(id)) {
+            throw Rejection.unknown("replay", id);
+        }
     }
 }

@@ -58,7 +58,7 @@ public final class Dronemap {
         House house = builder.open();
         ConfigurableApplicationContext faces = FacesServer.start(settings, house);
         closing.add("the faces", faces);
-        builder.connect(house);
+        builder.connect();
         String scheme = settings.tls() == null ? "http" : "https";
         LOG.info(
                 "Dronemap {} is ready at {}://{}:{}",

@@ -5,11 +5,13 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.ws.service.BackupService;
+import org.dronemap.ws.service.Recordings;
 
 /** Everything behind the faces, built and running. */
 public record House(
         CloudManager cloud,
         AccessStore access,
         MissionStore missions,
+        Recordings recordings,
         BooleanSupplier databaseUp,
         BackupService.BackupWriter backups) {}

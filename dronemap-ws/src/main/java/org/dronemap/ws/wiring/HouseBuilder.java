@@ -15,6 +15,7 @@ import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.store.postgres.BackupSummary;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -27,6 +28,7 @@ final class HouseBuilder {
     private final Closing closing;
     private final List<EndpointUrl> endpoints;
     private final Lanes lanes = new Lanes(LANES);
+    private @Nullable Proxy proxy;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
     HouseBuilder(Settings settings, Closing closing) {
@@ -55,10 +57,14 @@ final class HouseBuilder {
                 clock,
                 new CloudManager.Keeping(database.drones(), database.commands(), journal),
                 new DroneIds());
+        Proxy links = new Proxy(cloud, lanes, endpoints);
+        closing.add("the links", links);
+        proxy = links;
         return new House(
                 cloud,
                 database.access(),
                 database.missions(),
+                new ProxyRecordings(links.replays()),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file));
     }
@@ -94,14 +100,14 @@ final class HouseBuilder {
     }
 
     /** Lets vehicles in. */
-    void connect(House house) {
-        Proxy proxy = new Proxy(house.cloud(), lanes, endpoints);
+    void connect() {
         try {
-            proxy.start();
+            if (proxy != null) {
+                proxy.start();
+            }
         } catch (IOException e) {
             throw new SetupException(e.getMessage() + " (DRONEMAP_ENDPOINTS)", e);
         }
-        closing.add("the links", proxy);
     }
 
     private static EndpointUrl endpoint(String url) {

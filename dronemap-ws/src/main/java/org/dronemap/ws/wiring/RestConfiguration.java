@@ -11,6 +11,7 @@ import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.MissionController;
 import org.dronemap.ws.rest.ProblemAdvice;
+import org.dronemap.ws.rest.ReplayController;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
 import org.dronemap.ws.rest.StreamTicketController;
@@ -39,6 +40,7 @@ import tools.jackson.databind.DeserializationFeature;
     CommandController.class,
     MissionController.class,
     BackupController.class,
+    ReplayController.class,
     SystemController.class,
     StreamTicketController.class,
     ProblemAdvice.class,

@@ -15,6 +15,7 @@ import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.MissionService;
 import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SystemService;
 import org.springframework.context.annotation.Bean;
@@ -107,5 +108,10 @@ public class ServiceConfiguration {
     @Bean
     BackupService backupService(House house, Settings settings) {
         return new BackupService(house.backups(), settings.dataDirectory());
+    }
+
+    @Bean
+    ReplayService replayService(House house, Settings settings) {
+        return new ReplayService(house.recordings(), settings.dataDirectory());
     }
 }

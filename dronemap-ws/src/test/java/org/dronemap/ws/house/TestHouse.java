@@ -50,6 +50,7 @@ public final class TestHouse implements AutoCloseable {
                 cloud,
                 access,
                 new MemoryMissionStore(),
+                new CountingRecordings(),
                 () -> true,
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)));
         Settings settings = new Settings(
