@@ -1,43 +1,63 @@
 export const HOLD_MILLISECONDS = 800;
 
-export interface FrameClock {
+export interface HoldClock {
   now(): number;
+  after(milliseconds: number, action: () => void): () => void;
   onFrame(action: () => void): () => void;
 }
 
-const browserFrames: FrameClock = {
+const browserClock: HoldClock = {
   now: () => performance.now(),
+  after: (milliseconds, action) => {
+    const handle = setTimeout(action, milliseconds);
+    return () => clearTimeout(handle);
+  },
   onFrame: (action) => {
     const handle = requestAnimationFrame(action);
     return () => cancelAnimationFrame(handle);
   },
 };
 
-/** A press that only counts when it is held for 0.8 s; `progress` runs from 0 to 1 for the ring. */
+/**
+ * A press that only counts when it is held for 0.8 s; `progress` runs from 0 to 1 for the ring. What counts are the
+ * times at which the hand acted (the time stamps of the events), not when a busy page got round to them.
+ */
 export class Hold {
   progress = $state(0);
   /** True after a press that was let go too early: the moment to say that it wants holding. */
   tooShort = $state(false);
   readonly #confirm: () => void;
-  readonly #frames: FrameClock;
+  readonly #clock: HoldClock;
   #since: number | null = null;
   #cancelFrame: () => void = () => undefined;
+  #cancelTimer: () => void = () => undefined;
 
-  constructor(confirm: () => void, frames: FrameClock = browserFrames) {
+  constructor(confirm: () => void, clock: HoldClock = browserClock) {
     this.#confirm = confirm;
-    this.#frames = frames;
+    this.#clock = clock;
   }
 
-  begin(): void {
-    if (this.#since === null) {
-      this.#since = this.#frames.now();
-      this.tooShort = false;
-      this.#cancelFrame = this.#frames.onFrame(() => this.#frame());
-    }
-  }
-
-  release(): void {
+  begin(at: number): void {
     if (this.#since !== null) {
+      return;
+    }
+    this.#since = at;
+    this.tooShort = false;
+    const left = Math.max(0, HOLD_MILLISECONDS - (this.#clock.now() - at));
+    // A release that waits in the queue comes first: only then is the time up.
+    this.#cancelTimer = this.#clock.after(left, () => {
+      this.#cancelTimer = this.#clock.after(0, () => this.#complete());
+    });
+    this.#draw();
+  }
+
+  release(at: number): void {
+    if (this.#since === null) {
+      return;
+    }
+    if (at - this.#since >= HOLD_MILLISECONDS) {
+      this.#complete();
+    } else {
       this.#stop();
       this.tooShort = true;
     }
@@ -49,21 +69,21 @@ export class Hold {
     this.tooShort = false;
   }
 
-  #frame(): void {
-    if (this.#since === null) {
-      return;
-    }
-    this.progress = Math.min(1, (this.#frames.now() - this.#since) / HOLD_MILLISECONDS);
-    if (this.progress >= 1) {
-      this.#stop();
-      this.#confirm();
-    } else {
-      this.#cancelFrame = this.#frames.onFrame(() => this.#frame());
+  #complete(): void {
+    this.#stop();
+    this.#confirm();
+  }
+
+  #draw(): void {
+    if (this.#since !== null) {
+      this.progress = Math.min(1, Math.max(0, (this.#clock.now() - this.#since) / HOLD_MILLISECONDS));
+      this.#cancelFrame = this.#clock.onFrame(() => this.#draw());
     }
   }
 
   #stop(): void {
     this.#cancelFrame();
+    this.#cancelTimer();
     this.#since = null;
     this.progress = 0;
   }

@@ -1,63 +1,100 @@
 import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
 import { createRawSnippet } from 'svelte';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { Hold, HOLD_MILLISECONDS, type FrameClock } from './hold.svelte';
+import { Hold, HOLD_MILLISECONDS, type HoldClock } from './hold.svelte';
 import HoldButton from './HoldButton.svelte';
 
-class Frames implements FrameClock {
+class FakeClock implements HoldClock {
   time = 0;
-  #waiting: (() => void) | null = null;
+  #timers: { at: number; action: () => void }[] = [];
+  #frame: (() => void) | null = null;
 
   now(): number {
     return this.time;
   }
 
+  after(milliseconds: number, action: () => void): () => void {
+    const timer = { at: this.time + milliseconds, action };
+    this.#timers.push(timer);
+    return () => (this.#timers = this.#timers.filter((one) => one !== timer));
+  }
+
   onFrame(action: () => void): () => void {
-    this.#waiting = action;
-    return () => (this.#waiting = null);
+    this.#frame = action;
+    return () => (this.#frame = null);
   }
 
   advance(milliseconds: number): void {
     this.time += milliseconds;
-    const action = this.#waiting;
-    this.#waiting = null;
-    action?.();
+    for (let due; (due = this.#timers.find((timer) => timer.at <= this.time));) {
+      this.#timers = this.#timers.filter((timer) => timer !== due);
+      due.action();
+    }
+    const frame = this.#frame;
+    this.#frame = null;
+    frame?.();
   }
 }
 
 describe('hold to confirm', () => {
+  let clock: FakeClock;
+  let confirm: ReturnType<typeof vi.fn<() => void>>;
+  let hold: Hold;
+  beforeEach(() => {
+    clock = new FakeClock();
+    confirm = vi.fn<() => void>();
+    hold = new Hold(confirm, clock);
+  });
+
   it('confirms once after 0.8 s', () => {
-    const confirm = vi.fn();
-    const frames = new Frames();
-    const hold = new Hold(confirm, frames);
-    hold.begin();
-    frames.advance(HOLD_MILLISECONDS / 2);
+    hold.begin(0);
+    clock.advance(HOLD_MILLISECONDS / 2);
     expect(hold.progress).toBeCloseTo(0.5);
     expect(confirm).not.toHaveBeenCalled();
-    frames.advance(HOLD_MILLISECONDS / 2);
-    frames.advance(1000);
-    hold.release();
+    clock.advance(HOLD_MILLISECONDS / 2);
+    clock.advance(1000);
+    hold.release(clock.time);
     expect(confirm).toHaveBeenCalledTimes(1);
     expect(hold.tooShort).toBe(false);
   });
 
   it('says so when it was let go too early', () => {
-    const confirm = vi.fn();
-    const frames = new Frames();
-    const hold = new Hold(confirm, frames);
-    hold.begin();
-    frames.advance(300);
-    hold.release();
-    frames.advance(1000);
+    hold.begin(0);
+    clock.advance(300);
+    hold.release(300);
+    clock.advance(1000);
     expect(confirm).not.toHaveBeenCalled();
     expect(hold.tooShort).toBe(true);
     expect(hold.progress).toBe(0);
+  });
+
+  it('counts how long the hand held it when the page was too busy to draw', () => {
+    hold.begin(0);
+    clock.time = 5000;
+    hold.release(900);
+    expect(confirm).toHaveBeenCalledTimes(1);
+  });
+
+  it('does not take a late release for a long hold', () => {
+    hold.begin(0);
+    clock.time = 5000;
+    hold.release(200);
+    expect(confirm).not.toHaveBeenCalled();
   });
 });
 
 describe('hold button', () => {
   beforeEach(() =>
-    vi.useFakeTimers({ toFake: ['requestAnimationFrame', 'cancelAnimationFrame', 'performance'] }),
+    vi.useFakeTimers({
+      toFake: [
+        'setTimeout',
+        'clearTimeout',
+        'requestAnimationFrame',
+        'cancelAnimationFrame',
+        'performance',
+        'Date',
+      ],
+    }),
   );
   afterEach(() => {
     cleanup();
