@@ -3,6 +3,7 @@ package org.dronemap.proxy;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.Socket;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
@@ -195,6 +196,22 @@ class VehicleLinkTest {
             assertThat(drone.battery().amps()).isNull();
             assertThat(drone.battery().volts()).isEqualTo(12.6);
             assertThat(drone.readyToArm()).isNull();
+        }
+    }
+
+    @Test
+    void showsAVehicleOnTcpThoughItsFramesComeInPieces() throws IOException {
+        byte[] frame = new FrameWriter(8, 1, 1).frame(PlayedVehicle.copter(6, true));
+        try (Socket socket = new Socket("127.0.0.1", cloud.tcpPort())) {
+            for (byte one : frame) {
+                socket.getOutputStream().write(one);
+                socket.getOutputStream().flush();
+            }
+            DroneState drone = cloud.awaitDrone(state -> state.mode() != null);
+
+            assertThat(drone.link().transport()).isEqualTo("tcp");
+            assertThat(drone.link().key().systemId()).isEqualTo(8);
+            assertThat(drone.mode()).isEqualTo("RTL");
         }
     }
 }
