@@ -15,6 +15,7 @@ import pytest
 
 from .conftest import Checkout
 
+WRONG_USE = 2
 PASSWORD_MUST_CHANGE = 9
 NEW_PASSWORD = 'a "new" \\ pass phrase'
 
@@ -61,6 +62,7 @@ def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(built: Checkout) -> N
     assert health["status"] == "up"
     assert health["drones"]["ready"] >= 1
 
+    check_secrets(built.data)
     own = descendants(built.data)
     assert {pid_of(built, "server"), pid_of(built, "sim")} <= own
     addresses = listeners(own)
@@ -84,15 +86,40 @@ def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(built: Checkout) -> N
     assert built.run("status").returncode == 1
 
 
-def test_secrets_are_readable_by_their_owner_alone(built: Checkout) -> None:
-    assert built.run("up", "--no-demo").returncode == 0
+def check_secrets(data: Path) -> None:
     for name in ("first-password.txt", "local-key"):
-        mode = stat.S_IMODE((built.data / name).stat().st_mode)
+        mode = stat.S_IMODE((data / name).stat().st_mode)
         assert mode == 0o600, f"{name} has mode {mode:o}"
-    assert stat.S_IMODE(built.data.stat().st_mode) & 0o077 == 0
+    assert stat.S_IMODE(data.stat().st_mode) & 0o077 == 0
 
 
-def test_stays_closed_to_the_network_until_the_first_password_is_changed(built: Checkout) -> None:
+def make_certificates(folder: Path, *names: str) -> None:
+    for name in names:
+        subprocess.run(
+            f"openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN={name} "
+            f"-keyout {name}.key -out {name}.pem",
+            shell=True,
+            cwd=folder,
+            check=True,
+            capture_output=True,
+        )
+
+
+def check_own_certificate(built: Checkout, folder: Path) -> None:
+    make_certificates(folder, "one", "two")
+    own = ("up", "--no-demo", "--public", "--cert", str(folder / "one.pem"), "--key")
+    mixed = built.run(*own, str(folder / "two.key"))
+    assert mixed.returncode == WRONG_USE
+    assert "do not belong together" in mixed.stderr
+    matching = built.run(*own, str(folder / "one.key"))
+    assert matching.returncode == 0, matching.stderr
+    shown = ssl.get_server_certificate(("127.0.0.1", built.http_port))
+    assert shown.strip() == (folder / "one.pem").read_text().strip()
+
+
+def test_stays_closed_to_the_network_until_the_first_password_is_changed(
+    built: Checkout, tmp_path: Path
+) -> None:
     never_started = built.run("up", "--public", "--no-demo")
     assert never_started.returncode == PASSWORD_MUST_CHANGE
     assert "Run ./dronemap up" in never_started.stderr
@@ -119,36 +146,10 @@ def test_stays_closed_to_the_network_until_the_first_password_is_changed(built: 
     addresses = listeners(descendants(built.data))
     assert any(re.match(rf"(0\.0\.0\.0|\*|\[::\]):{built.http_port}$", a) for a in addresses), addresses
 
+    check_own_certificate(built, tmp_path)
     closed_again = built.run("up", "--no-demo")
     assert closed_again.returncode == 0, closed_again.stderr
     assert all("127." in a or "[::1]" in a for a in listeners(descendants(built.data)))
-
-
-def test_takes_an_own_certificate_and_checks_that_the_key_belongs_to_it(
-    built: Checkout, tmp_path: Path
-) -> None:
-    for name in ("one", "two"):
-        subprocess.run(
-            f"openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN={name} "
-            f"-keyout {name}.key -out {name}.pem",
-            shell=True,
-            cwd=tmp_path,
-            check=True,
-            capture_output=True,
-        )
-    assert built.run("up", "--no-demo").returncode == 0
-    assert built.run("password", text=NEW_PASSWORD + "\n").returncode == 0
-    mixed = built.run(
-        "up", "--no-demo", "--public", "--cert", str(tmp_path / "one.pem"), "--key", str(tmp_path / "two.key")
-    )
-    assert mixed.returncode == 2
-    assert "do not belong together" in mixed.stderr
-    matching = built.run(
-        "up", "--no-demo", "--public", "--cert", str(tmp_path / "one.pem"), "--key", str(tmp_path / "one.key")
-    )
-    assert matching.returncode == 0, matching.stderr
-    shown = ssl.get_server_certificate(("127.0.0.1", built.http_port))
-    assert shown.strip() == (tmp_path / "one.pem").read_text().strip()
 
 
 def test_a_killed_server_leaves_nothing_that_hinders_the_next_start(built: Checkout) -> None:
@@ -175,30 +176,26 @@ def test_what_was_backed_up_is_there_after_a_restore(built: Checkout, tmp_path: 
     assert running.returncode == 1
     assert "Stop it with ./dronemap down" in running.stderr
     assert built.run("down").returncode == 0
+    unsure = built.run("restore", str(backup))
+    assert unsure.returncode == WRONG_USE
+    assert "--yes" in unsure.stderr
 
     built.settings["DRONEMAP_DATA_DIR"] = str(tmp_path / "other")
     restored = built.run("restore", str(backup))
     assert restored.returncode == 0, restored.stderr
+    check_that_a_broken_backup_changes_nothing(built, backup)
     assert built.run("up", "--no-demo").returncode == 0
     assert not (built.data / "first-password.txt").exists(), "the restored administrator has a password"
-    sure = built.run("down")
-    assert sure.returncode == 0
-    unsure = built.run("restore", str(backup))
-    assert unsure.returncode == 2
-    assert "--yes" in unsure.stderr
+    still_known = built.run("password", text=f"{NEW_PASSWORD}\nanother long phrase\n")
+    assert still_known.returncode == 0, still_known.stderr
 
 
-def test_a_broken_backup_changes_nothing(built: Checkout, tmp_path: Path) -> None:
-    assert built.run("up", "--no-demo").returncode == 0
-    backup = tmp_path / "backup.zip"
-    assert built.run("backup", str(backup)).returncode == 0
-    assert built.run("down").returncode == 0
-    cut = tmp_path / "cut.zip"
+def check_that_a_broken_backup_changes_nothing(built: Checkout, backup: Path) -> None:
+    cut = backup.with_name("cut.zip")
     cut.write_bytes(backup.read_bytes()[: backup.stat().st_size // 2])
     outcome = built.run("restore", str(cut), "--yes")
     assert outcome.returncode == 1, outcome.stderr
     assert "not restored" in outcome.stderr
-    assert built.run("up", "--no-demo").returncode == 0
 
 
 @pytest.mark.skipif("DRONEMAP_TEST_DATA" not in os.environ, reason="DRONEMAP_TEST_DATA is not set")
