@@ -37,6 +37,12 @@ describe('controls', () => {
     expect(said).toEqual({ tone: 'busy', words: 'Accepted 2 of 5, under way…' });
   });
 
+  it('say that a flight has begun, not that it has ended', () => {
+    const outcome = { result: 'succeeded', by: 'vehicle', reason: null } as const;
+    expect(wordsFor(attempt({ type: 'returnToLaunch', outcome })).words).toBe('Done: it is under way');
+    expect(wordsFor(attempt({ type: 'arm', outcome })).words).toBe('Done');
+  });
+
   it('never call a command without known outcome a success', () => {
     expect(wordsFor(attempt({ outcome: null })).tone).toBe('bad');
     expect(wordsFor(attempt({ outcome: { result: 'timedOut', by: null, reason: null } })).tone).toBe('bad');

@@ -20,6 +20,15 @@ export interface AttemptWords {
   words: string;
 }
 
+/** Commands that have succeeded when the vehicle begins; the flight itself is watched on the map. */
+const GOES_ON: ReadonlySet<CommandKind> = new Set([
+  'takeOff',
+  'land',
+  'returnToLaunch',
+  'goTo',
+  'startMission',
+]);
+
 /** What became of a press, in words. */
 export function wordsFor(attempt: Attempt): AttemptWords {
   if (attempt.problem !== null) {
@@ -27,6 +36,9 @@ export function wordsFor(attempt: Attempt): AttemptWords {
   }
   if (attempt.phase !== 'done') {
     return { tone: 'busy', words: busyWords(attempt) };
+  }
+  if (attempt.outcome?.result === 'succeeded' && GOES_ON.has(attempt.type)) {
+    return { tone: 'good', words: 'Done: it is under way' };
   }
   return endWords(attempt.outcome);
 }
