@@ -60,7 +60,7 @@ class Server:
                 stdout=log,
                 stderr=subprocess.STDOUT,
             )
-        wait_for("the server is up", self._is_up, seconds=60)
+        wait_for("the server is up", self._is_up, seconds=180)
 
     def kill(self) -> None:
         """kill -9: no chance to tidy up."""
