@@ -1,5 +1,6 @@
 package org.dronemap.ws.stream;
 
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -12,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 
 /** One connection of the stream. Any thread; its sending belongs to the pump. */
 final class StreamClient {
+    private static final int LONGEST_REASON_BYTES = 123;
     private static final int TOO_SLOW = CloseFrame.TRY_AGAIN_LATER;
 
     private final WebSocket socket;
@@ -55,8 +57,17 @@ final class StreamClient {
     void close(int code, String reason) {
         if (closingSinceNanos == 0) {
             closingSinceNanos = Math.max(1, System.nanoTime());
-            socket.close(code, reason);
+            socket.close(code, fitting(reason));
         }
+    }
+
+    /** A close frame holds 123 bytes of reason; the whole sentence went out as an error message before. */
+    private static String fitting(String reason) {
+        String fitting = reason;
+        while (fitting.getBytes(StandardCharsets.UTF_8).length > LONGEST_REASON_BYTES) {
+            fitting = fitting.substring(0, fitting.length() - 1);
+        }
+        return fitting;
     }
 
     /** Hands waiting messages to the socket as soon as it has sent all that it had: its own queue has no bound. */

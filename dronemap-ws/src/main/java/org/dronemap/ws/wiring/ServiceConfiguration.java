@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import org.dronemap.ws.place.PlaceNames;
 import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
@@ -76,7 +77,7 @@ public class ServiceConfiguration {
 
     @Bean
     DroneViews droneViews(House house) {
-        DronePlaces places = new DronePlaces(point -> null);
+        DronePlaces places = new DronePlaces(PlaceNames.load()::near);
         house.cloud().addListener(places);
         return new DroneViews(places);
     }
