@@ -49,7 +49,7 @@ final class MissionTracker {
     private Optional<String> read(DroneEvent.MissionRead read) {
         KnownMission before = known;
         boolean first = items == null;
-        if (!read.items().equals(items)) {
+        if (read.asUploaded() || !read.items().equals(items)) {
             reached.clear();
         }
         items = read.items();
@@ -75,10 +75,11 @@ final class MissionTracker {
         if (Objects.equals(index, current)) {
             return Optional.empty();
         }
-        current = index;
-        if (index != null && index == 0) {
-            reached.clear();
+        if (index != null && current != null && index < current) {
+            // It flies this part again.
+            reached.tailSet(index).clear();
         }
+        current = index;
         Optional<String> sentence = compareItem();
         if (items != null && notice == null) {
             keep();

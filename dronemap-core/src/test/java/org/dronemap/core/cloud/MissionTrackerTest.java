@@ -91,4 +91,29 @@ class MissionTrackerTest {
 
         assertThat(tracker.progress().reached()).isEmpty();
     }
+
+    @Test
+    void keepsWhatLiesBeforeTheItemThatItGoesBackTo() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+        tracker.apply(new MissionRead(THREE, true));
+        tracker.apply(new MissionItemReached(0));
+        tracker.apply(new MissionItemReached(1));
+        tracker.apply(new MissionItemReached(2));
+        tracker.apply(new MissionCurrentHeard(3));
+
+        tracker.apply(new MissionCurrentHeard(1));
+
+        assertThat(tracker.progress().reached()).containsExactly(0);
+    }
+
+    @Test
+    void beginsAnewWhenTheSameMissionIsUploadedAgain() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+        tracker.apply(new MissionRead(THREE, true));
+        tracker.apply(new MissionItemReached(0));
+
+        tracker.apply(new MissionRead(THREE, true));
+
+        assertThat(tracker.progress().reached()).isEmpty();
+    }
 }
