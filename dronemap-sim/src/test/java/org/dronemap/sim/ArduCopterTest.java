@@ -2,9 +2,11 @@ package org.dronemap.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Set;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemReached;
@@ -19,13 +21,14 @@ class ArduCopterTest {
     private static final int LAND = 9;
 
     @Test
-    void saysOnlyHeartbeatAndTimesyncUntilAsked() {
+    void saysOnlyHeartbeatTimesyncAndHomeUntilAsked() {
         Bench bench = new Bench();
         bench.run(5);
         assertThat(bench.heard)
                 .isNotEmpty()
-                .allMatch(
-                        h -> h.frame().messageId() == Heartbeat.ID || h.frame().messageId() == Timesync.ID);
+                .allMatch(h -> Set.of(Heartbeat.ID, Timesync.ID, HomePosition.ID)
+                        .contains(h.frame().messageId()));
+        assertThat(bench.count(HomePosition.ID)).isOne();
         assertThat(bench.command(511, GlobalPositionInt.ID, 250_000)).isZero();
         bench.run(5);
         assertThat(bench.count(GlobalPositionInt.ID)).isBetween(19L, 21L);
@@ -43,12 +46,14 @@ class ArduCopterTest {
     @Test
     void refusesToArmBeforeItKnowsWhereItIs() {
         Bench bench = new Bench("--ready-after", "20");
-        bench.run(2);
-        assertThat(bench.command(400, 1)).isEqualTo(4);
+        assertThat(bench.command(176, 1, 4)).isZero();
+        for (int seconds : new int[] {2, 6, 6}) {
+            bench.run(seconds);
+            assertThat(bench.command(400, 1)).isEqualTo(4);
+        }
+        assertThat(bench.texts())
+                .contains("Arm: GPS 1: Bad fix", "Arm: AHRS: waiting for home", "Arm: Need Position Estimate");
         bench.run(8);
-        assertThat(bench.command(400, 1)).isEqualTo(4);
-        assertThat(bench.texts()).contains("Arm: GPS 1: Bad fix", "Arm: Need Position Estimate");
-        bench.run(12);
         assertThat(bench.command(400, 1)).isZero();
     }
 

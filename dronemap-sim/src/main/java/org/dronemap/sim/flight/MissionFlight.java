@@ -83,7 +83,7 @@ public final class MissionFlight implements Manoeuvre {
             case MissionItem.LAND ->
                 new LandingAt(next.hasPlace() ? target : craft.body().position(), cruise);
             case MissionItem.DELAY -> new Hover(craft, cruise);
-            default -> new GoTo(target, cruise, yaw);
+            default -> GoTo.leg(target, cruise, yaw);
         };
     }
 

@@ -51,8 +51,18 @@ public record MissionItem(
     public boolean isRunnable() {
         return switch (command) {
             case WAYPOINT, LOITER_UNLIMITED, LOITER_TIME, RETURN_TO_LAUNCH, LAND, TAKEOFF, DELAY -> true;
-            default -> command > 95 && command != 177;
+            default -> isCondition() || isSetting();
         };
+    }
+
+    private boolean isCondition() {
+        return command >= 112 && command <= 115;
+    }
+
+    /** Orders to speed, servos, mounts and cameras; a jump, 177, is not flown here. */
+    private boolean isSetting() {
+        boolean toCamera = (command >= 530 && command <= 534) || (command >= 2000 && command <= 2501);
+        return (command >= 178 && command <= 252) || command == 1000 || toCamera;
     }
 
     public boolean hasPlace() {

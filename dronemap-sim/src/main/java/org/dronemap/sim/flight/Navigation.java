@@ -6,7 +6,12 @@ public final class Navigation {
     public static final long LOSS_MILLIS = 8_000;
 
     private static final long REGAIN_MILLIS = 1_200;
-    private static final double FIX_SHARE = 0.3;
+    /** When the steps of starting up are done, as shares of the time until the estimate stands; seen on a real autopilot. */
+    private static final double FIX_SHARE = 0.21;
+
+    private static final double ACCELEROMETERS_SHARE = 0.3;
+    private static final double ORIGIN_SHARE = 0.465;
+    private static final double GYROS_SHARE = 0.55;
 
     private final long readyAfterMillis;
     private boolean receiving = true;
@@ -46,7 +51,25 @@ public final class Navigation {
     }
 
     public boolean hasFix() {
-        return receiving && now - startedAt >= readyAfterMillis * FIX_SHARE;
+        return receiving && started(FIX_SHARE);
+    }
+
+    /** The accelerometers agree with each other. */
+    public boolean accelerometersSettled() {
+        return started(ACCELEROMETERS_SHARE);
+    }
+
+    public boolean gyrosSettled() {
+        return started(GYROS_SHARE);
+    }
+
+    /** The place that everything is measured from is known; home is there until something is armed. */
+    public boolean hasOrigin() {
+        return estimate || (receiving && started(ORIGIN_SHARE));
+    }
+
+    private boolean started(double share) {
+        return now - startedAt >= readyAfterMillis * share;
     }
 
     public boolean hasEstimate() {

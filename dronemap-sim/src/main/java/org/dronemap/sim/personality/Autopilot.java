@@ -45,6 +45,12 @@ public interface Autopilot {
     /** A parameter has been written. */
     void parameterChanged(String name);
 
+    /** Commands for a component that is not there are acted on. */
+    boolean heedsEveryComponent();
+
+    /** What is answered when somebody wants a rate for a message that it does not have. */
+    Result refuseInterval(int messageId);
+
     MissionStyle missionStyle();
 
     /** The wire's number of the item that is flown or comes next. */

@@ -124,12 +124,12 @@ final class Desk {
         switch (frame.messageId()) {
             case CommandLong.ID -> {
                 CommandLong command = CommandLong.decode(frame);
-                return isMine(command.targetSystem(), command.targetComponent())
+                return isForMe(command.targetSystem(), command.targetComponent())
                         && obey(Order.of(command), frame, nowMillis);
             }
             case CommandInt.ID -> {
                 CommandInt command = CommandInt.decode(frame);
-                return isMine(command.targetSystem(), command.targetComponent())
+                return isForMe(command.targetSystem(), command.targetComponent())
                         && obey(Order.of(command), frame, nowMillis);
             }
             case SetMode.ID -> setMode(SetMode.decode(frame), frame);
@@ -147,6 +147,10 @@ final class Desk {
             }
         }
         return false;
+    }
+
+    private boolean isForMe(int targetSystem, int targetComponent) {
+        return isMine(targetSystem, autopilot.heedsEveryComponent() ? 1 : targetComponent);
     }
 
     private boolean isMine(int targetSystem, int targetComponent) {
@@ -207,7 +211,7 @@ final class Desk {
             hertz = autopilot.unaskedRate(id);
         }
         boolean known = streams.set(id, hertz, nowMillis) || id == Heartbeat.ID || micros <= 0;
-        return Result.acceptedIf(known);
+        return known ? Result.ACCEPTED : autopilot.refuseInterval(id);
     }
 
     private boolean receiveMission(Frame frame, long nowMillis) {

@@ -211,6 +211,9 @@ final class MissionProtocol {
                 item.y(),
                 item.z(),
                 0);
+        if (inFloats && style.overwritesInPlace()) {
+            say(Severity.WARNING, "got MISSION_REQUEST; use MISSION_REQUEST_INT!");
+        }
         out.accept(inFloats ? FloatItems.of(message) : message);
     }
 

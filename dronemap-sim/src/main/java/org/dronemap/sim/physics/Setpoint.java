@@ -7,7 +7,11 @@ public sealed interface Setpoint {
 
     /** Fly to a place and stay there; speeds in m/s, yaw in radians, NaN keeps the present yaw. */
     record Reach(Position target, double horizontalSpeed, double climbSpeed, double sinkSpeed, double yaw)
-            implements Setpoint {}
+            implements Setpoint {
+        public Reach slowerThan(double metersPerSecond) {
+            return new Reach(target, Math.min(horizontalSpeed, metersPerSecond), climbSpeed, sinkSpeed, yaw);
+        }
+    }
 
     /** Fly with a velocity in m/s. */
     record Velocity(double north, double east, double up, double yaw) implements Setpoint {}

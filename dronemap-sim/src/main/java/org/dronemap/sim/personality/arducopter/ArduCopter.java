@@ -36,6 +36,7 @@ public final class ArduCopter implements Autopilot {
     private long idleSince;
     private long landedSince;
     private long toldComplaintsAt;
+    private boolean originTold;
 
     /** {@code modeAnnouncer} is called when the mode has changed: the heartbeat does not wait for its second */
     public ArduCopter(
@@ -56,8 +57,17 @@ public final class ArduCopter implements Autopilot {
         now = nowMillis;
         craft.step(flight.fly(nowMillis), nowMillis, seconds);
         failsafes.check(nowMillis);
+        tellOrigin();
         disarmWhenIdle();
         tellComplaints();
+    }
+
+    /** Home is told once the origin stands, long before it would arm. */
+    private void tellOrigin() {
+        if (!originTold && craft.navigation().hasOrigin()) {
+            originTold = true;
+            orders.sendHome();
+        }
     }
 
     private void disarmWhenIdle() {
@@ -109,6 +119,9 @@ public final class ArduCopter implements Autopilot {
         if (craft.navigation().hasEstimate()) {
             craft.setHomeHere();
             orders.sendHome();
+        }
+        if (parameters.value("ARMING_CHECK") == 0) {
+            say(Severity.WARNING, "Warning: Arming Checks Disabled");
         }
         craft.setArmed(true);
         flight.armed();
@@ -261,6 +274,17 @@ public final class ArduCopter implements Autopilot {
             case "SIM_BATT_VOLTAGE" -> battery.restartTimers();
             default -> flight.readSpeeds();
         }
+    }
+
+    @Override
+    public boolean heedsEveryComponent() {
+        return true;
+    }
+
+    @Override
+    public Result refuseInterval(int messageId) {
+        say(Severity.INFO, "No ap_message for mavlink id (" + messageId + ")");
+        return Result.DENIED;
     }
 
     @Override

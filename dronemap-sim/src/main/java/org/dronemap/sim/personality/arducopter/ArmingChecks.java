@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightPlan;
+import org.dronemap.sim.flight.Navigation;
 import org.dronemap.sim.flight.Parameters;
 
 /** What ArduCopter wants to be right before its motors turn; the sentences are its own, without "Arm: " or "PreArm: ". */
@@ -25,6 +26,8 @@ final class ArmingChecks {
         List<String> found = new ArrayList<>();
         if (parameters.value("ARMING_CHECK") != 0) {
             checkSensors(found);
+            checkPosition(mode, found);
+            checkBattery(found);
         }
         if (craft.crashed() || craft.motorFailed()) {
             found.add("Motors: Check frame class and type");
@@ -36,11 +39,29 @@ final class ArmingChecks {
     }
 
     private void checkSensors(List<String> found) {
-        if (!craft.navigation().hasFix()) {
+        if (!craft.navigation().accelerometersSettled()) {
+            found.add("Accels inconsistent");
+        } else if (!craft.navigation().gyrosSettled()) {
+            found.add("Gyros inconsistent");
+        }
+    }
+
+    /** Until the sensors have settled a mode that flies without a position says nothing about it. */
+    private void checkPosition(CopterMode mode, List<String> found) {
+        Navigation navigation = craft.navigation();
+        if (!mode.needsPosition && !found.isEmpty()) {
+            return;
+        }
+        if (!navigation.hasFix()) {
             found.add("GPS 1: Bad fix");
-        } else if (!craft.navigation().hasEstimate()) {
+        } else if (!navigation.hasOrigin()) {
+            found.add("AHRS: waiting for home");
+        } else if (!navigation.hasEstimate()) {
             found.add("Need Position Estimate");
         }
+    }
+
+    private void checkBattery(List<String> found) {
         if (battery.volts() < parameters.value("BATT_CRT_VOLT")) {
             found.add("Battery 1 critical voltage failsafe");
         } else if (battery.volts() < parameters.value("BATT_LOW_VOLT") || battery.tripped()) {

@@ -119,9 +119,12 @@ final class CopterFlight {
         return Math.min(parameters.value("RTL_ALT") / 100, Math.max(2, cone));
     }
 
-    /** MISSION_START: what a pilot does by raising the throttle. */
+    /** MISSION_START: what a pilot does by raising the throttle; a mission that was over goes on from the item set since. */
     void letAutoStart() {
         autoStarted = craft.armed();
+        if (mission == null) {
+            manoeuvre = startMission();
+        }
     }
 
     void armed() {
@@ -146,6 +149,11 @@ final class CopterFlight {
     }
 
     void goTo(Position target, double yaw) {
+        if (manoeuvre instanceof TakeOff) {
+            // Steering by position begins with the speeds of the parameters: what was asked for during the take-off is
+            // lost.
+            readSpeeds();
+        }
         manoeuvre = new GoTo(target, cruise, yaw);
     }
 

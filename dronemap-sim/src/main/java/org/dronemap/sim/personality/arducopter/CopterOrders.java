@@ -85,10 +85,10 @@ final class CopterOrders {
         if (!copter.change(CopterMode.GUIDED)) {
             return Result.FAILED;
         }
+        goTo(order.latitude(), order.longitude(), order.altitude(), order.isAmsl());
         if (order.param1() > 0) {
             flight.cruise().setHorizontal(order.param1());
         }
-        goTo(order.latitude(), order.longitude(), order.altitude(), order.isAmsl());
         return Result.ACCEPTED;
     }
 

@@ -244,6 +244,16 @@ public final class Px4 implements Autopilot {
     }
 
     @Override
+    public boolean heedsEveryComponent() {
+        return false;
+    }
+
+    @Override
+    public Result refuseInterval(int messageId) {
+        return Result.FAILED;
+    }
+
+    @Override
     public MissionStyle missionStyle() {
         return STYLE;
     }

@@ -1,0 +1,165 @@
+package org.dronemap.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+
+/** One recorded exchange: how the vehicle is brought to where it began, and what was said and answered from then on. */
+final class Scene {
+    private static final String HOME = "-35.3632610,149.1652299,584.05";
+    private static final int HOME_LATITUDE = -353_632_610;
+    private static final int HOME_LONGITUDE = 1_491_652_299;
+    private static final String[] OPTIONS = {"--home", HOME, "--stick", "low"};
+
+    private final List<RecordedLine> lines;
+    private final Bench bench;
+    private final long begin;
+    private final long start;
+
+    /** {@code preparation} is what was done before the recording began, in a word. */
+    Scene(String exchange, double height, String preparation) {
+        boolean fromPowerUp = preparation.equals("power-up");
+        List<RecordedLine> all = RecordedLine.read(exchange);
+        // Nothing said before the real one had booted is replayed: it forgets that when it is ready.
+        this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") : 0;
+        this.lines = all.stream().filter(line -> line.millis() >= begin).toList();
+        this.bench = fromPowerUp ? new Bench(withReadyAfter()) : standingOrFlying(height);
+        prepare(preparation);
+        if (height > 0) {
+            flyToWhereItBegan(height);
+        }
+        bench.runTo(fromPowerUp ? begin : bench.now());
+        bench.heard.clear();
+        this.start = bench.now() - begin;
+    }
+
+    private static String[] withReadyAfter() {
+        return new String[] {"--home", HOME, "--stick", "low", "--ready-after", "40.4"};
+    }
+
+    private static long millisOf(List<RecordedLine> lines, String text) {
+        return lines.stream()
+                .filter(line -> line.text("text").equals(text))
+                .mapToLong(RecordedLine::millis)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static Bench standingOrFlying(double height) {
+        return height > 0 ? Bench.flying(height, OPTIONS) : Bench.ready(OPTIONS);
+    }
+
+    private void prepare(String preparation) {
+        switch (preparation) {
+            case "battery" -> {
+                bench.parameter("BATT_LOW_VOLT", 11.5);
+                bench.parameter("BATT_CRT_VOLT", 10.5);
+                bench.parameter("BATT_FS_LOW_ACT", 2);
+                bench.parameter("BATT_FS_CRT_ACT", 1);
+            }
+            case "guided" -> bench.command(176, 1, 4);
+            case "ground station" -> bench.parameter("FS_GCS_ENABLE", 1);
+            case "six items" -> bench.upload(recordedItems(6));
+            case "five items" -> bench.upload(recordedItems(5));
+            case "in AUTO" -> flyMission();
+            case "in AUTO, ground station" -> {
+                bench.parameter("FS_GCS_ENABLE", 1);
+                bench.parameter("FS_OPTIONS", 2);
+                flyMission();
+            }
+            case "without GPS" -> {
+                bench.parameter("SIM_GPS_DISABLE", 1);
+                bench.run(12);
+            }
+            case "without GPS and checks" -> {
+                bench.parameter("SIM_GPS_DISABLE", 1);
+                bench.parameter("ARMING_CHECK", 0);
+                bench.run(12);
+            }
+            case "", "power-up" -> {}
+            default -> throw new IllegalArgumentException("no such preparation: " + preparation);
+        }
+    }
+
+    private void flyMission() {
+        bench.upload(recordedItems(5));
+        bench.command(176, 1, 3);
+        runUntil(() -> bench.vehicle.autopilot().currentItem() == 2);
+    }
+
+    private void runUntil(BooleanSupplier condition) {
+        for (int tenths = 0; tenths < 300 && !condition.getAsBoolean(); tenths++) {
+            bench.run(0.1);
+        }
+    }
+
+    /** The items of the recorded upload, which the recorded flights then flew. */
+    private static MissionItemInt[] recordedItems(int count) {
+        return RecordedLine.read("mission_upload").stream()
+                .filter(line -> line.isSaid() && line.is("MISSION_ITEM_INT"))
+                .limit(count)
+                .map(GroundVoice::item)
+                .toArray(MissionItemInt[]::new);
+    }
+
+    private void flyToWhereItBegan(double height) {
+        long latitude = lines.stream()
+                .filter(line -> line.is("GLOBAL_POSITION_INT"))
+                .mapToLong(line -> line.integer("lat"))
+                .findFirst()
+                .orElse(HOME_LATITUDE);
+        if (Math.abs(latitude - HOME_LATITUDE) > 500) {
+            bench.send(new SetPositionTargetGlobalInt(
+                    0, 1, 1, 6, 3576, (int) latitude, HOME_LONGITUDE, (float) height, 0, 0, 0, 0, 0, 0, 0, 0));
+            bench.run(25);
+        }
+    }
+
+    /** Says everything at its time; afterwards the bench holds what the simulated vehicle sent. */
+    Bench play() {
+        boolean ownBeats = lines.stream().noneMatch(line -> line.isSaid() && line.is("HEARTBEAT"));
+        bench.groundTalks(ownBeats);
+        for (RecordedLine line : lines) {
+            bench.runTo(start + line.millis());
+            if (line.isSaid()) {
+                GroundVoice.say(bench, line);
+            }
+        }
+        bench.run(1);
+        return bench;
+    }
+
+    String mode() {
+        return "" + bench.mode();
+    }
+
+    Bench bench() {
+        return bench;
+    }
+
+    /** The time of the recording's beginning on the bench's clock. */
+    long start() {
+        return start;
+    }
+
+    List<RecordedLine> lines() {
+        return lines;
+    }
+
+    List<Answer> real() {
+        return lines.stream()
+                .filter(line -> !line.isSaid())
+                .map(Answer::fromRecording)
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    List<Answer> simulated() {
+        List<Answer> answers = new ArrayList<>();
+        bench.heard.forEach(heard -> Answer.fromVehicle(heard, start).ifPresent(answers::add));
+        return answers;
+    }
+}
