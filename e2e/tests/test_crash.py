@@ -9,10 +9,14 @@ import pytest
 from pymavlink import mavutil
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.flight import COPTER_RTL, items, triangle
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
+
+# On the wire the home position is item 0 and the take-off item 1.
+HOME_ITEM = 1
+FIRST_WAYPOINT = 1
 
 
 @pytest.fixture
@@ -39,8 +43,9 @@ def in_mission(own_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]
 
 
 def restart(server: Server) -> tuple[Api, float]:
+    began = time.monotonic()
     server.start()
-    return Api(server.address, server.local_key()), time.monotonic()
+    return Api(server.address, server.local_key()), began
 
 
 @pytest.mark.parametrize("on_cloud_loss", ["continue", "rtl"])
@@ -51,7 +56,7 @@ def test_after_a_crash_the_vehicles_own_item_is_shown(
     api.do(drone["id"], type="startMission", onCloudLoss=on_cloud_loss)
     wait_for("it heads for the first waypoint", lambda: api.drone(drone["id"])["mission"]["current"] == 1)
     own_server.kill()
-    _let_fly(14)
+    _watch(own_server.udp_port, on_cloud_loss)
     again, began = restart(own_server)
 
     back = wait_for("it is back", lambda: _live(again, drone["id"]), 15)
@@ -85,9 +90,19 @@ def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
     assert "2 items instead of 4" in now["mission"]["notice"]
 
 
-def _let_fly(seconds: float) -> None:
-    """The one thing to wait for while the server is dead is the vehicle's own time."""
-    time.sleep(seconds)
+def _watch(port: int, on_cloud_loss: str) -> None:
+    """In the dead server's place: listens until the vehicle passed two items, or gave its mission up."""
+    link: Any = mavutil.mavlink_connection(f"udpin:127.0.0.1:{port}", source_system=254)
+    deadline = time.monotonic() + 60
+    while time.monotonic() < deadline:
+        heard = link.recv_match(type=["MISSION_CURRENT", "HEARTBEAT"], blocking=True, timeout=5)
+        assert heard is not None, "the vehicle is silent"
+        passed_two = heard.get_type() == "MISSION_CURRENT" and heard.seq >= HOME_ITEM + FIRST_WAYPOINT + 2
+        returns = heard.get_type() == "HEARTBEAT" and heard.custom_mode == COPTER_RTL
+        if passed_two if on_cloud_loss == "continue" else returns:
+            link.close()
+            return
+    raise AssertionError("the vehicle did not do what its fail-safe says")
 
 
 def _live(api: Api, drone: str) -> Json | None:
