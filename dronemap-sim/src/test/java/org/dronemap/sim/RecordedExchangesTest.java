@@ -2,58 +2,40 @@ package org.dronemap.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * Says to the simulated vehicle, at the same times, what was said to a real ArduCopter, and compares what comes back: modes,
  * result codes, mission answers and sentences in the same order, each within two seconds plus a tenth of the time gone by.
  */
 class RecordedExchangesTest {
-    @ParameterizedTest(name = "{0}")
-    @CsvSource({
-        "arming_refused, 0, power-up",
-        "modes_refused, 0, power-up",
-        "modes_refused_armed, 0, without GPS and checks",
-        "gps_missing_on_ground, 0, without GPS",
-        "messages_asked_for, 0, ''",
-        "commands_odd, 0, ''",
-        "guided_takeoff, 0, ''",
-        "mission_upload_refused, 0, ''",
-        "mission_from_the_air, 20, five items",
-        "mission_cleared_in_flight, 20, in AUTO",
-        "ground_station_lost_in_auto, 20, 'in AUTO, ground station'",
-        "hold_in_flight, 30, ''",
-        "speed_and_home, 20, ''",
-        "go_to_by_setpoint, 20, ''",
-        "rtl_from_8_m, 8, ''",
-        "arm_and_disarm, 0, ''",
-        "arming_by_mode, 0, ''",
-        "takeoff_refused, 0, ''",
-        "commands_twice, 0, guided",
-        "mission_upload, 0, ''",
-        "mission_flight, 0, six items",
-        "disarm_in_flight, 20, ''",
-        "modes_refused_in_flight, 20, ''",
-        "go_to_by_reposition, 20, ''",
-        "rtl_from_20_m, 20, ''",
-        "rtl_close_to_home, 8, ''",
-        "battery_low, 20, battery",
-        "battery_critical, 20, battery",
-        "battery_low_by_default, 20, ''",
-        "gps_lost, 20, ''",
-        "ground_station_lost, 20, ground station",
-        "ground_station_lost_by_default, 20, ''",
-        "motor_failure, 30, ''"
-    })
-    void answersAsTheRealOneDid(String exchange, double height, String preparation) {
-        Scene scene = new Scene(exchange, height, preparation);
+    @ParameterizedTest
+    @EnumSource
+    void answersAsTheRealOneDid(Exchange exchange) {
+        Scene scene = new Scene(exchange);
         String firstMode = scene.mode();
         scene.play();
         for (String kind : List.of("ack", "mode", "text", "mission")) {
             compare(kind, ofKind(scene.real(), kind, firstMode), ofKind(scene.simulated(), kind, firstMode));
+        }
+    }
+
+    @Test
+    void noRecordingIsLeftOut() throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("exchanges", "recorded"))) {
+            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".jsonl")))
+                    .containsExactlyInAnyOrderElementsOf(Arrays.stream(Exchange.values())
+                            .map(exchange -> exchange.fileName() + ".jsonl")
+                            .toList());
         }
     }
 

@@ -4,8 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SysStatus;
+import org.dronemap.mavlink.message.VfrHud;
 
 /** One recorded exchange: how the vehicle is brought to where it began, and what was said and answered from then on. */
 final class Scene {
@@ -19,18 +23,19 @@ final class Scene {
     private final long begin;
     private final long start;
 
-    /** {@code preparation} is what was done before the recording began, in a word. */
-    Scene(String exchange, double height, String preparation) {
-        boolean fromPowerUp = preparation.equals("power-up");
-        List<RecordedLine> all = RecordedLine.read(exchange);
+    Scene(Exchange exchange) {
+        double height = exchange.height;
+        boolean fromPowerUp = exchange.preparation.equals("power-up");
+        List<RecordedLine> all = RecordedLine.read(exchange.fileName());
         // Nothing said before the real one had booted is replayed: it forgets that when it is ready.
         this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") : 0;
         this.lines = all.stream().filter(line -> line.millis() >= begin).toList();
         this.bench = fromPowerUp ? new Bench(withReadyAfter()) : standingOrFlying(height);
-        prepare(preparation);
+        prepare(exchange.preparation);
         if (height > 0) {
             flyToWhereItBegan(height);
         }
+        askForTelemetry();
         bench.runTo(fromPowerUp ? begin : bench.now());
         bench.heard.clear();
         this.start = bench.now() - begin;
@@ -82,6 +87,14 @@ final class Scene {
             case "", "power-up" -> {}
             default -> throw new IllegalArgumentException("no such preparation: " + preparation);
         }
+    }
+
+    /** At the rates of the recorder. */
+    private void askForTelemetry() {
+        for (int id : new int[] {GlobalPositionInt.ID, VfrHud.ID, ExtendedSysState.ID}) {
+            bench.command(511, id, 100_000);
+        }
+        bench.command(511, SysStatus.ID, 500_000);
     }
 
     private void flyMission() {
@@ -140,13 +153,14 @@ final class Scene {
         return bench;
     }
 
-    /** The time of the recording's beginning on the bench's clock. */
-    long start() {
-        return start;
+    /** What was really said and heard, as far as it is replayed. */
+    Transcript recorded() {
+        return new Transcript(lines);
     }
 
-    List<RecordedLine> lines() {
-        return lines;
+    /** What the simulated vehicle made of it. */
+    Transcript played() {
+        return Transcript.of(lines, bench.heard, start);
     }
 
     List<Answer> real() {

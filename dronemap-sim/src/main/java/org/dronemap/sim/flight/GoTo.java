@@ -8,6 +8,7 @@ public final class GoTo implements Manoeuvre {
     private static final double EASING_JERK = 1.0;
     private static final double EASING_SECONDS = 2.5;
     private static final double REACHED_METERS = 1.0;
+    private static final double LEG_REACHED_METERS = 2.0;
     private static final double NOSE_AHEAD_METERS = 3.0;
 
     private final Position target;
@@ -38,7 +39,7 @@ public final class GoTo implements Manoeuvre {
     @Override
     public Setpoint fly(Craft craft, long nowMillis) {
         Position here = craft.body().position();
-        done = here.distanceTo(target) < REACHED_METERS;
+        done = here.distanceTo(target) < (easing ? LEG_REACHED_METERS : REACHED_METERS);
         double yaw = fixedYaw;
         if (Double.isNaN(yaw) && here.horizontalDistanceTo(target) > NOSE_AHEAD_METERS) {
             yaw = here.bearingTo(target);

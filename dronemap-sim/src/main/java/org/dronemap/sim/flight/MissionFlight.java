@@ -55,7 +55,7 @@ public final class MissionFlight implements Manoeuvre {
         }
         if (index >= plan.size()) {
             ended = true;
-            leg = craft.landed() ? new Grounded() : new Hover(craft, cruise);
+            leg = afterwards(craft);
             events.accept(new FlightEvent.MissionEnded());
             return;
         }
@@ -64,6 +64,14 @@ public final class MissionFlight implements Manoeuvre {
         leg = legFor(next, craft);
         arrivedAt = -1;
         events.accept(new FlightEvent.ItemStarted(index, next.typeName()));
+    }
+
+    /** Stays over its last waypoint, or where its last item left it. */
+    private Manoeuvre afterwards(Craft craft) {
+        if (craft.landed()) {
+            return new Grounded();
+        }
+        return leg instanceof GoTo last ? last : new Hover(craft, cruise);
     }
 
     private void obey(MissionItem order, Craft craft) {

@@ -7,12 +7,15 @@ import org.jspecify.annotations.Nullable;
 /** Climbs to the return height, flies home, waits there a while and lands. */
 public final class ReturnHome implements Manoeuvre {
     private static final double NEAR_METERS = 1.0;
+    /** Between its stages it settles for a moment. */
+    private static final long SETTLING_MILLIS = 800;
 
     private final Cruise cruise;
     private final Position start;
     private final Position above;
     private final long waitMillis;
-    private boolean climbed;
+    private final GoTo leg;
+    private long climbedAt = -1;
     private long waitingSince = -1;
     private @Nullable Landing landing;
 
@@ -23,6 +26,7 @@ public final class ReturnHome implements Manoeuvre {
         this.cruise = cruise;
         this.start = craft.body().stoppingPoint().withUp(up);
         this.above = homePosition.withUp(up);
+        this.leg = GoTo.leg(above, cruise, Double.NaN);
         this.waitMillis = waitMillis;
     }
 
@@ -36,18 +40,20 @@ public final class ReturnHome implements Manoeuvre {
             landing = new Landing(craft, cruise);
             return landing.fly(craft, nowMillis);
         }
-        climbed = climbed || here.up() >= above.up() - NEAR_METERS;
-        if (!climbed) {
+        if (climbedAt < 0 && here.up() >= above.up() - NEAR_METERS) {
+            climbedAt = nowMillis;
+        }
+        if (climbedAt < 0 || nowMillis - climbedAt < SETTLING_MILLIS) {
             return cruise.to(start, Double.NaN);
         }
-        if (here.distanceTo(above) < NEAR_METERS && waitingSince < 0) {
+        Setpoint setpoint = leg.fly(craft, nowMillis);
+        if (leg.done() && waitingSince < 0) {
             waitingSince = nowMillis;
         }
-        if (waitingSince >= 0 && nowMillis - waitingSince >= waitMillis) {
+        if (waitingSince >= 0 && nowMillis - waitingSince >= waitMillis + SETTLING_MILLIS) {
             landing = new Landing(craft, cruise);
         }
-        double yaw = here.horizontalDistanceTo(above) > 3 ? here.bearingTo(above) : Double.NaN;
-        return cruise.to(above, yaw);
+        return setpoint;
     }
 
     @Override

@@ -5,7 +5,7 @@ import org.dronemap.sim.physics.Setpoint;
 
 /** Spools the motors up and climbs straight to a height in metres of the vehicle's frame. */
 public final class TakeOff implements Manoeuvre {
-    private static final long SPOOL_MILLIS = 2_400;
+    private static final long SPOOL_MILLIS = 2_800;
     private static final long LIFTING_MILLIS = 1_900;
     private static final double REACHED_METERS = 0.3;
 

@@ -32,7 +32,7 @@ public final class Body {
         if (setpoint instanceof Setpoint.Reach reach) {
             double distance =
                     Math.hypot(reach.target().north() - north, reach.target().east() - east);
-            double speed = Math.min(reach.horizontalSpeed(), approach(distance, airframe.horizontalAcceleration()));
+            double speed = Math.min(reach.horizontalSpeed(), approach(distance, airframe.horizontalDeceleration()));
             double share = distance > 1e-9 ? speed / distance : 0;
             double rise = reach.target().up() - up;
             double vertical = approach(Math.abs(rise), airframe.verticalAcceleration());
