@@ -3,7 +3,9 @@ package org.dronemap.core.cloud;
 import java.time.Clock;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
@@ -20,6 +22,8 @@ import org.jspecify.annotations.Nullable;
 
 /** The one registry of drones. Links bring vehicles in, faces read states, listeners hear of changes. Any thread. */
 public final class CloudManager {
+    private static final int LONGEST_WRITE_SECONDS = 10;
+
     private final Lanes lanes;
     private final Watchdog watchdog;
     private final Clock clock;
@@ -85,18 +89,34 @@ public final class CloudManager {
         return new BoundLink(drone, session);
     }
 
-    /** False when there is no such drone. */
+    /** False when there is no such drone; returns once the new name is durable. */
     public boolean rename(DroneId id, String name) {
         Optional<ManagedDrone> found = registry.find(id);
         found.ifPresent(drone -> {
-            DroneRecord record = drone.drone().record();
-            if (!drone.drone().state().replay()) {
-                store.save(new DroneRecord(
-                        id, name, record.key(), record.transport(), record.identification(), record.lastHeard()));
-            }
-            drone.lane().execute(() -> drone.rename(name));
+            CompletableFuture<Void> kept = new CompletableFuture<>();
+            // On the lane, so that no older record of this drone can be written after it.
+            drone.lane().execute(() -> {
+                drone.rename(name);
+                keepName(drone, kept);
+            });
+            kept.orTimeout(LONGEST_WRITE_SECONDS, TimeUnit.SECONDS).join();
         });
         return found.isPresent();
+    }
+
+    private void keepName(ManagedDrone drone, CompletableFuture<Void> kept) {
+        if (drone.drone().state().replay()) {
+            kept.complete(null);
+            return;
+        }
+        DroneRecord record = drone.drone().record();
+        journal.write(
+                "the name of " + record.name(),
+                () -> {
+                    store.save(record);
+                    kept.complete(null);
+                },
+                () -> kept.completeExceptionally(new IllegalStateException("The new name could not be written.")));
     }
 
     /** Forgets a drone; refused with a sentence while it is in contact. */
