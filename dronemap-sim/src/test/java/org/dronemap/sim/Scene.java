@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.GlobalPositionInt;
+import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SysStatus;
@@ -94,6 +95,7 @@ final class Scene {
         for (int id : new int[] {GlobalPositionInt.ID, VfrHud.ID, ExtendedSysState.ID}) {
             bench.command(511, id, 100_000);
         }
+        bench.command(511, MissionCurrent.ID, 200_000);
         bench.command(511, SysStatus.ID, 500_000);
     }
 

@@ -16,6 +16,7 @@ import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionAck;
+import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemReached;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.Statustext;
@@ -61,6 +62,17 @@ record Transcript(List<RecordedLine> lines) {
                         ExtendedSysState.decode(f).landedState());
             case SysStatus.ID ->
                 numbers("SYS_STATUS", "current_battery", SysStatus.decode(f).currentBattery());
+            case MissionCurrent.ID -> {
+                MissionCurrent current = MissionCurrent.decode(f);
+                yield numbers(
+                        "MISSION_CURRENT",
+                        "seq",
+                        current.seq(),
+                        "total",
+                        current.total(),
+                        "mission_state",
+                        current.missionState());
+            }
             case HomePosition.ID -> Map.of("msg", "HOME_POSITION");
             default -> answerFields(f);
         };
@@ -115,6 +127,19 @@ record Transcript(List<RecordedLine> lines) {
 
     static double seconds(RecordedLine line) {
         return line.millis() / 1000.0;
+    }
+
+    /** Each value of the field that differs from the one before. */
+    List<Answer> changes(String message, String field) {
+        List<Answer> changes = new ArrayList<>();
+        String last = "";
+        for (RecordedLine line : lines) {
+            if (!line.isSaid() && line.is(message) && !line.text(field).equals(last)) {
+                last = line.text(field);
+                changes.add(new Answer(field, last, line.millis()));
+            }
+        }
+        return changes;
     }
 
     /** When the first such line after {@code after} was seen. */

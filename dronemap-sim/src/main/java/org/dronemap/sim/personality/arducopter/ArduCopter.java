@@ -231,7 +231,10 @@ public final class ArduCopter implements Autopilot {
 
     @Override
     public int landedState() {
-        if (craft.landed() || (flight.takingOff() && craft.body().onGround())) {
+        // Disarmed it takes itself for landed, wherever it is.
+        if (!craft.armed()
+                || craft.landed()
+                || (flight.takingOff() && craft.body().onGround())) {
             return 1;
         }
         return flight.takingOff() ? 3 : flight.landing() ? 4 : 2;

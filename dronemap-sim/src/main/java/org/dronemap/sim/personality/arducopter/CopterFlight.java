@@ -58,10 +58,19 @@ final class CopterFlight {
         if (mode == CopterMode.AUTO && craft.landed() && !autoStarted) {
             return new Setpoint.Still();
         }
-        if (mode.followsStick() && !(manoeuvre instanceof TakeOff) && stick < STICK_LOW && !craft.landed()) {
-            return sink();
+        if (!isHeldDown()) {
+            return manoeuvre.fly(craft, nowMillis);
         }
-        return manoeuvre.fly(craft, nowMillis);
+        if (manoeuvre instanceof TakeOff && craft.body().onGround()) {
+            // The motors spool up, but the pilot does not let it climb.
+            manoeuvre.fly(craft, nowMillis);
+            return new Setpoint.Still();
+        }
+        return craft.landed() ? manoeuvre.fly(craft, nowMillis) : sink();
+    }
+
+    private boolean isHeldDown() {
+        return mode.followsStick() && stick < STICK_LOW;
     }
 
     /** The throttle stick at its bottom means "down" in every mode that a pilot flies. */
@@ -210,7 +219,7 @@ final class CopterFlight {
     }
 
     boolean takingOff() {
-        boolean climbing = manoeuvre instanceof TakeOff takeOff && !takeOff.done();
+        boolean climbing = manoeuvre instanceof TakeOff takeOff && !takeOff.done() && !isHeldDown();
         return climbing || (mission != null && autoStarted && !mission.ended() && isTakeOff(mission.index()));
     }
 
@@ -231,6 +240,9 @@ final class CopterFlight {
     }
 
     int currentItem() {
+        if (completed && craft.landed()) {
+            return 0;
+        }
         return mission == null ? resumeItem : Math.min(mission.index(), Math.max(0, plan.size() - 1));
     }
 
