@@ -12,6 +12,7 @@ import pytest
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
 from dronemap_e2e.ports import free_port
+from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.tap import Tap
@@ -94,6 +95,23 @@ def test_mavlink_1_carries_a_flight(api: Api, simulated: Tap) -> None:
     fly(api, drone)
 
     assert all(h.message.get_msgbuf()[0] == 0xFE for h in simulated.heard("HEARTBEAT", up=True))
+
+
+def test_a_px4_of_our_own_that_takes_only_px4s_ways_flies(server: Server, api: Api) -> None:
+    px4 = Px4Peer(server.udp_port, system_id=154)
+    try:
+        drone = wait_for(
+            "the peer is listed with a home",
+            lambda: next((d for d in api.drones() if d["link"]["port"] == px4.peer.port and d["home"]), None),
+        )
+        assert drone["autopilot"] == "PX4"
+
+        fly(api, drone)
+
+        assert px4.peer.commands(NAV_TAKEOFF) and px4.peer.commands(DO_REPOSITION)
+        assert not {NAV_TAKEOFF, DO_REPOSITION} & set(px4.refused)
+    finally:
+        px4.close()
 
 
 def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:

@@ -15,6 +15,9 @@ GOOD_MESSAGES = {
     "ardusub_pymavlink_bug_2023-04-18.tlog": 50_136,
 }
 
+# The others never had a fix.
+WITH_POSITION = {"ardusub_small.tlog"}
+
 pytestmark = pytest.mark.skipif(DATA is None, reason="DRONEMAP_TEST_DATA is not set")
 
 
@@ -39,6 +42,8 @@ def test_a_recording_shows_its_vehicle_and_loses_no_good_message(api: Api, recor
     assert refused.status_code == 409 and "recording" in refused.json()["detail"]
     done = wait_for("it was played to its end", lambda: finished(api, replay), 120)
     assert done["goodMessages"] == GOOD_MESSAGES[recording.name]
+    position = api.drone(drone["id"])["position"] or {"latitude": None}
+    assert (position["latitude"] is not None) == (recording.name in WITH_POSITION)
     assert len(done["drones"]) == 1, "other components make no drone"
     api.call("DELETE", f"/replays/{replay}")
 

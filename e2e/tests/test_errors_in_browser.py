@@ -1,0 +1,75 @@
+"""Bad input on the page: the sentence stands where the control is, and nothing goes to the vehicle."""
+
+import secrets
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, Page, expect, sync_playwright
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.server import Server
+from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.tap import Tap
+
+from .test_errors import sent
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        started = launch(playwright)
+        yield started
+        started.close()
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    yield context.new_page()
+    context.close()
+
+
+def user(api: Api, role: str) -> tuple[str, str]:
+    name, password = f"{role}-{secrets.token_hex(4)}", secrets.token_hex(10)
+    answer = api.call("POST", "/users", {"name": name, "password": password, "role": role})
+    assert answer.status_code == 201, answer.text
+    return name, password
+
+
+def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
+    page.goto(server.address)
+    page.get_by_label("User name").fill("admin")
+    page.get_by_label("Password", exact=True).fill("certainly wrong")
+    page.get_by_role("button", name="Sign in", exact=True).click()
+
+    expect(page.get_by_role("alert")).to_contain_text("password")
+
+
+def test_a_viewer_reads_why_arming_is_not_for_viewers(
+    server: Server, api: Api, tap: Tap, copter: Json, page: Page
+) -> None:
+    station = Station(page, Pointer())
+    station.sign_in(server.address, *user(api, "viewer"), secrets.token_hex(10))
+    station.choose(copter["name"])
+
+    expect(station.button("Arm")).to_have_attribute("aria-disabled", "true")
+    station.shows("Viewers watch only")
+    station.hands.hold(page, station.button("Arm"))
+    assert not sent(tap)
+
+
+def test_bad_waypoints_stay_on_the_page(server: Server, api: Api, tap: Tap, copter: Json, page: Page) -> None:
+    station = Station(page, Pointer())
+    station.sign_in(server.address, *user(api, "operator"), secrets.token_hex(10))
+    station.choose(copter["name"])
+    station.press("Plan mission")
+    page.get_by_label("Add by coordinates").fill("95, 8.5")
+    station.press("Add")
+    expect(page.get_by_role("alert")).to_contain_text("95, 8.5")
+    page.get_by_label("Waypoint altitude (m)").fill("")
+    page.get_by_label("Add by coordinates").fill("47.3977, 8.5456")
+    station.press("Add")
+
+    expect(station.button("Upload mission")).to_have_attribute("aria-disabled", "true")
+    station.shows("altitude of 1 to 500 m")
+    assert not sent(tap)
