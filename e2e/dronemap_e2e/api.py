@@ -50,8 +50,9 @@ class Api:
     def command(self, drone: str, body: Json, wait: int = 60) -> Json:
         """The command's record once it has ended."""
         answer = self.call("POST", f"/drones/{drone}/commands?wait={wait}", body)
-        assert answer.ok, answer.text
-        record: Json = answer.json()
+        refused = answer.status_code == 409 and answer.json().get("commandId")
+        assert answer.ok or refused, answer.text
+        record: Json = self.get(f"/commands/{answer.json()['commandId']}") if refused else answer.json()
         return record
 
     def do(self, drone: str, **body: Any) -> Json:
