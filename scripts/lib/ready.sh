@@ -93,7 +93,7 @@ print_welcome() {
         note "(You choose your own after signing in; then this line goes away.)"
     fi
     if [[ $PUBLIC == true ]]; then note "Open to the network. Certificate (SHA-256): $(fingerprint)"; fi
-    note "Drones: $(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed. Vehicles connect to: ${ENDPOINTS//,/ }"
+    note "Drones: $(json_value live "$answer") live, $(json_value ready "$answer") ready (to be armed, or flying). Vehicles connect to: ${ENDPOINTS//,/ }"
     note "Go on with: ./dronemap status | logs | down | help"
 }
 
@@ -117,7 +117,7 @@ command_status() {
     answer=$(health)
     printf '%-9s %s\n' Server "$(json_value status "$answer" | grep . || echo 'not answering') (process $(pid_of server), $(resident_megabytes) MB)" \
         Page "$(page_address)" Stream "port $STREAM_PORT" Vehicles "${ENDPOINTS//,/ }" \
-        Drones "$(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value lost "$answer") lost" \
+        Drones "$(json_value live "$answer") live, $(json_value ready "$answer") ready (to be armed, or flying), $(json_value lost "$answer") lost" \
         Database "$(json_value database "$answer")"
     if is_running sim; then printf '%-9s %s\n' Demo "$FLEET_COUNT simulated drones (process $(pid_of sim))"; else printf '%-9s none\n' Demo; fi
     free=$(free_megabytes "$DATA")

@@ -137,6 +137,9 @@ follow_replay() {
     done
     end_progress_line
     note "$(json_value goodMessages "$answer") good messages, $(json_value brokenRuns "$answer") broken runs ($(json_value brokenBytes "$answer") bytes)"
+    if [[ $state == finished && $(json_value goodMessages "$answer") == 0 ]]; then
+        fail "$EXIT_FAILED" "This is no recording: it holds no MAVLink message."
+    fi
     [[ $state == finished ]] || fail "$EXIT_FAILED" "The replay ended as '$state'. See ./dronemap logs"
 }
 

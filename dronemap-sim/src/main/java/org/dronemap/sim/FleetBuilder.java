@@ -17,7 +17,7 @@ import org.dronemap.sim.physics.Wind;
 
 /** Puts a fleet on the field: a square grid of ten metres, north-east of home. */
 final class FleetBuilder {
-    private static final double SPACING_METERS = 10;
+    private static final double SPACING_METERS = 60;
     private static final double BATTERY_MILLIAMP_HOURS = 5200;
     private static final int SYSTEM_IDS = 254;
 

@@ -79,6 +79,8 @@ public final class CloudManager {
         ManagedDrone drone = recognised.orElseGet(() -> enrol(session, identification));
         drone.lane().execute(() -> {
             drone.attach(session);
+            // A session begins with a message of its vehicle.
+            drone.heard();
             registry.liveTwin(drone.id(), identification)
                     .ifPresent(twin -> drone.say(
                             Severity.WARNING,

@@ -98,7 +98,7 @@ final class MissionTracker {
         if (was == null || was >= current) {
             return Optional.empty();
         }
-        for (int passed = was; passed < current; passed++) {
+        for (int passed = 0; passed < current; passed++) {
             reached.add(passed);
         }
         return Optional.of("While the cloud was away the vehicle flew on from item " + (was + 1) + " to item "
