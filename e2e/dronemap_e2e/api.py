@@ -4,8 +4,6 @@ from typing import Any
 
 import requests
 
-from .waiting import wait_for
-
 Json = dict[str, Any]
 
 
@@ -38,14 +36,21 @@ class Api:
     def drone(self, drone: str) -> Json:
         return self.get(f"/drones/{drone}")
 
-    def live(self, count: int, seconds: float = 60) -> list[Json]:
-        """That many live drones that say they are ready to arm."""
-
-        def ready() -> list[Json] | None:
-            drones = [d for d in self.drones() if d["link"]["state"] == "live" and not d["replay"]]
-            return drones if len(drones) >= count and all(d["position"] for d in drones) else None
-
-        return wait_for(f"{count} live drones with a position", ready, seconds)
+    def ready(self, system_id: int) -> Json | None:
+        """The live drone with that system id, once it has a home and says that it may be armed."""
+        return next(
+            (
+                d
+                for d in self.drones()
+                if d["link"]["systemId"] == system_id
+                and d["link"]["state"] == "live"
+                and d["position"]
+                and d["home"]
+                and d["readyToArm"] is not False
+                and (d["readyToArm"] or d["autopilot"] == "PX4")
+            ),
+            None,
+        )
 
     def command(self, drone: str, body: Json, wait: int = 60) -> Json:
         """The command's record once it has ended."""

@@ -41,16 +41,11 @@ def tap(server: Server) -> Iterator[Tap]:
 @pytest.fixture
 def copter(tap: Tap, api: Api, tmp_path: Path) -> Iterator[Json]:
     """A simulated copter behind the tap, three times as fast as life: the drone as the server lists it."""
+    system_id = next(SYSTEM_IDS)
     started = Simulator(
         tmp_path / "sim.log",
         f"udp://127.0.0.1:{tap.port}",
-        *("--count", "1", "--speedup", "3", "--sysid", str(next(SYSTEM_IDS))),
+        *("--count", "1", "--speedup", "3", "--sysid", str(system_id)),
     )
-
-    def listed() -> Json | None:
-        ports = tap.upstream_ports()
-        found = [d for d in api.drones() if d["link"]["port"] in ports and d["position"] and d["home"]]
-        return found[0] if found else None
-
-    yield wait_for("the copter is listed with position and home", listed, 60)
+    yield wait_for("the copter is listed, with a home, and ready to arm", lambda: api.ready(system_id), 90)
     started.stop()

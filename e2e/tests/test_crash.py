@@ -32,7 +32,7 @@ def in_mission(own_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]
     """A copter that has just begun a mission of three waypoints."""
     simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{own_server.udp_port}", "--count", "1")
     api = Api(own_server.address, own_server.local_key())
-    drone = wait_for("the copter has a home", lambda: next((d for d in api.live(1) if d["home"]), None), 60)
+    drone = wait_for("the copter is ready", lambda: api.ready(1), 90)
     api.do(drone["id"], type="arm")
     api.do(drone["id"], type="takeOff", altitude=10)
     wait_for("it hovers", lambda: api.drone(drone["id"])["position"]["altitudeAboveHome"] > 9, 60)

@@ -59,15 +59,6 @@ def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
     assert above_home() < 1
 
 
-def listed(api: Api, tap: Tap, seconds: float = 60) -> Json:
-    def ready() -> Json | None:
-        ports = tap.upstream_ports()
-        found = [d for d in api.drones() if d["link"]["port"] in ports and d["position"] and d["home"]]
-        return found[0] if found else None
-
-    return wait_for("the vehicle is listed with position and home", ready, seconds)
-
-
 @pytest.fixture
 def simulated(request: pytest.FixtureRequest, tap: Tap, tmp_path: Path) -> Iterator[Tap]:
     """A vehicle behind the tap with the options that the test names."""
@@ -78,7 +69,7 @@ def simulated(request: pytest.FixtureRequest, tap: Tap, tmp_path: Path) -> Itera
 
 @pytest.mark.parametrize("simulated", [PX4], indirect=True, ids=["px4"])
 def test_px4_flies_by_its_own_commands(api: Api, simulated: Tap) -> None:
-    drone = listed(api, simulated)
+    drone = wait_for("it is ready", lambda: api.ready(150), 90)
     assert drone["autopilot"] == "PX4"
 
     fly(api, drone)
@@ -90,7 +81,7 @@ def test_px4_flies_by_its_own_commands(api: Api, simulated: Tap) -> None:
 
 @pytest.mark.parametrize("simulated", [MAVLINK_1], indirect=True, ids=["mavlink1"])
 def test_mavlink_1_carries_a_flight(api: Api, simulated: Tap) -> None:
-    drone = listed(api, simulated)
+    drone = wait_for("it is ready", lambda: api.ready(151), 90)
 
     fly(api, drone)
 
@@ -119,14 +110,8 @@ def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
         tmp_path / "sim.log", f"tcp://127.0.0.1:{server.tcp_port}", "--speedup", "3", "--sysid", "152"
     )
     try:
-        drone = wait_for(
-            "listed over TCP",
-            lambda: next(
-                (d for d in api.drones() if d["link"]["transport"] == "tcp" and d["home"] and d["position"]),
-                None,
-            ),
-            60,
-        )
+        drone = wait_for("it is ready", lambda: api.ready(152), 90)
+        assert drone["link"]["transport"] == "tcp"
         fly(api, drone)
     finally:
         simulator.stop()
@@ -151,7 +136,7 @@ def test_a_real_autopilot_flies_the_same_flight(api: Api, tap: Tap, tmp_path: Pa
             stderr=subprocess.STDOUT,
         )
     try:
-        drone = listed(api, tap, 120)
+        drone = wait_for("it is ready", lambda: api.ready(153), 120)
         wait_for("it may fly", lambda: _may_fly(api, drone["id"]), 90, every=3)
         fly(api, drone, patience=3)
     finally:

@@ -159,6 +159,8 @@ export interface Drone {
   mode: string | null;
   modes: string[];
   armed: boolean | null;
+  /** What the vehicle's own pre-arm checks say. */
+  readyToArm?: boolean | null;
   flight: FlightState | null;
   position: Position | null;
   place: string | null;

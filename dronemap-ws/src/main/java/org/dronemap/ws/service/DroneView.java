@@ -20,6 +20,7 @@ public record DroneView(
         @Nullable String mode,
         List<String> modes,
         @Nullable Boolean armed,
+        @Nullable Boolean readyToArm,
         @Nullable String flight,
         @Nullable PositionView position,
         @Nullable String place,

@@ -41,6 +41,7 @@ public final class DroneViews {
                 state.mode(),
                 state.capabilities().modes(),
                 state.armed(),
+                state.readyToArm(),
                 state.phase() == null ? null : WireNames.camel(state.phase()),
                 position(state.position()),
                 places.place(state),
