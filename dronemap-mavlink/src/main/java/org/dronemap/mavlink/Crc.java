@@ -19,6 +19,18 @@ final class Crc {
         return (crc >>> 8) ^ TABLE[(crc ^ octet) & 0xFF];
     }
 
+    /**
+     * What flipping these bits of one byte does to the checksum, {@code behind} bytes after it: the sum is linear, so it
+     * can be mended without knowing the message.
+     */
+    static int changeOf(int flipped, int behind) {
+        int sum = add(0, flipped);
+        for (int i = 0; i < behind; i++) {
+            sum = add(sum, 0);
+        }
+        return sum;
+    }
+
     private static char[] table() {
         char[] table = new char[256];
         for (int i = 0; i < 256; i++) {

@@ -2,6 +2,7 @@ package org.dronemap.mavlink;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * One received frame, version 1 or 2; immutable. Payload reads are little-endian and answer 0 beyond the payload's end,
@@ -12,7 +13,9 @@ public final class Frame {
     static final int MAGIC_2 = 0xFD;
     static final int HEADER_1 = 6;
     static final int HEADER_2 = 10;
-    static final int SIGNATURE = 13;
+    /** What a signature adds to a frame: link id, timestamp, digest. */
+    public static final int SIGNATURE_BYTES = 13;
+
     static final int SIGNED_FLAG = 1;
 
     private final byte[] raw;
@@ -38,6 +41,34 @@ public final class Frame {
 
     public boolean signed() {
         return version() == 2 && (raw[2] & SIGNED_FLAG) != 0;
+    }
+
+    /** The sender's number of the link that it signed for; 0 without a signature. */
+    public int signatureLinkId() {
+        return signed() ? raw[raw.length - SIGNATURE_BYTES] & 0xFF : 0;
+    }
+
+    /** When it was signed, in 10 µs steps since 2015-01-01 UTC; 0 without a signature. */
+    public long signatureTimestamp() {
+        long timestamp = 0;
+        for (int i = 6; signed() && i > 0; i--) {
+            timestamp = timestamp << 8 | (raw[raw.length - SIGNATURE_BYTES + i] & 0xFF);
+        }
+        return timestamp;
+    }
+
+    /** The same frame as an unsigned one, for recordings and relays: only flag, checksum and signature differ. */
+    public Frame withoutSignature() {
+        if (!signed()) {
+            return this;
+        }
+        byte[] bare = Arrays.copyOf(raw, raw.length - SIGNATURE_BYTES);
+        bare[2] &= ~SIGNED_FLAG;
+        int check = bare.length - 2;
+        int change = Crc.changeOf(SIGNED_FLAG, check - 2);
+        bare[check] ^= (byte) change;
+        bare[check + 1] ^= (byte) (change >>> 8);
+        return new Frame(bare, verified);
     }
 
     public int payloadLength() {

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
  * thread-safe.
  */
 public final class FrameReader {
-    private static final int LONGEST = Frame.HEADER_2 + 255 + 2 + Frame.SIGNATURE;
+    private static final int LONGEST = Frame.HEADER_2 + 255 + 2 + Frame.SIGNATURE_BYTES;
 
     private final byte[] pending = new byte[4 * LONGEST];
     private int start;
@@ -112,7 +112,7 @@ public final class FrameReader {
             // An incompatibility flag that is not known: the frame must be dropped.
             return 0;
         }
-        return Frame.HEADER_2 + (bytes[at + 1] & 0xFF) + 2 + (flags != 0 ? Frame.SIGNATURE : 0);
+        return Frame.HEADER_2 + (bytes[at + 1] & 0xFF) + 2 + (flags != 0 ? Frame.SIGNATURE_BYTES : 0);
     }
 
     private void take(int length, Consumer<Frame> frames) {

@@ -28,17 +28,34 @@ public final class FrameWriter {
     public byte[] frame(Message message) {
         PayloadWriter payload = new PayloadWriter();
         message.write(payload);
-        return version == 2 ? frame2(message, payload) : frame1(message, payload);
+        return version == 2 ? frame2(message, payload, 0) : frame1(message, payload);
     }
 
-    private byte[] frame2(Message message, PayloadWriter payload) {
+    /**
+     * The whole frame with a signature.
+     *
+     * @throws IllegalStateException in version 1, which knows no signatures
+     */
+    public byte[] frame(Message message, FrameSigner signer) {
+        if (version != 2) {
+            throw new IllegalStateException("MAVLink 1 frames cannot be signed");
+        }
+        PayloadWriter payload = new PayloadWriter();
+        message.write(payload);
+        byte[] raw = frame2(message, payload, Frame.SIGNATURE_BYTES);
+        signer.sign(raw);
+        return raw;
+    }
+
+    private byte[] frame2(Message message, PayloadWriter payload, int signatureBytes) {
         int length = payload.length();
         while (length > 1 && payload.array()[length - 1] == 0) {
             length--;
         }
-        byte[] raw = new byte[Frame.HEADER_2 + length + 2];
+        byte[] raw = new byte[Frame.HEADER_2 + length + 2 + signatureBytes];
         raw[0] = (byte) Frame.MAGIC_2;
         raw[1] = (byte) length;
+        raw[2] = (byte) (signatureBytes > 0 ? Frame.SIGNED_FLAG : 0);
         raw[4] = (byte) sequence++;
         raw[5] = (byte) systemId;
         raw[6] = (byte) componentId;
