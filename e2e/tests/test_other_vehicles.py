@@ -53,6 +53,9 @@ def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
     wait_for(
         "the last item is reached", lambda: last in api.drone(identity)["mission"]["reached"], 120 * patience
     )
+    # Not every vehicle says it: MAVLink 1 has no field for it.
+    wait_for("the mission is over", lambda: api.drone(identity)["mission"]["state"] in ("complete", None))
+    assert last in api.drone(identity)["mission"]["reached"], "what was reached stays so"
     do("hold")
     do("returnToLaunch")
     wait_for("it landed and disarmed", lambda: api.drone(identity)["armed"] is False, 150 * patience)

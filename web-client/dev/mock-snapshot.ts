@@ -53,6 +53,7 @@ export function snapshotOf(drone: MockDrone): Drone {
       current: drone.current,
       reached: drone.reached,
       total: drone.items?.length ?? null,
+      state: null,
       running: drone.mode === 'AUTO',
       notice: null,
     },

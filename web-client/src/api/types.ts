@@ -116,6 +116,8 @@ export interface VehicleMission {
   reached: number[];
   total: number | null;
   running: boolean;
+  /** Null when the vehicle does not say. */
+  state: 'stopped' | 'running' | 'paused' | 'complete' | null;
   notice: string | null;
 }
 

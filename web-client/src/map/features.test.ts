@@ -43,6 +43,7 @@ describe('map features', () => {
       reached: [0, 1],
       total: 4,
       running: true,
+      state: null,
       notice: null,
     };
     const points = missionFeatures(aDrone({ mission })).features.filter(

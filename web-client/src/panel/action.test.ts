@@ -60,6 +60,7 @@ describe('mission of the vehicle', () => {
     reached: [0],
     total: 3,
     running: true,
+    state: null,
     notice: null,
   } satisfies Parameters<typeof missionSummary>[0];
 

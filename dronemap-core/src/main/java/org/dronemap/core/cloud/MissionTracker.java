@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.mission.MissionComparison;
@@ -19,6 +20,9 @@ final class MissionTracker {
     private @Nullable KnownMission known;
     private @Nullable List<MissionItem> items;
     private @Nullable Integer current;
+    private @Nullable Integer lastFlown;
+    private @Nullable Integer lastReached;
+    private @Nullable MissionPhase phase;
     private @Nullable String notice;
     private boolean comparedItem;
 
@@ -29,7 +33,7 @@ final class MissionTracker {
     }
 
     MissionProgress progress() {
-        return new MissionProgress(items, current, List.copyOf(reached), notice);
+        return new MissionProgress(items, current, phase, List.copyOf(reached), notice);
     }
 
     /** Takes a mission event in; the answer is a sentence when something happened that people should hear of. */
@@ -38,10 +42,10 @@ final class MissionTracker {
             return read(read);
         }
         if (event instanceof DroneEvent.MissionCurrentHeard heard) {
-            return headsFor(heard.index());
+            return headsFor(heard);
         }
         if (event instanceof DroneEvent.MissionItemReached arrived) {
-            reached.add(arrived.index());
+            reached(arrived.index());
         }
         return Optional.empty();
     }
@@ -51,6 +55,7 @@ final class MissionTracker {
         boolean first = items == null;
         if (read.asUploaded() || !read.items().equals(items)) {
             reached.clear();
+            lastFlown = null;
         }
         items = read.items();
         if (read.asUploaded()) {
@@ -71,20 +76,42 @@ final class MissionTracker {
         return first ? compareItem() : Optional.empty();
     }
 
-    private Optional<String> headsFor(@Nullable Integer index) {
-        if (Objects.equals(index, current)) {
+    private void reached(int index) {
+        // Some autopilots say their last one again and again, also when it lies ahead once more.
+        if (!Objects.equals(index, lastReached)) {
+            reached.add(index);
+        }
+        lastReached = index;
+    }
+
+    private Optional<String> headsFor(DroneEvent.MissionCurrentHeard heard) {
+        Integer index = heard.index();
+        if (Objects.equals(index, current) && heard.phase() == phase) {
             return Optional.empty();
         }
-        if (index != null && current != null && index < current) {
-            // It flies this part again.
-            reached.tailSet(index).clear();
-        }
         current = index;
+        phase = heard.phase();
+        follow(index, phase);
         Optional<String> sentence = compareItem();
         if (items != null && notice == null) {
             keep();
         }
         return sentence;
+    }
+
+    private void follow(@Nullable Integer index, @Nullable MissionPhase now) {
+        List<MissionItem> all = items;
+        if (now == MissionPhase.COMPLETE) {
+            if (all != null && !all.isEmpty()) {
+                reached.add(all.size() - 1);
+            }
+        } else if (index != null && (now == null || now == MissionPhase.RUNNING)) {
+            if (lastFlown != null && index < lastFlown) {
+                // It flies this part again.
+                reached.tailSet(index).clear();
+            }
+            lastFlown = index;
+        }
     }
 
     /** Once after a restart, when mission and item are both known: what did the vehicle do meanwhile? */
@@ -95,14 +122,23 @@ final class MissionTracker {
         }
         comparedItem = true;
         Integer was = before.current();
+        int last = items.size() - 1;
+        if (was != null && phase == MissionPhase.COMPLETE && was < last) {
+            passed(items.size());
+            return Optional.of("While the cloud was away the vehicle flew its mission to the end.");
+        }
         if (was == null || was >= current) {
             return Optional.empty();
         }
-        for (int passed = 0; passed < current; passed++) {
-            reached.add(passed);
-        }
+        passed(current);
         return Optional.of("While the cloud was away the vehicle flew on from item " + (was + 1) + " to item "
                 + (current + 1) + " of its mission.");
+    }
+
+    private void passed(int count) {
+        for (int index = 0; index < count; index++) {
+            reached.add(index);
+        }
     }
 
     private Optional<String> keep() {

@@ -9,13 +9,15 @@ import org.jspecify.annotations.Nullable;
  *
  * @param items what was read back from the vehicle; null as long as it was not read
  * @param current index into the items that the vehicle heads for; null when it said none
+ * @param phase whether it flies the mission; null when the vehicle does not say
  * @param reached indices of the items that it said it reached since the mission changed or was started, in order
  * @param notice a sentence when the mission is not the one that the cloud knew; null otherwise
  */
 public record MissionProgress(
         @Nullable List<MissionItem> items,
         @Nullable Integer current,
+        @Nullable MissionPhase phase,
         List<Integer> reached,
         @Nullable String notice) {
-    public static final MissionProgress UNKNOWN = new MissionProgress(null, null, List.of(), null);
+    public static final MissionProgress UNKNOWN = new MissionProgress(null, null, null, List.of(), null);
 }

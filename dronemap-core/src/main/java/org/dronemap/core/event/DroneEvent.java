@@ -8,6 +8,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Gps;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
@@ -39,8 +40,12 @@ public sealed interface DroneEvent {
 
     record HomeHeard(Home home) implements DroneEvent {}
 
-    /** Index into the mission's items that it heads for; null when it heads for none. */
-    record MissionCurrentHeard(@Nullable Integer index) implements DroneEvent {}
+    /**
+     * Index into the mission's items that it heads for, null when it heads for none; {@code phase} is null when the
+     * vehicle does not say it.
+     */
+    record MissionCurrentHeard(
+            @Nullable Integer index, @Nullable MissionPhase phase) implements DroneEvent {}
 
     record MissionItemReached(int index) implements DroneEvent {}
 

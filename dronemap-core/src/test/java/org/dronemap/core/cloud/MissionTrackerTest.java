@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.event.DroneEvent.MissionCurrentHeard;
 import org.dronemap.core.event.DroneEvent.MissionItemReached;
 import org.dronemap.core.event.DroneEvent.MissionRead;
@@ -26,7 +27,7 @@ class MissionTrackerTest {
         MissionTracker tracker = new MissionTracker(null, kept::add);
 
         tracker.apply(new MissionRead(THREE, true));
-        tracker.apply(new MissionCurrentHeard(1));
+        tracker.apply(new MissionCurrentHeard(1, null));
 
         assertThat(kept).containsExactly(new KnownMission(THREE, null), new KnownMission(THREE, 1));
         assertThat(tracker.progress().notice()).isNull();
@@ -38,7 +39,7 @@ class MissionTrackerTest {
 
         tracker.apply(new MissionRead(THREE, false));
 
-        assertThat(tracker.apply(new MissionCurrentHeard(3)))
+        assertThat(tracker.apply(new MissionCurrentHeard(3, null)))
                 .contains("While the cloud was away the vehicle flew on from item 2 to item 4 of its mission.");
         assertThat(tracker.progress().reached()).containsExactly(0, 1, 2);
     }
@@ -47,7 +48,7 @@ class MissionTrackerTest {
     void saysSoAlsoWhenTheItemIsHeardBeforeTheMission() {
         MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
 
-        tracker.apply(new MissionCurrentHeard(3));
+        tracker.apply(new MissionCurrentHeard(3, null));
 
         assertThat(tracker.apply(new MissionRead(THREE, false)))
                 .hasValueSatisfying(sentence -> assertThat(sentence).contains("flew on"));
@@ -86,8 +87,8 @@ class MissionTrackerTest {
         tracker.apply(new MissionItemReached(1));
         assertThat(tracker.progress().reached()).containsExactly(0, 1);
 
-        tracker.apply(new MissionCurrentHeard(2));
-        tracker.apply(new MissionCurrentHeard(0));
+        tracker.apply(new MissionCurrentHeard(2, null));
+        tracker.apply(new MissionCurrentHeard(0, null));
 
         assertThat(tracker.progress().reached()).isEmpty();
     }
@@ -99,9 +100,9 @@ class MissionTrackerTest {
         tracker.apply(new MissionItemReached(0));
         tracker.apply(new MissionItemReached(1));
         tracker.apply(new MissionItemReached(2));
-        tracker.apply(new MissionCurrentHeard(3));
+        tracker.apply(new MissionCurrentHeard(3, null));
 
-        tracker.apply(new MissionCurrentHeard(1));
+        tracker.apply(new MissionCurrentHeard(1, null));
 
         assertThat(tracker.progress().reached()).containsExactly(0);
     }
@@ -115,5 +116,59 @@ class MissionTrackerTest {
         tracker.apply(new MissionRead(THREE, true));
 
         assertThat(tracker.progress().reached()).isEmpty();
+    }
+
+    @Test
+    void staysReachedWhenTheVehicleGoesToItsFirstItemAtTheEnd() {
+        MissionTracker tracker = flown();
+
+        tracker.apply(new MissionCurrentHeard(0, MissionPhase.COMPLETE));
+
+        assertThat(tracker.progress().reached()).containsExactly(0, 1, 2, 3);
+        assertThat(tracker.progress().phase()).isEqualTo(MissionPhase.COMPLETE);
+    }
+
+    @Test
+    void countsTheLastItemAsReachedAtTheEndAlsoWhenThatMessageWasLost() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+        tracker.apply(new MissionRead(THREE, true));
+        tracker.apply(new MissionCurrentHeard(3, MissionPhase.RUNNING));
+
+        tracker.apply(new MissionCurrentHeard(3, MissionPhase.COMPLETE));
+
+        assertThat(tracker.progress().reached()).containsExactly(3);
+    }
+
+    @Test
+    void beginsAnewWhenAFinishedMissionIsFlownAgain() {
+        MissionTracker tracker = flown();
+        tracker.apply(new MissionCurrentHeard(0, MissionPhase.COMPLETE));
+
+        tracker.apply(new MissionCurrentHeard(0, MissionPhase.RUNNING));
+        tracker.apply(new MissionItemReached(3));
+
+        assertThat(tracker.progress().reached())
+                .as("the last item, said once more, is not reached again")
+                .isEmpty();
+    }
+
+    @Test
+    void saysThatTheVehicleFlewToTheEndWhileTheCloudWasAway() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
+        tracker.apply(new MissionRead(THREE, false));
+
+        assertThat(tracker.apply(new MissionCurrentHeard(0, MissionPhase.COMPLETE)))
+                .contains("While the cloud was away the vehicle flew its mission to the end.");
+        assertThat(tracker.progress().reached()).containsExactly(0, 1, 2, 3);
+    }
+
+    private MissionTracker flown() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+        tracker.apply(new MissionRead(THREE, true));
+        for (int index = 0; index < THREE.size(); index++) {
+            tracker.apply(new MissionCurrentHeard(index, MissionPhase.RUNNING));
+            tracker.apply(new MissionItemReached(index));
+        }
+        return tracker;
     }
 }

@@ -76,13 +76,17 @@ public record DroneView(
     /** Where it returns to; degrees and metres above sea level. */
     public record HomeView(double latitude, double longitude, double altitudeAmsl) {}
 
-    /** The mission that is on the vehicle; indices are into the items. */
+    /**
+     * The mission that is on the vehicle; indices are into the items. {@code state} is stopped, running, paused or
+     * complete; null when the vehicle does not say.
+     */
     public record MissionView(
             @Nullable List<MissionItemView> items,
             @Nullable Integer current,
             List<Integer> reached,
             @Nullable Integer total,
             boolean running,
+            @Nullable String state,
             @Nullable String notice) {}
 
     /** A sentence of the vehicle or about it. */

@@ -13,6 +13,7 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
 import org.jspecify.annotations.Nullable;
@@ -121,13 +122,16 @@ public final class DroneViews {
         MissionProgress mission = state.mission();
         var items = mission.items();
         String mode = state.mode();
-        boolean running = Boolean.TRUE.equals(state.armed()) && mode != null && MISSION_MODES.contains(mode);
+        MissionPhase phase = mission.phase();
+        boolean running = Boolean.TRUE.equals(state.armed())
+                && (phase == null ? mode != null && MISSION_MODES.contains(mode) : phase == MissionPhase.RUNNING);
         return new DroneView.MissionView(
                 items == null ? null : MissionItemView.of(items),
                 mission.current(),
                 mission.reached(),
                 items == null ? null : items.size(),
                 running,
+                phase == null ? null : WireNames.camel(phase),
                 mission.notice());
     }
 

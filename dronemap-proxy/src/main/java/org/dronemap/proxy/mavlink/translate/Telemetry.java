@@ -2,6 +2,7 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.function.Consumer;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
@@ -140,7 +141,19 @@ public final class Telemetry {
     private void missionCurrent(MissionCurrent message) {
         status.current(message.seq());
         int index = message.seq() - autopilot.itemsBeforeMission();
-        out.accept(new DroneEvent.MissionCurrentHeard(index < 0 || status.hasNoMission() ? null : (Integer) index));
+        Integer heading = index < 0 || status.hasNoMission() ? null : (Integer) index;
+        out.accept(new DroneEvent.MissionCurrentHeard(heading, phase(message.missionState())));
+    }
+
+    /** MISSION_STATE; ArduPilot says NOT_STARTED also of a mission that it left in the middle. */
+    private static @Nullable MissionPhase phase(int missionState) {
+        return switch (missionState) {
+            case 2 -> MissionPhase.STOPPED;
+            case 3 -> MissionPhase.RUNNING;
+            case 4 -> MissionPhase.PAUSED;
+            case 5 -> MissionPhase.COMPLETE;
+            default -> null;
+        };
     }
 
     private void reached(MissionItemReached message) {
