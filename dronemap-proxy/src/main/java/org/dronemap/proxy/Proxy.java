@@ -1,13 +1,12 @@
 package org.dronemap.proxy;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
-import org.dronemap.proxy.endpoint.Endpoint;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.record.Replays;
 import org.dronemap.proxy.session.SessionTable;
 import org.dronemap.proxy.session.Surroundings;
@@ -17,7 +16,7 @@ public final class Proxy implements AutoCloseable {
     private final List<EndpointUrl> urls;
     private final SessionTable sessions;
     private final Replays replays;
-    private final List<Endpoint> open = new ArrayList<>();
+    private final Links links;
 
     /** One endpoint with its counts. */
     public record EndpointStatus(EndpointUrl url, EndpointCounters.Counts counts) {}
@@ -26,17 +25,18 @@ public final class Proxy implements AutoCloseable {
         this.urls = List.copyOf(urls);
         sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime));
         replays = new Replays(sessions);
+        links = new Links(sessions);
     }
 
     /**
-     * Opens all endpoints or none.
+     * Opens all configured endpoints or none; those that dial may find nobody yet.
      *
      * @throws IOException with a sentence that says which one and why
      */
     public synchronized void start() throws IOException {
         try {
-            for (EndpointUrl url : urls) {
-                open.add(Endpoint.open(url, sessions));
+            for (int number = 0; number < urls.size(); number++) {
+                links.open("configured-" + (number + 1), urls.get(number));
             }
         } catch (IOException e) {
             close();
@@ -44,10 +44,14 @@ public final class Proxy implements AutoCloseable {
         }
     }
 
-    public synchronized List<EndpointStatus> endpoints() {
-        return open.stream()
-                .map(endpoint ->
-                        new EndpointStatus(endpoint.url(), endpoint.counters().counts()))
+    /** The endpoints, configured or added since. */
+    public Links links() {
+        return links;
+    }
+
+    public List<EndpointStatus> endpoints() {
+        return links.all().stream()
+                .map(link -> new EndpointStatus(link.url(), link.counts()))
                 .toList();
     }
 
@@ -64,7 +68,6 @@ public final class Proxy implements AutoCloseable {
     @Override
     public synchronized void close() {
         replays.close();
-        open.forEach(Endpoint::close);
-        open.clear();
+        links.close();
     }
 }

@@ -10,6 +10,7 @@ public final class EndpointCounters {
     private final LongAdder brokenBytes = new LongAdder();
     private final LongAdder droppedIn = new LongAdder();
     private final LongAdder droppedOut = new LongAdder();
+    private final LongAdder throttled = new LongAdder();
     private final LongAdder refusedPeers = new LongAdder();
     private final AtomicInteger peers = new AtomicInteger();
 
@@ -17,7 +18,8 @@ public final class EndpointCounters {
      * The counts at one moment.
      *
      * @param droppedIn frames that found no room on their way to the drone
-     * @param droppedOut frames that the socket did not take
+     * @param droppedOut frames that the link did not take
+     * @param throttled deliveries of peers that made too much work, dropped unread
      * @param refusedPeers datagrams or connections of addresses beyond the bound
      */
     public record Counts(
@@ -27,14 +29,15 @@ public final class EndpointCounters {
             long brokenBytes,
             long droppedIn,
             long droppedOut,
+            long throttled,
             long refusedPeers) {}
 
-    public void received(long frames, long broken) {
+    void received(long frames, long broken) {
         framesIn.add(frames);
         brokenBytes.add(broken);
     }
 
-    public void droppedIn() {
+    void droppedIn() {
         droppedIn.increment();
     }
 
@@ -44,6 +47,10 @@ public final class EndpointCounters {
 
     void droppedOut() {
         droppedOut.increment();
+    }
+
+    void throttled() {
+        throttled.increment();
     }
 
     void refusedPeer() {
@@ -62,6 +69,7 @@ public final class EndpointCounters {
                 brokenBytes.sum(),
                 droppedIn.sum(),
                 droppedOut.sum(),
+                throttled.sum(),
                 refusedPeers.sum());
     }
 }

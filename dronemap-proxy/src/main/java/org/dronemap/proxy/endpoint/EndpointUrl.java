@@ -1,29 +1,67 @@
 package org.dronemap.proxy.endpoint;
 
+import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
-/** Where vehicles may call in, such as {@code udpserver://127.0.0.1:14550}; port 0 takes any free one. */
-public record EndpointUrl(Transport transport, String host, int port) {
-    private static final Pattern FORM = Pattern.compile("([a-z]+)://(\\[[0-9a-fA-F:.]+]|[^:/\\[\\]]+):(\\d{1,5})/?");
+/**
+ * Where vehicles call in or are called, such as {@code udpserver://127.0.0.1:14550} (port 0 takes any free one) or
+ * {@code serial:///dev/ttyUSB0?baud=57600}.
+ *
+ * @param host empty for a serial line
+ * @param path the device of a serial line, the path of a WebSocket, else empty
+ * @param baud bits a second of a serial line, else 0
+ */
+public record EndpointUrl(Kind kind, String host, int port, String path, int baud) {
+    private static final Pattern SCHEME = Pattern.compile("([a-zA-Z]+)://(.*)");
+    private static final Pattern ADDRESS =
+            Pattern.compile("(\\[[0-9a-fA-F:.]+]|[^:/?#@\\s\\[\\]]+):(\\d{1,5})(/[^?#\\s]*)?");
 
-    /** How bytes travel. */
-    public enum Transport {
-        UDP("udpserver", "udp"),
-        TCP("tcpserver", "tcp");
+    /** How bytes travel, and who begins. */
+    public enum Kind {
+        UDPSERVER("udp", "udpserver://ADDRESS:PORT"),
+        UDPCLIENT("udp", "udpclient://HOST:PORT"),
+        TCPSERVER("tcp", "tcpserver://ADDRESS:PORT"),
+        TCPCLIENT("tcp", "tcpclient://HOST:PORT");
 
-        private final String scheme;
-        private final String label;
+        private final String transport;
+        private final String form;
 
-        Transport(String scheme, String label) {
-            this.scheme = scheme;
-            this.label = label;
+        Kind(String transport, String form) {
+            this.transport = transport;
+            this.form = form;
         }
 
         /** The word that users know. */
-        public String label() {
-            return label;
+        public String transport() {
+            return transport;
+        }
+
+        String scheme() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        /** True when vehicles call in here; false when this end dials, again and again. */
+        public boolean isListener() {
+            return this == UDPSERVER || this == TCPSERVER;
+        }
+
+        boolean isDatagram() {
+            return transport.equals("udp");
+        }
+
+        static Optional<Kind> ofScheme(String scheme) {
+            String known = scheme.equals("udpout") ? "udpclient" : scheme;
+            return Arrays.stream(values())
+                    .filter(kind -> kind.scheme().equals(known))
+                    .findFirst();
+        }
+
+        static String forms() {
+            return Arrays.stream(values()).map(kind -> kind.form).collect(Collectors.joining(", "));
         }
     }
 
@@ -33,36 +71,37 @@ public record EndpointUrl(Transport transport, String host, int port) {
      * @throws IllegalArgumentException with a sentence that says what is wrong
      */
     public static EndpointUrl parse(String text) {
-        Matcher parts = FORM.matcher(text.strip().toLowerCase(Locale.ROOT));
+        Matcher parts = SCHEME.matcher(text.strip());
         if (!parts.matches()) {
-            throw new IllegalArgumentException("\"" + text
-                    + "\" is no endpoint; write udpserver://ADDRESS:PORT or tcpserver://ADDRESS:PORT, such as"
-                    + " udpserver://127.0.0.1:14550.");
+            throw new IllegalArgumentException("\"" + text + "\" is no endpoint; write one of " + Kind.forms()
+                    + ", such as udpserver://127.0.0.1:14550.");
         }
-        int port = Integer.parseInt(parts.group(3));
-        if (port > 65_535) {
-            throw new IllegalArgumentException(
-                    "\"" + text + "\" names port " + port + "; a port is 0 to 65535 (0: any free one).");
-        }
-        return new EndpointUrl(transport(text, parts.group(1)), parts.group(2), port);
+        String scheme = parts.group(1).toLowerCase(Locale.ROOT);
+        Kind kind = Kind.ofScheme(scheme)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "\"" + text + "\" begins with " + scheme + "://; known are " + Kind.forms() + "."));
+        return address(text, kind, parts.group(2));
     }
 
-    private static Transport transport(String text, String scheme) {
-        for (Transport transport : Transport.values()) {
-            if (transport.scheme.equals(scheme)) {
-                return transport;
-            }
+    private static EndpointUrl address(String text, Kind kind, String rest) {
+        Matcher address = ADDRESS.matcher(rest);
+        if (!address.matches() || !("" + address.group(3)).matches("null|/")) {
+            throw new IllegalArgumentException("\"" + text + "\" is no endpoint; write " + kind.form + ".");
         }
-        throw new IllegalArgumentException(
-                "\"" + text + "\" begins with " + scheme + "://; only udpserver:// and tcpserver:// are known.");
+        int port = Integer.parseInt(address.group(2));
+        if (port > 65_535 || (port == 0 && !kind.isListener())) {
+            throw new IllegalArgumentException("\"" + text + "\" names port " + port + "; a port is "
+                    + (kind.isListener() ? "0 to 65535 (0: any free one)." : "1 to 65535."));
+        }
+        return new EndpointUrl(kind, address.group(1).toLowerCase(Locale.ROOT), port, "", 0);
     }
 
     EndpointUrl withPort(int bound) {
-        return new EndpointUrl(transport, host, bound);
+        return new EndpointUrl(kind, host, bound, path, baud);
     }
 
     @Override
     public String toString() {
-        return transport.scheme + "://" + host + ":" + port;
+        return kind.scheme() + "://" + host + ":" + port + path;
     }
 }

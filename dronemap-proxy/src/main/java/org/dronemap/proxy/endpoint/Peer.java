@@ -1,14 +1,32 @@
 package org.dronemap.proxy.endpoint;
 
-import java.net.InetSocketAddress;
+import java.util.Optional;
 
 /** The other side of an endpoint: one address that bytes come from and can be sent to. Any thread. */
 public interface Peer {
-    InetSocketAddress address();
+    /** Where it is now; a peer on an authenticated link may move. */
+    PeerAddress address();
 
-    /** udp, tcp. */
+    /** udp, tcp, serial, websocket, dtls. */
     String transport();
 
-    /** Sends one frame, or drops and counts it when the socket takes no more. */
+    /**
+     * Who the link itself proved the other side to be: the identity of a DTLS key. Empty on links that prove nothing.
+     */
+    default Optional<String> authenticatedIdentity() {
+        return Optional.empty();
+    }
+
+    /** True when only this machine can be on the other side: a loopback address, or a line plugged into it. */
+    default boolean isLocal() {
+        return false;
+    }
+
+    /** True when bytes come as whole datagrams, false when they come as a stream. */
+    default boolean isDatagram() {
+        return false;
+    }
+
+    /** Sends one frame, or drops and counts it when the link takes no more. */
     void send(byte[] frame);
 }

@@ -2,7 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.nio.ByteBuffer;
 
-/** Takes what one peer sends. Always called on the endpoint's thread. */
+/** Takes what one peer sends. Always called on one thread at a time. */
 public interface PeerHandler {
     /** The buffer is reused: take all of it before returning. */
     void received(ByteBuffer bytes);
@@ -12,6 +12,11 @@ public interface PeerHandler {
 
     /** Decides who takes the bytes of a new peer. */
     interface Factory {
-        PeerHandler opened(Peer peer, EndpointCounters counters);
+        PeerHandler opened(Peer peer, PeerCounters counters);
+
+        /** What is said on a link that we dialled while nobody speaks there: many vehicles only answer. Empty: nothing. */
+        default byte[] greeting() {
+            return new byte[0];
+        }
     }
 }

@@ -9,38 +9,47 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
 import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One TCP port for a bounded number of vehicles, all read by one selector thread; silent connections are closed. */
+/**
+ * One TCP port for a bounded number of vehicles, all read by one selector thread, one buffer a turn each; silent
+ * connections are closed. A peer that makes too much work is read later, which holds it back and loses nothing.
+ */
 final class TcpServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(TcpServerEndpoint.class);
-    static final int MAX_PEERS = 1_000;
-    private static final long IDLE_NANOS = 60_000_000_000L;
+    private static final PeerBook.Limits LIMITS = new PeerBook.Limits(2_000, 1_000);
+    private static final int BYTES_A_TURN = 16_384;
     private static final long SELECT_MILLIS = 1_000;
+    private static final long HELD_BACK_MILLIS = 10;
 
     private final EndpointUrl url;
     private final ServerSocketChannel server;
     private final Selector selector;
-    private final PeerHandler.Factory handlers;
+    private final Seat.Place place;
     private final EndpointCounters counters = new EndpointCounters();
-    private final ByteBuffer buffer = ByteBuffer.allocateDirect(65_536);
+    private final PeerBook<SelectionKey> peers;
+    private final ByteBuffer buffer = ByteBuffer.allocateDirect(BYTES_A_TURN);
+    private final List<SelectionKey> heldBack = new ArrayList<>();
     private final Thread thread;
-    private long lastSweepNanos = System.nanoTime();
 
     private TcpServerEndpoint(
-            EndpointUrl url, ServerSocketChannel server, Selector selector, PeerHandler.Factory handlers) {
-        this.url = url;
+            EndpointUrl url, ServerSocketChannel server, Selector selector, PeerHandler.Factory handlers)
+            throws IOException {
+        InetSocketAddress bound = (InetSocketAddress) server.getLocalAddress();
+        this.url = url.withPort(bound.getPort());
         this.server = server;
         this.selector = selector;
-        this.handlers = handlers;
-        thread = new Thread(this::run, "tcp-" + url.port());
+        place = new Seat.Place(url, SocketAddresses.isLocal(bound), false);
+        peers = new PeerBook<>(counters, handlers, LIMITS);
+        thread = new Thread(this::run, "tcp-" + bound.getPort());
         thread.setDaemon(true);
     }
 
-    static TcpServerEndpoint open(EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers)
-            throws IOException {
+    static TcpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
+        InetSocketAddress address = SocketAddresses.resolve(url);
         ServerSocketChannel server = ServerSocketChannel.open();
         try {
             server.setOption(StandardSocketOptions.SO_REUSEADDR, true);
@@ -48,12 +57,11 @@ final class TcpServerEndpoint implements Endpoint {
             server.configureBlocking(false);
         } catch (IOException e) {
             server.close();
-            throw UdpServerEndpoint.cannotOpen(url, e);
+            throw SocketAddresses.cannotListen(url, e);
         }
         Selector selector = Selector.open();
         server.register(selector, SelectionKey.OP_ACCEPT);
-        int port = ((InetSocketAddress) server.getLocalAddress()).getPort();
-        TcpServerEndpoint endpoint = new TcpServerEndpoint(url.withPort(port), server, selector, handlers);
+        TcpServerEndpoint endpoint = new TcpServerEndpoint(url, server, selector, handlers);
         endpoint.thread.start();
         return endpoint;
     }
@@ -64,21 +72,48 @@ final class TcpServerEndpoint implements Endpoint {
     }
 
     @Override
+    public EndpointState state() {
+        return EndpointState.OPEN;
+    }
+
+    @Override
     public EndpointCounters counters() {
         return counters;
+    }
+
+    @Override
+    public List<PeerStatus> peers() {
+        return peers.status();
     }
 
     private void run() {
         while (selector.isOpen()) {
             try {
-                selector.select(this::ready, SELECT_MILLIS);
-                sweep(System.nanoTime());
+                selector.select(this::ready, heldBack.isEmpty() ? SELECT_MILLIS : HELD_BACK_MILLIS);
+                long now = System.nanoTime();
+                letGoOn(now);
+                peers.sweep(now);
             } catch (ClosedSelectorException e) {
                 LOG.debug("{} is closed", url);
             } catch (IOException | RuntimeException e) {
                 LOG.warn("{} could not serve a connection", url, e);
             }
         }
+        peers.clear();
+    }
+
+    private void letGoOn(long now) {
+        heldBack.removeIf(key -> {
+            Seat seat = peers.find(key);
+            if (seat == null || !key.isValid()) {
+                return true;
+            }
+            boolean goesOn = seat.mayBeRead(now);
+            if (goesOn) {
+                key.interestOps(SelectionKey.OP_READ);
+            }
+            return goesOn;
+        });
     }
 
     private void ready(SelectionKey key) {
@@ -87,8 +122,11 @@ final class TcpServerEndpoint implements Endpoint {
         }
         if (key.isAcceptable()) {
             accept();
-        } else if (key.attachment() instanceof TcpPeer peer) {
-            read(peer);
+            return;
+        }
+        Seat seat = peers.find(key);
+        if (seat != null && key.channel() instanceof SocketChannel channel) {
+            read(key, channel, seat);
         }
     }
 
@@ -98,70 +136,46 @@ final class TcpServerEndpoint implements Endpoint {
             if (channel == null) {
                 return;
             }
-            if (peerCount() >= MAX_PEERS) {
-                counters.refusedPeer();
-                channel.close();
-                return;
-            }
             channel.configureBlocking(false);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
             SelectionKey key = channel.register(selector, SelectionKey.OP_READ);
-            TcpPeer peer = new TcpPeer(channel, (InetSocketAddress) channel.getRemoteAddress(), key);
-            key.attach(peer);
-            counters.peers(peerCount());
+            PeerAddress address = PeerAddress.of((InetSocketAddress) channel.getRemoteAddress());
+            TcpWire wire = new TcpWire(channel);
+            Seat seat = peers.add(
+                    key, address.host(), System.nanoTime(), welcome -> new Seat(place, address, wire, welcome));
+            if (seat == null) {
+                channel.close();
+            }
         } catch (IOException e) {
             LOG.warn("{} could not accept a connection", url, e);
         }
     }
 
-    private void read(TcpPeer peer) {
-        try {
-            buffer.clear();
-            int count = peer.channel.read(buffer);
-            if (count < 0) {
-                drop(peer, "it closed the connection");
-                return;
-            }
-            peer.lastHeardNanos = System.nanoTime();
-            buffer.flip();
-            peer.handler.received(buffer);
-        } catch (IOException e) {
-            drop(peer, String.valueOf(e.getMessage()));
-        }
-    }
-
-    private void sweep(long now) {
-        if (now - lastSweepNanos < SELECT_MILLIS * 1_000_000) {
+    private void read(SelectionKey key, SocketChannel channel, Seat seat) {
+        long now = System.nanoTime();
+        if (!seat.mayBeRead(now)) {
+            key.interestOps(0);
+            heldBack.add(key);
             return;
         }
-        lastSweepNanos = now;
-        for (SelectionKey key : List.copyOf(selector.keys())) {
-            if (key.attachment() instanceof TcpPeer peer) {
-                if (!peer.channel.isOpen()) {
-                    drop(peer, "sending failed");
-                } else if (now - peer.lastHeardNanos > IDLE_NANOS) {
-                    drop(peer, "silent for a minute");
-                }
+        try {
+            buffer.clear();
+            int count = channel.read(buffer);
+            if (count < 0) {
+                drop(key, seat, "it closed the connection");
+                return;
             }
+            buffer.flip();
+            seat.received(buffer, now);
+        } catch (IOException e) {
+            drop(key, seat, String.valueOf(e.getMessage()));
         }
-        counters.peers(peerCount());
     }
 
-    private int peerCount() {
-        return (int) selector.keys().stream()
-                .filter(key -> key.isValid() && key.attachment() instanceof TcpPeer)
-                .count();
-    }
-
-    private void drop(TcpPeer peer, String why) {
-        LOG.info("{} lost its peer {}: {}", url, peer.address, why);
-        peer.key.cancel();
-        peer.closeQuietly();
-        if (!peer.told) {
-            peer.told = true;
-            peer.handler.closed();
-        }
-        counters.peers(peerCount());
+    private void drop(SelectionKey key, Seat seat, String why) {
+        LOG.info("{} lost its peer {}: {}", url, seat.address(), why);
+        key.cancel();
+        peers.remove(key);
     }
 
     @Override
@@ -169,9 +183,7 @@ final class TcpServerEndpoint implements Endpoint {
         try {
             server.close();
             for (SelectionKey key : List.copyOf(selector.keys())) {
-                if (key.attachment() instanceof TcpPeer peer) {
-                    peer.closeQuietly();
-                }
+                key.channel().close();
             }
             selector.close();
             thread.join(1000);
@@ -179,60 +191,6 @@ final class TcpServerEndpoint implements Endpoint {
             LOG.warn("{} did not close cleanly", url, e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    private final class TcpPeer implements Peer {
-        private final SocketChannel channel;
-        private final InetSocketAddress address;
-        private final SelectionKey key;
-        private final PeerHandler handler;
-        private volatile long lastHeardNanos = System.nanoTime();
-        private boolean told;
-
-        TcpPeer(SocketChannel channel, InetSocketAddress address, SelectionKey key) {
-            this.channel = channel;
-            this.address = address;
-            this.key = key;
-            this.handler = handlers.opened(this, counters);
-        }
-
-        @Override
-        public InetSocketAddress address() {
-            return address;
-        }
-
-        @Override
-        public String transport() {
-            return url.transport().label();
-        }
-
-        /** A peer that does not read loses its connection: half a frame in its stream would harm the next ones. */
-        @Override
-        public synchronized void send(byte[] frame) {
-            try {
-                ByteBuffer bytes = ByteBuffer.wrap(frame);
-                channel.write(bytes);
-                if (!bytes.hasRemaining()) {
-                    counters.sent();
-                    return;
-                }
-                counters.droppedOut();
-                if (bytes.position() > 0) {
-                    closeQuietly();
-                }
-            } catch (IOException e) {
-                counters.droppedOut();
-                closeQuietly();
-            }
-        }
-
-        private void closeQuietly() {
-            try {
-                channel.close();
-            } catch (IOException e) {
-                LOG.debug("{} could not close the connection to {}", url, address, e);
-            }
         }
     }
 }

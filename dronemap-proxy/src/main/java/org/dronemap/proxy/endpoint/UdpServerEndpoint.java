@@ -1,71 +1,64 @@
 package org.dronemap.proxy.endpoint;
 
 import java.io.IOException;
-import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.net.SocketAddress;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
-import java.util.Iterator;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** One UDP socket for many vehicles; answers leave from the socket that heard. The peer table belongs to its thread. */
+/** One UDP socket for many vehicles; answers leave from the socket that heard. */
 final class UdpServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(UdpServerEndpoint.class);
+    private static final PeerBook.Limits LIMITS = new PeerBook.Limits(10_000, 2_500);
     private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;
-    private static final int LARGEST_DATAGRAM = 65_536;
-    private static final int MAX_PEERS = 10_000;
-    private static final long IDLE_NANOS = 60_000_000_000L;
+    /** A jumbo frame's worth; what is longer is cut, and counted as broken. */
+    private static final int LARGEST_DATAGRAM = 9_000;
 
     private final EndpointUrl url;
     private final DatagramChannel channel;
-    private final PeerHandler.Factory handlers;
     private final EndpointCounters counters = new EndpointCounters();
+    private final PeerBook<SocketAddress> peers;
+    private final Seat.Place place;
     private final Thread thread;
-    private final Map<SocketAddress, UdpPeer> peers = new LinkedHashMap<>(64, 0.75f, true);
 
-    private UdpServerEndpoint(EndpointUrl url, DatagramChannel channel, PeerHandler.Factory handlers) {
+    private UdpServerEndpoint(
+            EndpointUrl url, DatagramChannel channel, InetSocketAddress bound, PeerHandler.Factory handlers) {
         this.url = url;
         this.channel = channel;
-        this.handlers = handlers;
+        peers = new PeerBook<>(counters, handlers, LIMITS);
+        place = new Seat.Place(url, SocketAddresses.isLocal(bound), true);
         thread = new Thread(this::run, "udp-" + url.port());
         thread.setDaemon(true);
     }
 
-    static UdpServerEndpoint open(EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers)
-            throws IOException {
+    static UdpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
+        InetSocketAddress address = SocketAddresses.resolve(url);
         DatagramChannel channel = DatagramChannel.open();
         try {
             channel.setOption(StandardSocketOptions.SO_RCVBUF, RECEIVE_BUFFER_BYTES);
             channel.bind(address);
         } catch (IOException e) {
             channel.close();
-            throw cannotOpen(url, e);
+            throw SocketAddresses.cannotListen(url, e);
         }
-        int port = ((InetSocketAddress) channel.getLocalAddress()).getPort();
-        UdpServerEndpoint endpoint = new UdpServerEndpoint(url.withPort(port), channel, handlers);
+        InetSocketAddress bound = (InetSocketAddress) channel.getLocalAddress();
+        UdpServerEndpoint endpoint = new UdpServerEndpoint(url.withPort(bound.getPort()), channel, bound, handlers);
         int granted = channel.getOption(StandardSocketOptions.SO_RCVBUF);
         if (granted < RECEIVE_BUFFER_BYTES) {
-            LOG.info(
-                    "{} has a receive buffer of {} kB; net.core.rmem_max of 4194304 would hold bursts of big fleets",
+            LOG.warn(
+                    "{} got a receive buffer of {} kB, not the 4096 kB asked for: bursts of a big fleet may be lost;"
+                            + " set net.core.rmem_max to 4194304 or more.",
                     endpoint.url,
                     granted / 1024);
         }
         endpoint.thread.start();
         return endpoint;
-    }
-
-    static IOException cannotOpen(EndpointUrl url, IOException cause) {
-        String why = cause instanceof BindException
-                        && String.valueOf(cause.getMessage()).contains("in use")
-                ? "port " + url.port() + " is taken by another program; stop it or configure another port."
-                : cause.getMessage() + ".";
-        return new IOException("Cannot listen on " + url + ": " + why, cause);
     }
 
     @Override
@@ -74,8 +67,18 @@ final class UdpServerEndpoint implements Endpoint {
     }
 
     @Override
+    public EndpointState state() {
+        return EndpointState.OPEN;
+    }
+
+    @Override
     public EndpointCounters counters() {
         return counters;
+    }
+
+    @Override
+    public List<PeerStatus> peers() {
+        return peers.status();
     }
 
     private void run() {
@@ -94,36 +97,33 @@ final class UdpServerEndpoint implements Endpoint {
                 LOG.warn("{} could not take a datagram", url, e);
             }
         }
-        peers.values().forEach(peer -> peer.handler.closed());
+        peers.clear();
     }
 
     private void deliver(InetSocketAddress from, ByteBuffer bytes) {
         long now = System.nanoTime();
-        UdpPeer peer = peers.get(from);
-        if (peer == null) {
-            makeRoom(now);
-            if (peers.size() >= MAX_PEERS) {
-                counters.refusedPeer();
-                return;
-            }
-            peer = new UdpPeer(from);
-            peers.put(from, peer);
-            counters.peers(peers.size());
+        Seat seat = peers.find(from);
+        if (seat == null) {
+            seat = welcome(from, now);
         }
-        peer.lastHeardNanos = now;
-        peer.handler.received(bytes);
+        if (seat != null) {
+            seat.received(bytes, now);
+        }
+        peers.sweep(now);
     }
 
-    /** Gives away the places of the longest silent ones, which stand first. */
-    private void makeRoom(long now) {
-        Iterator<UdpPeer> oldest = peers.values().iterator();
-        while (oldest.hasNext()) {
-            UdpPeer peer = oldest.next();
-            if (now - peer.lastHeardNanos < IDLE_NANOS) {
-                return;
-            }
-            oldest.remove();
-            peer.handler.closed();
+    private @Nullable Seat welcome(InetSocketAddress from, long now) {
+        PeerAddress address = PeerAddress.of(from);
+        return peers.add(
+                from, address.host(), now, welcome -> new Seat(place, address, frame -> send(frame, from), welcome));
+    }
+
+    private boolean send(byte[] frame, InetSocketAddress to) {
+        try {
+            return channel.send(ByteBuffer.wrap(frame), to) == frame.length;
+        } catch (IOException e) {
+            LOG.debug("{} could not send to {}", url, to, e);
+            return false;
         }
     }
 
@@ -136,41 +136,6 @@ final class UdpServerEndpoint implements Endpoint {
             LOG.warn("{} did not close cleanly", url, e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    private final class UdpPeer implements Peer {
-        private final InetSocketAddress address;
-        private final PeerHandler handler;
-        private long lastHeardNanos;
-
-        UdpPeer(InetSocketAddress address) {
-            this.address = address;
-            this.handler = handlers.opened(this, counters);
-        }
-
-        @Override
-        public InetSocketAddress address() {
-            return address;
-        }
-
-        @Override
-        public String transport() {
-            return url.transport().label();
-        }
-
-        @Override
-        public void send(byte[] frame) {
-            try {
-                if (channel.send(ByteBuffer.wrap(frame), address) == frame.length) {
-                    counters.sent();
-                } else {
-                    counters.droppedOut();
-                }
-            } catch (IOException e) {
-                counters.droppedOut();
-                LOG.debug("{} could not send to {}", url, address, e);
-            }
         }
     }
 }

@@ -6,22 +6,22 @@ import java.util.Map;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
-import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
 
 /** The vehicles behind one address, told apart by system id. Owned by the endpoint's thread. */
 final class PeerSessions implements PeerHandler {
     private final SessionTable table;
     private final Peer peer;
-    private final EndpointCounters counters;
+    private final PeerCounters counters;
     private final FrameReader reader = new FrameReader();
     private final Map<Integer, VehicleSession> sessions = new HashMap<>();
     private final Beforehand beforehand = new Beforehand();
     private long countedFrames;
     private long countedBroken;
 
-    PeerSessions(SessionTable table, Peer peer, EndpointCounters counters) {
+    PeerSessions(SessionTable table, Peer peer, PeerCounters counters) {
         this.table = table;
         this.peer = peer;
         this.counters = counters;
@@ -29,7 +29,11 @@ final class PeerSessions implements PeerHandler {
 
     @Override
     public void received(ByteBuffer bytes) {
-        reader.read(bytes, this::route);
+        if (peer.isDatagram()) {
+            reader.readDatagram(bytes, this::route);
+        } else {
+            reader.read(bytes, this::route);
+        }
         FrameReader.Counts counts = reader.counts();
         long frames = counts.goodFrames() + counts.unverifiedFrames();
         counters.received(frames - countedFrames, counts.skippedBytes() - countedBroken);
@@ -41,8 +45,7 @@ final class PeerSessions implements PeerHandler {
         int systemId = frame.systemId();
         VehicleSession session = sessions.get(systemId);
         if (session == null || session.isOver()) {
-            DroneKey key = new DroneKey(
-                    peer.address().getAddress().getHostAddress(), peer.address().getPort(), systemId);
+            DroneKey key = new DroneKey(peer.address().host(), peer.address().port(), systemId);
             LinkLabel label = new LinkLabel(key, peer.transport(), false);
             VehicleSession opened = table.open(label, new Downlink(peer), frame).orElse(null);
             if (opened == null) {

@@ -1,6 +1,5 @@
 package org.dronemap.proxy.session;
 
-import java.net.InetSocketAddress;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,6 +7,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerAddress;
 
 /** Lets recorded frames in as if a link had brought them; nothing ever goes back. Frames come from one thread. */
 public final class ReplayFeed {
@@ -63,8 +63,8 @@ public final class ReplayFeed {
     /** Who hears what is sent to a recording. */
     private record Nobody(int number) implements Peer {
         @Override
-        public InetSocketAddress address() {
-            return InetSocketAddress.createUnresolved(TRANSPORT, number);
+        public PeerAddress address() {
+            return new PeerAddress(TRANSPORT, number);
         }
 
         @Override

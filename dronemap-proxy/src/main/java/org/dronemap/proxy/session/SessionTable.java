@@ -5,10 +5,12 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.mavlink.translate.VehicleType;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -20,6 +22,7 @@ public final class SessionTable implements PeerHandler.Factory {
     private static final long BETWEEN_WORDS_NANOS = 60_000_000_000L;
 
     private final Surroundings surroundings;
+    private final FrameWriter greetings = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 2);
     private final AtomicInteger open = new AtomicInteger();
     private final LongAdder refused = new LongAdder();
     private final AtomicLong lastWordNanos = new AtomicLong(Long.MIN_VALUE);
@@ -29,8 +32,15 @@ public final class SessionTable implements PeerHandler.Factory {
     }
 
     @Override
-    public PeerHandler opened(Peer peer, EndpointCounters counters) {
+    public PeerHandler opened(Peer peer, PeerCounters counters) {
         return new PeerSessions(this, peer, counters);
+    }
+
+    @Override
+    public byte[] greeting() {
+        synchronized (greetings) {
+            return greetings.frame(VehicleSession.OWN_HEARTBEAT);
+        }
     }
 
     /** A way in for recorded frames; {@code number} tells recordings apart. */

@@ -47,7 +47,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private static final int REQUEST_MESSAGE = 512;
     private static final int REQUEST_CAPABILITIES = 520;
     private static final int AUTOPILOT_VERSION = 148;
-    private static final Heartbeat OWN_HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
+    static final Heartbeat OWN_HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
 
     private final Surroundings surroundings;
     private final LinkLabel label;

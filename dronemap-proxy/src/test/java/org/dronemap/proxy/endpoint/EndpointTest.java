@@ -41,7 +41,7 @@ class EndpointTest {
     @Test
     void readsAUrl() {
         assertThat(EndpointUrl.parse("tcpserver://[::1]:5760"))
-                .isEqualTo(new EndpointUrl(EndpointUrl.Transport.TCP, "[::1]", 5760));
+                .isEqualTo(new EndpointUrl(EndpointUrl.Kind.TCPSERVER, "[::1]", 5760, "", 0));
     }
 
     @ParameterizedTest

@@ -1,0 +1,41 @@
+package org.dronemap.proxy.endpoint;
+
+/**
+ * How much work somebody may still make: a bucket that time fills, so that a flooder is cut and others do not wait for it.
+ * One unit is about the work of one good byte. Times are monotonic ns. Not thread-safe.
+ */
+final class Allowance {
+    private static final int PER_FRAME = 256;
+    /** Broken bytes cost many tries at finding a frame in them. */
+    private static final int PER_BROKEN_BYTE = 64;
+
+    private final long unitsPerSecond;
+    private long units;
+    private long filledNanos;
+
+    Allowance(long unitsPerSecond, long now) {
+        this.unitsPerSecond = unitsPerSecond;
+        this.units = unitsPerSecond;
+        this.filledNanos = now;
+    }
+
+    /** What a delivery costs. */
+    static long cost(int bytes, long frames, long brokenBytes) {
+        return bytes + PER_FRAME * Math.max(1, frames) + PER_BROKEN_BYTE * brokenBytes;
+    }
+
+    /** False until time has paid for what was spent. */
+    boolean isOpen(long now) {
+        long elapsedMicros = Math.min((now - filledNanos) / 1000, 1_000_000);
+        if (elapsedMicros > 0) {
+            filledNanos = now;
+            units = Math.min(unitsPerSecond, units + elapsedMicros * unitsPerSecond / 1_000_000);
+        }
+        return units > 0;
+    }
+
+    /** May go below zero: what has been done is paid for later, at most for ten seconds. */
+    void spend(long cost) {
+        units = Math.max(units - cost, -10 * unitsPerSecond);
+    }
+}

@@ -1,0 +1,166 @@
+package org.dronemap.proxy.endpoint;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedSelectorException;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A line that this end makes, and makes again when it breaks, ever more slowly. While nobody speaks on it, it greets once a
+ * second: a vehicle that only answers would stay silent for ever. Its thread reads; sending comes from any.
+ */
+final class DialledEndpoint implements Endpoint {
+    private static final Logger LOG = LoggerFactory.getLogger(DialledEndpoint.class);
+    private static final long FIRST_PAUSE_MILLIS = 500;
+    private static final long LONGEST_PAUSE_MILLIS = 15_000;
+    private static final long STEADY_NANOS = 10_000_000_000L;
+    private static final long QUIET_NANOS = 3_000_000_000L;
+    private static final long BETWEEN_GREETINGS_NANOS = 1_000_000_000L;
+    private static final long READ_MILLIS = 200;
+    private static final String ONLY = "the only one";
+
+    private final EndpointUrl url;
+    private final Line.Dialler dialler;
+    private final PeerHandler.Factory handlers;
+    private final EndpointCounters counters = new EndpointCounters();
+    private final PeerBook<String> peers;
+    private final ByteBuffer buffer = ByteBuffer.allocateDirect(16_384);
+    private final CountDownLatch closing = new CountDownLatch(1);
+    private final Thread thread;
+    private volatile EndpointState state = new EndpointState(EndpointState.Phase.CONNECTING, "It is being connected.");
+    private volatile @Nullable Line line;
+
+    DialledEndpoint(EndpointUrl url, Line.Dialler dialler, PeerHandler.Factory handlers) {
+        this.url = url;
+        this.dialler = dialler;
+        this.handlers = handlers;
+        peers = new PeerBook<>(counters, handlers, new PeerBook.Limits(1, 1));
+        thread = new Thread(this::run, url.kind().scheme());
+        thread.setDaemon(true);
+    }
+
+    DialledEndpoint start() {
+        thread.start();
+        return this;
+    }
+
+    @Override
+    public EndpointUrl url() {
+        return url;
+    }
+
+    @Override
+    public EndpointState state() {
+        return state;
+    }
+
+    @Override
+    public EndpointCounters counters() {
+        return counters;
+    }
+
+    @Override
+    public List<PeerStatus> peers() {
+        return peers.status();
+    }
+
+    private void run() {
+        long pause = FIRST_PAUSE_MILLIS;
+        while (!isClosed()) {
+            long began = System.nanoTime();
+            try (Line dialled = dialler.dial(url)) {
+                line = dialled;
+                state = EndpointState.OPEN;
+                serve(dialled);
+            } catch (IOException | RuntimeException e) {
+                pause = System.nanoTime() - began > STEADY_NANOS ? FIRST_PAUSE_MILLIS : pause;
+                failed(e, pause);
+            }
+            line = null;
+            peers.clear();
+            pauseFor(pause);
+            pause = Math.min(2 * pause, LONGEST_PAUSE_MILLIS);
+        }
+    }
+
+    private void failed(Exception e, long pauseMillis) {
+        if (isClosed() || e instanceof ClosedSelectorException) {
+            return;
+        }
+        String why = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+        String sentence = "No link to " + url + ": " + why + (why.endsWith(".") || why.endsWith("?") ? "" : ".")
+                + " It is tried again every " + Math.max(1, pauseMillis / 1000) + " s.";
+        if (state.phase() != EndpointState.Phase.FAILED) {
+            LOG.warn("{}", sentence);
+        }
+        state = new EndpointState(EndpointState.Phase.FAILED, sentence);
+    }
+
+    private void serve(Line open) throws IOException {
+        Seat.Place place = new Seat.Place(url, open.isLocal(), url.kind().isDatagram());
+        Seat seat = peers.add(
+                ONLY,
+                open.address().host(),
+                System.nanoTime(),
+                welcome -> new Seat(place, open.address(), open, welcome));
+        if (seat == null) {
+            throw new IOException("an earlier line is still held");
+        }
+        long greetedNanos = System.nanoTime() - BETWEEN_GREETINGS_NANOS;
+        long heardNanos = greetedNanos - QUIET_NANOS;
+        while (!isClosed()) {
+            long now = System.nanoTime();
+            if (now - heardNanos > QUIET_NANOS && now - greetedNanos >= BETWEEN_GREETINGS_NANOS) {
+                greetedNanos = now;
+                greet(open);
+            }
+            buffer.clear();
+            if (open.read(buffer, READ_MILLIS) > 0) {
+                buffer.flip();
+                heardNanos = System.nanoTime();
+                seat.received(buffer, heardNanos);
+            }
+        }
+    }
+
+    private void greet(Line open) {
+        byte[] greeting = handlers.greeting();
+        if (greeting.length > 0 && !open.send(greeting)) {
+            LOG.debug("{} did not take a greeting", url);
+        }
+    }
+
+    private void pauseFor(long millis) {
+        try {
+            if (closing.await(millis, TimeUnit.MILLISECONDS)) {
+                LOG.debug("{} is closed", url);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            closing.countDown();
+        }
+    }
+
+    private boolean isClosed() {
+        return closing.getCount() == 0;
+    }
+
+    @Override
+    public void close() {
+        closing.countDown();
+        Line open = line;
+        if (open != null) {
+            open.close();
+        }
+        try {
+            thread.join(1000);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

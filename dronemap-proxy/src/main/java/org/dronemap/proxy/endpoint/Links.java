@@ -1,0 +1,171 @@
+package org.dronemap.proxy.endpoint;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The endpoints that there shall be; one that cannot open is kept with the reason and tried again. Any thread. */
+public final class Links implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Links.class);
+    private static final int MOST = 64;
+    private static final long RETRY_SECONDS = 5;
+    private static final EndpointCounters.Counts NOTHING = new EndpointCounters().counts();
+
+    private final PeerHandler.Factory handlers;
+    // guarded by this
+    private final Map<String, Link> links = new LinkedHashMap<>();
+    private @Nullable ScheduledExecutorService retries;
+
+    /** An endpoint that is wanted, open or not. */
+    private static final class Link {
+        private final EndpointUrl wanted;
+        private @Nullable Endpoint endpoint;
+        private String failure = "";
+
+        Link(EndpointUrl wanted) {
+            this.wanted = wanted;
+        }
+    }
+
+    /**
+     * One endpoint and how it is doing.
+     *
+     * @param url as wanted, or with the port that was really taken
+     */
+    public record LinkStatus(
+            String id, EndpointUrl url, EndpointState state, EndpointCounters.Counts counts, List<PeerStatus> peers) {}
+
+    public Links(PeerHandler.Factory handlers) {
+        this.handlers = handlers;
+    }
+
+    /**
+     * Opens an endpoint now; when it cannot, nothing is kept.
+     *
+     * @throws IOException with a sentence that says why
+     */
+    public synchronized void open(String id, EndpointUrl url) throws IOException {
+        Link link = room(id, url);
+        link.endpoint = Endpoint.open(url, handlers);
+        links.put(id, link);
+    }
+
+    /**
+     * Keeps an endpoint from now on, and tries again when it cannot open.
+     *
+     * @throws IllegalStateException with a sentence when there are too many, or that id or URL is there already
+     */
+    public synchronized void keep(String id, EndpointUrl url) {
+        Link link = room(id, url);
+        links.put(id, link);
+        attempt(link);
+        if (retries == null) {
+            retries = Executors.newSingleThreadScheduledExecutor(work -> {
+                Thread thread = new Thread(work, "links");
+                thread.setDaemon(true);
+                return thread;
+            });
+            ScheduledFuture<?> unused =
+                    retries.scheduleWithFixedDelay(this::retry, RETRY_SECONDS, RETRY_SECONDS, TimeUnit.SECONDS);
+        }
+    }
+
+    private Link room(String id, EndpointUrl url) {
+        if (links.size() >= MOST) {
+            throw new IllegalStateException("There are " + MOST + " endpoints already; remove one first.");
+        }
+        if (links.containsKey(id) || isThere(url)) {
+            throw new IllegalStateException("There is an endpoint " + url + " already.");
+        }
+        return new Link(url);
+    }
+
+    private boolean isThere(EndpointUrl url) {
+        boolean anyPort = url.kind().isListener() && url.port() == 0;
+        return !anyPort
+                && links.values().stream()
+                        .anyMatch(link -> link.wanted.equals(url)
+                                || (link.endpoint != null && link.endpoint.url().equals(url)));
+    }
+
+    private synchronized void retry() {
+        // attempt() catches: the schedule never ends by a failure.
+        links.values().stream().filter(link -> link.endpoint == null).forEach(this::attempt);
+    }
+
+    private void attempt(Link link) {
+        try {
+            link.endpoint = Endpoint.open(link.wanted, handlers);
+            LOG.info("{} is open", link.endpoint.url());
+        } catch (IOException | RuntimeException e) {
+            String why = String.valueOf(e.getMessage());
+            if (!why.equals(link.failure)) {
+                LOG.warn("{} It is tried again every {} s.", why, RETRY_SECONDS);
+            }
+            link.failure = why;
+        }
+    }
+
+    /** False when there is none. */
+    public boolean remove(String id) {
+        Link link;
+        synchronized (this) {
+            link = links.remove(id);
+        }
+        if (link == null) {
+            return false;
+        }
+        Endpoint endpoint = link.endpoint;
+        if (endpoint != null) {
+            endpoint.close();
+        }
+        return true;
+    }
+
+    /** All, in the order in which they were added. */
+    public synchronized List<LinkStatus> all() {
+        List<LinkStatus> all = new ArrayList<>();
+        links.forEach((id, link) -> all.add(status(id, link)));
+        return all;
+    }
+
+    private static LinkStatus status(String id, Link link) {
+        Endpoint endpoint = link.endpoint;
+        return endpoint == null
+                ? new LinkStatus(
+                        id,
+                        link.wanted,
+                        new EndpointState(EndpointState.Phase.FAILED, link.failure),
+                        NOTHING,
+                        List.of())
+                : new LinkStatus(
+                        id,
+                        endpoint.url(),
+                        endpoint.state(),
+                        endpoint.counters().counts(),
+                        endpoint.peers());
+    }
+
+    @Override
+    public synchronized void close() {
+        if (retries != null) {
+            retries.shutdownNow();
+            retries = null;
+        }
+        links.values().forEach(link -> {
+            if (link.endpoint != null) {
+                link.endpoint.close();
+            }
+        });
+        links.clear();
+    }
+}

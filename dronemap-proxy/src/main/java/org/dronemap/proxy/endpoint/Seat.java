@@ -1,0 +1,131 @@
+package org.dronemap.proxy.endpoint;
+
+import java.nio.ByteBuffer;
+import java.util.Optional;
+
+/**
+ * One peer at an endpoint: its way out, who takes its bytes, what it may still cost. A stranger, who never sent a good frame,
+ * may cost little, and all strangers of one host share a purse. Bytes come in on the endpoint's thread; the rest any thread.
+ */
+final class Seat implements Peer {
+    private static final long UNITS_PER_SECOND = 6_000_000;
+    private static final long STRANGER_UNITS_PER_SECOND = 200_000;
+
+    private final Place place;
+    private final Wire wire;
+    private final PeerCounters counters;
+    private final Allowance hostsStrangers;
+    private final PeerHandler handler;
+    private Allowance own;
+    private boolean proven;
+    private final String firstHost;
+    private volatile PeerAddress address;
+    private volatile long lastHeardNanos;
+    private volatile boolean ended;
+
+    /** What all seats of one endpoint, or of one line, have in common. */
+    record Place(String transport, boolean local, boolean datagram, Optional<String> identity) {
+        Place(EndpointUrl url, boolean local, boolean datagram) {
+            this(url.kind().transport(), local, datagram, Optional.empty());
+        }
+    }
+
+    Seat(Place place, PeerAddress address, Wire wire, PeerBook.Welcome welcome) {
+        this.place = place;
+        this.firstHost = address.host();
+        this.address = address;
+        this.wire = wire;
+        this.counters = new PeerCounters(welcome.counters());
+        this.hostsStrangers = welcome.hostsStrangers();
+        this.own = new Allowance(STRANGER_UNITS_PER_SECOND, welcome.now());
+        this.lastHeardNanos = welcome.now();
+        this.handler = welcome.handlers().opened(this, counters);
+    }
+
+    /** False while it made too much work lately. */
+    boolean mayBeRead(long now) {
+        return own.isOpen(now) && (proven || hostsStrangers.isOpen(now));
+    }
+
+    /** Takes bytes in, or drops and counts them when it made too much work lately. */
+    void received(ByteBuffer bytes, long now) {
+        lastHeardNanos = now;
+        if (!mayBeRead(now)) {
+            counters.throttled();
+            return;
+        }
+        long frames = counters.framesIn();
+        long broken = counters.brokenBytes();
+        int length = bytes.remaining();
+        handler.received(bytes);
+        long cost = Allowance.cost(length, counters.framesIn() - frames, counters.brokenBytes() - broken);
+        own.spend(cost);
+        if (!proven) {
+            hostsStrangers.spend(cost);
+            if (counters.framesIn() > 0) {
+                proven = true;
+                own = new Allowance(UNITS_PER_SECOND, now);
+            }
+        }
+    }
+
+    /** Tells its handler and its wire once that it is gone. */
+    void end() {
+        if (!ended) {
+            ended = true;
+            handler.closed();
+            wire.close();
+        }
+    }
+
+    boolean isStranger() {
+        return !proven;
+    }
+
+    long lastHeardNanos() {
+        return lastHeardNanos;
+    }
+
+    PeerCounters counters() {
+        return counters;
+    }
+
+    /** Where it was when it took its place. */
+    String firstHost() {
+        return firstHost;
+    }
+
+    void movedTo(PeerAddress next) {
+        address = next;
+    }
+
+    @Override
+    public PeerAddress address() {
+        return address;
+    }
+
+    @Override
+    public String transport() {
+        return place.transport();
+    }
+
+    @Override
+    public Optional<String> authenticatedIdentity() {
+        return place.identity();
+    }
+
+    @Override
+    public boolean isLocal() {
+        return place.local();
+    }
+
+    @Override
+    public boolean isDatagram() {
+        return place.datagram();
+    }
+
+    @Override
+    public void send(byte[] frame) {
+        counters.sent(wire.send(frame));
+    }
+}

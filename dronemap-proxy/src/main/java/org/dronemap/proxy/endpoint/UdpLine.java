@@ -1,0 +1,91 @@
+package org.dronemap.proxy.endpoint;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.PortUnreachableException;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** A UDP socket that hears one address only, the one that it sends to. */
+final class UdpLine implements Line {
+    private static final Logger LOG = LoggerFactory.getLogger(UdpLine.class);
+    private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;
+
+    private final DatagramChannel channel;
+    private final Selector selector;
+    private final InetSocketAddress remote;
+
+    private UdpLine(DatagramChannel channel, Selector selector, InetSocketAddress remote) {
+        this.channel = channel;
+        this.selector = selector;
+        this.remote = remote;
+    }
+
+    static Line dial(EndpointUrl url) throws IOException {
+        InetSocketAddress remote = SocketAddresses.resolve(url);
+        DatagramChannel channel = DatagramChannel.open();
+        try {
+            channel.setOption(StandardSocketOptions.SO_RCVBUF, RECEIVE_BUFFER_BYTES);
+            channel.connect(remote);
+            channel.configureBlocking(false);
+            Selector selector = Selector.open();
+            channel.register(selector, SelectionKey.OP_READ);
+            return new UdpLine(channel, selector, remote);
+        } catch (IOException e) {
+            channel.close();
+            throw e;
+        }
+    }
+
+    @Override
+    public PeerAddress address() {
+        return PeerAddress.of(remote);
+    }
+
+    @Override
+    public boolean isLocal() {
+        return SocketAddresses.isLocal(remote);
+    }
+
+    @Override
+    public int read(ByteBuffer into, long patienceMillis) throws IOException {
+        try {
+            int count = channel.read(into);
+            if (count == 0) {
+                selector.select(patienceMillis);
+                selector.selectedKeys().clear();
+                count = channel.read(into);
+            }
+            return count;
+        } catch (PortUnreachableException e) {
+            // Nobody listens there just now; somebody may tomorrow.
+            LOG.debug("{} does not listen", remote, e);
+            return 0;
+        }
+    }
+
+    @Override
+    public boolean send(byte[] frame) {
+        try {
+            return channel.write(ByteBuffer.wrap(frame)) == frame.length;
+        } catch (IOException e) {
+            LOG.debug("{} does not take a datagram", remote, e);
+            return false;
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            channel.close();
+            selector.close();
+        } catch (IOException e) {
+            LOG.debug("The socket to {} did not close cleanly", remote, e);
+        }
+    }
+}

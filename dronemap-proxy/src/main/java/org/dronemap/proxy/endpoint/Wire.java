@@ -1,0 +1,13 @@
+package org.dronemap.proxy.endpoint;
+
+/** The way out to one peer. Any thread; never waits for the other side. */
+@FunctionalInterface
+interface Wire {
+    /** Puts one whole frame on its way; false when there was no room and it was dropped. */
+    boolean send(byte[] frame);
+
+    /** The peer has lost its place. */
+    default void close() {
+        // A datagram socket serves others too.
+    }
+}
