@@ -30,6 +30,13 @@ export interface NewAccessKey extends AccessKey {
 
 export type LinkState = 'live' | 'suspect' | 'lost';
 
+/** Shares from 0 to 1 that were lost over some 5 s and 60 s; milliseconds there and back. */
+export interface LinkQuality {
+  lossShort: number | null;
+  lossLong: number | null;
+  rttMs: number | null;
+}
+
 export interface Link {
   address: string;
   port: number;
@@ -37,6 +44,7 @@ export interface Link {
   transport: string;
   state: LinkState;
   lastHeard: string | null;
+  quality?: LinkQuality;
 }
 
 export type DroneKind =

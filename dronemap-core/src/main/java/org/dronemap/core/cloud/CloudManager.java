@@ -15,6 +15,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
@@ -213,6 +214,13 @@ public final class CloudManager {
             drone.accept(event);
             if (event instanceof DroneEvent.Identified) {
                 remember(drone);
+            }
+        }
+
+        @Override
+        public void measured(LinkQuality quality) {
+            if (drone.isAttachedTo(session)) {
+                drone.measured(quality);
             }
         }
 

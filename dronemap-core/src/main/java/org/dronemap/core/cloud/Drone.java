@@ -15,6 +15,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Gps;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.Motion;
@@ -36,6 +37,7 @@ final class Drone {
     private String transport;
     private LinkState linkState = LinkState.LOST;
     private @Nullable Instant lastHeard;
+    private LinkQuality quality = LinkQuality.UNKNOWN;
     private Identification identification;
     private Capabilities capabilities = Capabilities.NONE;
     private @Nullable String mode;
@@ -92,11 +94,17 @@ final class Drone {
     void attach(LinkSession session) {
         key = session.key();
         transport = session.transport();
+        quality = LinkQuality.UNKNOWN;
         publish();
     }
 
     void heard() {
         lastHeard = clock.instant();
+    }
+
+    void measured(LinkQuality now) {
+        quality = now;
+        publish();
     }
 
     /** True when that is news. */
@@ -164,12 +172,18 @@ final class Drone {
         state = snapshot();
     }
 
+    /** What was measured before a silence says nothing about the link after it. */
+    private LinkStatus link() {
+        return new LinkStatus(
+                key, transport, linkState, lastHeard, linkState == LinkState.LOST ? LinkQuality.UNKNOWN : quality);
+    }
+
     private DroneState snapshot() {
         return new DroneState(
                 id,
                 name,
                 replay,
-                new LinkStatus(key, transport, linkState, lastHeard),
+                link(),
                 identification,
                 capabilities,
                 mode,

@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.event.DroneEvent;
 
 /** What a link session holds of its drone: the way up. Call {@code heard} and {@code accept} on the lane only. */
@@ -18,6 +19,9 @@ public interface DroneLink {
 
     /** News; counts as heard. */
     void accept(DroneEvent event);
+
+    /** How well the link carries now; no sign of life by itself. On the lane only. */
+    void measured(LinkQuality quality);
 
     /** The session has ended: a drone stays and falls silent, a replayed one goes. Any thread. */
     void disconnect();

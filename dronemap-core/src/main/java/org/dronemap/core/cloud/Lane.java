@@ -6,7 +6,6 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -18,13 +17,16 @@ import org.slf4j.LoggerFactory;
 public final class Lane implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Lane.class);
     private static final long TICK_NANOS = 20_000_000L;
-    /** A gap between ticks longer than this is our own stall, and no silence of anybody else. */
-    private static final long STALL_NANOS = 500_000_000L;
+    /** A turn that takes longer than this is our own stall, and no silence of anybody else. */
+    private static final long STALL_NANOS = 250_000_000L;
 
     /** Something that wants to be called at every tick, on the lane's thread. */
     public interface Ticker {
         void tick();
     }
+
+    /** When the task or tick that runs now began, and for how long the lane had stood still by then. */
+    private record Turn(long beganNanos, long stalledNanos) {}
 
     private final BlockingQueue<Runnable> tasks;
     private final int telemetryLimit;
@@ -32,10 +34,10 @@ public final class Lane implements AutoCloseable {
     private final LongAdder failed = new LongAdder();
     private final Thread thread;
     private volatile boolean closed;
-    private final AtomicLong stalledNanos = new AtomicLong();
     // Owned by the lane's thread.
     private final List<Ticker> tickers = new ArrayList<>();
     private long lastTickNanos = System.nanoTime();
+    private volatile Turn turn = new Turn(lastTickNanos, 0);
 
     public Lane(String name, int capacity) {
         tasks = new ArrayBlockingQueue<>(capacity);
@@ -73,7 +75,8 @@ public final class Lane implements AutoCloseable {
 
     /** Monotonic time in ns that stands still while this process does: for judging the silence of others. */
     public long activeNanos() {
-        return System.nanoTime() - stalledNanos.get();
+        Turn now = turn;
+        return now.beganNanos() + Math.min(System.nanoTime() - now.beganNanos(), STALL_NANOS) - now.stalledNanos();
     }
 
     /** Telemetry refused since the start. */
@@ -90,6 +93,8 @@ public final class Lane implements AutoCloseable {
         while (!closed) {
             try {
                 Runnable task = tasks.poll(TICK_NANOS, TimeUnit.NANOSECONDS);
+                // Before the task, which may judge a silence that was our own.
+                noticeStall();
                 if (task != null) {
                     guard(task);
                 }
@@ -101,14 +106,19 @@ public final class Lane implements AutoCloseable {
         }
     }
 
+    private void noticeStall() {
+        Turn before = turn;
+        long gap = System.nanoTime() - before.beganNanos();
+        turn = new Turn(before.beganNanos() + gap, before.stalledNanos() + Math.max(0, gap - STALL_NANOS));
+        if (gap > STALL_NANOS) {
+            LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", thread.getName(), gap / 1_000_000);
+        }
+    }
+
     private void tickWhenDue() {
         long gap = System.nanoTime() - lastTickNanos;
         if (gap < TICK_NANOS) {
             return;
-        }
-        if (gap > STALL_NANOS) {
-            stalledNanos.addAndGet(gap);
-            LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", thread.getName(), gap / 1_000_000);
         }
         lastTickNanos += gap;
         for (Ticker ticker : List.copyOf(tickers)) {

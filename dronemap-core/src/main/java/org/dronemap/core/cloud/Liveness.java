@@ -4,12 +4,13 @@ import org.dronemap.core.drone.LinkState;
 
 /** When one drone was last heard, and what silence is normal for it. Owned by the drone's lane. */
 final class Liveness {
-    private static final double SMOOTHING = 0.05;
+    /** A silence that a link once showed is normal for it for about so long. */
+    private static final double MEMORY_NANOS = 60e9;
 
     private final Watchdog watchdog;
     private long lastHeardNanos;
     private long lastProbeNanos;
-    private double normalGapNanos;
+    private double longestGapNanos;
     private boolean everHeard;
 
     Liveness(Watchdog watchdog) {
@@ -18,7 +19,8 @@ final class Liveness {
 
     void heard(long nowNanos) {
         if (everHeard) {
-            normalGapNanos += SMOOTHING * (nowNanos - lastHeardNanos - normalGapNanos);
+            long gap = Math.max(0, nowNanos - lastHeardNanos);
+            longestGapNanos = Math.max((double) gap, longestGapNanos * (1 - Math.min(1, gap / MEMORY_NANOS)));
         }
         everHeard = true;
         lastHeardNanos = nowNanos;
@@ -26,7 +28,7 @@ final class Liveness {
     }
 
     LinkState judge(long nowNanos) {
-        return everHeard ? watchdog.judge(nowNanos - lastHeardNanos, (long) normalGapNanos) : LinkState.LOST;
+        return everHeard ? watchdog.judge(nowNanos - lastHeardNanos, (long) longestGapNanos) : LinkState.LOST;
     }
 
     /** Silent for long enough that another link may claim to be this drone. */

@@ -2,6 +2,7 @@ package org.dronemap.core.cloud;
 
 import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
@@ -59,6 +60,11 @@ final class ManagedDrone implements Lane.Ticker {
     void accept(DroneEvent event) {
         heard();
         drone.apply(event);
+        listener.droneChanged(drone.state());
+    }
+
+    void measured(LinkQuality quality) {
+        drone.measured(quality);
         listener.droneChanged(drone.state());
     }
 

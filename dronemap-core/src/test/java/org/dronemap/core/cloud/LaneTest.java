@@ -11,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -78,6 +79,22 @@ class LaneTest {
         await().until(() -> ticks.get() > seen);
 
         assertThat(lane.activeNanos() - before).isLessThan(TimeUnit.MILLISECONDS.toNanos(600));
+    }
+
+    @Test
+    void doesNotCountTheStallOfTheTaskThatAsks() throws InterruptedException {
+        AtomicLong took = new AtomicLong();
+        CountDownLatch asked = new CountDownLatch(1);
+        lane.execute(() -> {
+            long before = lane.activeNanos();
+            long wallBefore = System.nanoTime();
+            await().until(() -> System.nanoTime() - wallBefore > TimeUnit.MILLISECONDS.toNanos(1200));
+            took.set(lane.activeNanos() - before);
+            asked.countDown();
+        });
+        asked.await();
+
+        assertThat(took.get()).isLessThan(TimeUnit.MILLISECONDS.toNanos(300));
     }
 
     private void block() throws InterruptedException {

@@ -13,8 +13,8 @@ class WatchdogTest {
 
     @Test
     void callsAQuietLinkLiveUpToThreeSecondsAndLostAtFive() {
-        hearEvery(SECOND, 60);
-        long last = 59 * SECOND;
+        hearEvery(3 * SECOND / 2, 60);
+        long last = 59 * 3 * SECOND / 2;
 
         assertThat(liveness.judge(last + 2_900_000_000L)).isEqualTo(LinkState.LIVE);
         assertThat(liveness.judge(last + 3 * SECOND)).isEqualTo(LinkState.SUSPECT);
@@ -27,6 +27,22 @@ class WatchdogTest {
         long last = 999 * (SECOND / 100);
 
         assertThat(liveness.judge(last + 1_400_000_000L)).isEqualTo(LinkState.LIVE);
+        assertThat(liveness.judge(last + 1_600_000_000L)).isEqualTo(LinkState.SUSPECT);
+    }
+
+    @Test
+    void learnsThatALinkPausesNowAndThenAndForgetsItAgain() {
+        hearEvery(SECOND / 100, 100);
+        long afterPause = 99 * (SECOND / 100) + 1_450_000_000L;
+        liveness.heard(afterPause);
+        assertThat(liveness.judge(afterPause + 2_800_000_000L)).isEqualTo(LinkState.LIVE);
+
+        long last = afterPause;
+        for (int i = 0; i < 20_000; i++) {
+            last += SECOND / 100;
+            liveness.heard(last);
+        }
+
         assertThat(liveness.judge(last + 1_600_000_000L)).isEqualTo(LinkState.SUSPECT);
     }
 

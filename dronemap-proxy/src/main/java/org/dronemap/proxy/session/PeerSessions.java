@@ -56,7 +56,7 @@ final class PeerSessions implements PeerHandler {
             beforehand.tell(opened, systemId);
             sessions.put(systemId, opened);
         }
-        if (!session.offer(frame)) {
+        if (!session.arrived(frame)) {
             counters.droppedIn();
         }
     }

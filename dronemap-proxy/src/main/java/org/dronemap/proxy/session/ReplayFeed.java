@@ -41,7 +41,7 @@ public final class ReplayFeed {
                 beforehand.tell(session, systemId);
             }
         }
-        return session.isOver() || session.offer(frame);
+        return session.isOver() || session.arrived(frame);
     }
 
     /** The drones that the recording showed so far. Any thread. */

@@ -20,6 +20,8 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MessageRates;
 import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.RoundTrip;
+import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.dronemap.proxy.mavlink.translate.Cockpit;
@@ -62,6 +64,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private final Errands errands = new Errands();
     private final MessageRates rates;
     private final MissionWatch missions;
+    private final LinkMeter meter;
     private final Map<Class<?>, DroneEvent> facts = new LinkedHashMap<>();
     private final List<DroneEvent> earlyTexts = new ArrayList<>();
     private final long bornNanos;
@@ -90,9 +93,10 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         telemetry = new Telemetry(autopilot, status, this::tell);
         rates = new MessageRates(target);
         missions = new MissionWatch(target, autopilot, status, this::tell);
+        bornNanos = surroundings.now();
+        meter = new LinkMeter(new RoundTripProbe(target, new RoundTrip()), bornNanos);
         lane = surroundings.lanes().registry();
         mailbox = new Mailbox(lane, this::take);
-        bornNanos = surroundings.now();
         lastHeardNanos = bornNanos;
         lastHeartbeatNanos = bornNanos - SECOND_NANOS;
         lastIdentityAskNanos = bornNanos - BETWEEN_IDENTITY_ASKS_NANOS;
@@ -101,7 +105,13 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         registry.execute(() -> registry.addTicker(this));
     }
 
-    /** Takes a frame in; false when there was no room. Any thread. */
+    /** Takes a frame in as its link brought it; false when there was no room. On the endpoint's thread. */
+    boolean arrived(Frame frame) {
+        meter.arrived(frame, surroundings.now());
+        return offer(frame);
+    }
+
+    /** Takes a frame in out of its order; false when there was no room. Any thread. */
     boolean offer(Frame frame) {
         return mailbox.offer(frame);
     }
@@ -137,6 +147,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         telemetry.heard(frame, now);
         errands.heard(frame, now);
         if (!label.replay()) {
+            meter.heard(frame, now);
             rates.heard(frame, now);
             missions.heard(frame, now, errands.transferring());
         }
@@ -156,6 +167,10 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         if (!label.replay()) {
             talk(now);
         }
+        DroneLink bound = link;
+        if (meter.tick(now) && bound != null) {
+            bound.measured(meter.quality());
+        }
         if (link == null && !ended) {
             bindWhenKnown(now);
         } else if (now - lastHeardNanos > GIVEN_UP_NANOS && errands.isEmpty()) {
@@ -173,6 +188,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             askIdentity(now);
         }
         if (talkative && link != null) {
+            meter.ask(now);
             rates.tick(now);
             missions.tick(now, errands.transferring());
         }

@@ -42,7 +42,14 @@ public record DroneView(
             int systemId,
             String transport,
             String state,
-            @Nullable Instant lastHeard) {}
+            @Nullable Instant lastHeard,
+            QualityView quality) {}
+
+    /** Shares from 0 to 1 of the vehicle's messages that were lost over some 5 s and 60 s; milliseconds there and back. */
+    public record QualityView(
+            @Nullable Double lossShort,
+            @Nullable Double lossLong,
+            @Nullable Double rttMs) {}
 
     /** Degrees, and metres above sea level and above home. */
     public record PositionView(

@@ -12,6 +12,7 @@ import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.GpsFix;
+import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
@@ -66,7 +67,19 @@ public final class DroneViews {
                 link.key().systemId(),
                 link.transport(),
                 WireNames.camel(link.state()),
-                heard == null ? null : millis(heard));
+                heard == null ? null : millis(heard),
+                quality(link.quality()));
+    }
+
+    private static DroneView.QualityView quality(LinkQuality quality) {
+        return new DroneView.QualityView(
+                rounded(quality.lossShort(), 10_000),
+                rounded(quality.lossLong(), 10_000),
+                rounded(quality.roundTripMillis(), 100));
+    }
+
+    private static @Nullable Double rounded(@Nullable Double value, int parts) {
+        return value == null ? null : (Double) ((double) Math.round(value * parts) / parts);
     }
 
     private static DroneView.@Nullable PositionView position(@Nullable Position position) {
