@@ -87,7 +87,7 @@ class Server:
         assert self._process.poll() is None, f"the server ended: {self._tail()}"
         try:
             answer = requests.get(self.address + "/api/v1/health", timeout=2)
-        except requests.ConnectionError:
+        except (requests.ConnectionError, requests.Timeout):
             return False
         body: dict[str, Any] = answer.json() if answer.ok else {}
         return body.get("status") == "up"
