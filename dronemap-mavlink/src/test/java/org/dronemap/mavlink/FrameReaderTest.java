@@ -10,6 +10,8 @@ import java.util.Random;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class FrameReaderTest {
     private static final Heartbeat BEAT = new Heartbeat(2, 3, 81, 4, 4, 3);
@@ -66,6 +68,21 @@ class FrameReaderTest {
         reader.endOfInput(frames::add);
 
         assertThat(frames).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 1", "1, 2", "2, 1", "2, 2"})
+    void believesNoFrameWithAnyBitOfItsChecksumWrong(int version, int fromTheEnd) {
+        byte[] right = new FrameWriter(1, 1, version).frame(BEAT);
+        for (int bit = 0; bit < 8; bit++) {
+            byte[] wrong = right.clone();
+            wrong[wrong.length - fromTheEnd] ^= (byte) (1 << bit);
+            reader.read(ByteBuffer.wrap(wrong), frames::add);
+            reader.endOfInput(frames::add);
+        }
+
+        assertThat(frames).isEmpty();
+        assertThat(reader.counts().skippedBytes()).isEqualTo(8L * right.length);
     }
 
     @Test
