@@ -58,7 +58,16 @@ class BadInputTest {
                 Arguments.of(
                         "{\"type\":\"uploadMission\",\"items\":[" + waypoint + ",\"altitude\":20}," + waypoint + "}]}",
                         "items[1].altitude",
-                        "-10000 to 10000 m"),
+                        "-500 to 10000 m"),
+                Arguments.of(
+                        "{\"type\":\"uploadMission\",\"items\":[" + waypoint + ",\"altitude\":-501}]}",
+                        "items[0].altitude",
+                        "-500 to 10000 m"),
+                Arguments.of(
+                        "{\"type\":\"goTo\",\"latitude\":47,\"longitude\":8,\"altitude\":10001,"
+                                + "\"altitudeReference\":\"amsl\"}",
+                        "altitude",
+                        "-500 to 10000 m"),
                 Arguments.of(
                         "{\"type\":\"goTo\",\"latitude\":95,\"longitude\":8,\"altitude\":20}",
                         "latitude",
@@ -117,6 +126,19 @@ class BadInputTest {
         assertThat(fault.getFaultInfo().getField()).isEqualTo("latitude");
         assertThat(fault.getFaultInfo().getAllowed()).isEqualTo("-90 to 90 degrees");
         assertThat(streamed).isEqualTo(sentence);
+    }
+
+    @Test
+    void refusesAnAltitudeFarUnderTheGroundInSoapInTheWordsOfRest() {
+        String sentence = operator.post(
+                        "/api/v1/drones/" + vehicle.id() + "/commands",
+                        "{\"type\":\"goTo\",\"latitude\":47,\"longitude\":8,\"altitude\":-10000}")
+                .text("detail");
+        DronemapFault fault =
+                fault(SoapClient.withKey(house, operatorKey), soap -> soap.goTo(vehicle.id(), 47.0, 8.0, -10_000.0));
+
+        assertThat(sentence).isEqualTo("\"altitude\" must be -500 to 10000 m, not -10000.0.");
+        assertThat(fault.getMessage()).isEqualTo(sentence);
     }
 
     @Test

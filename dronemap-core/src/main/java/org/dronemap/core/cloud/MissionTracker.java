@@ -66,14 +66,24 @@ final class MissionTracker {
         Optional<String> difference =
                 before == null ? Optional.empty() : MissionComparison.difference(before.items(), read.items());
         if (difference.isPresent()) {
-            notice = "The mission on the vehicle is not the one that the cloud last knew: " + difference.get() + ".";
+            notice = noticeOf(difference.get(), before, read.items());
             comparedItem = true;
-            return Optional.of(notice);
+            // A vehicle that forgot its mission with its power does what it always does.
+            return first && read.items().isEmpty() ? Optional.empty() : Optional.of(notice);
         }
+        notice = null;
         if (before == null) {
             keep();
         }
         return first ? compareItem() : Optional.empty();
+    }
+
+    private static String noticeOf(String difference, @Nullable KnownMission before, List<MissionItem> found) {
+        if (before != null && found.isEmpty()) {
+            return "The vehicle holds no mission now; the last one that the cloud knew had "
+                    + MissionComparison.count(before.items().size()) + ".";
+        }
+        return "The mission on the vehicle is not the one that the cloud last knew: " + difference + ".";
     }
 
     private void reached(int index) {

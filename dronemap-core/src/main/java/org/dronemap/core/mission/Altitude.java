@@ -10,6 +10,13 @@ public record Altitude(double meters, Reference reference) {
         AMSL
     }
 
+    /** Lowest that may be planned: under any shore, or any valley below a take-off place; more is a slip of the hand. */
+    public static final int LOWEST_PLANNED_METERS = -500;
+
+    /** Highest that may be planned: above all that is flown from here. */
+    public static final int HIGHEST_PLANNED_METERS = 10_000;
+
+    /** What was found on a vehicle may lie outside what may be planned. */
     public Altitude {
         if (!(Math.abs(meters) <= 10_000)) {
             throw new IllegalArgumentException("altitude must be -10000 to 10000 m: " + meters);

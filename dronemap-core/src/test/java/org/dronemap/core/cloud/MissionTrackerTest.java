@@ -63,10 +63,41 @@ class MissionTrackerTest {
         assertThat(tracker.progress().items()).isEqualTo(OTHER);
         assertThat(tracker.progress().notice())
                 .isEqualTo("The mission on the vehicle is not the one that the cloud last knew:"
-                        + " 1 items instead of 4; item 1 differs.");
+                        + " 1 item instead of 4; item 1 differs.");
         assertThat(kept)
                 .as("what was known stays known until the cloud uploads")
                 .isEmpty();
+    }
+
+    @Test
+    void saysCalmlyThatTheVehicleHoldsNoMissionAfterARestart() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
+
+        assertThat(tracker.apply(new MissionRead(List.of(), false)))
+                .as("a vehicle that forgets with its power is no cause for a warning")
+                .isEmpty();
+
+        assertThat(tracker.progress().notice())
+                .isEqualTo("The vehicle holds no mission now; the last one that the cloud knew had 4 items.");
+    }
+
+    @Test
+    void warnsWhenAMissionIsTakenAwayUnderTheCloudsEyes() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+        tracker.apply(new MissionRead(THREE, true));
+
+        assertThat(tracker.apply(new MissionRead(List.of(), false)))
+                .contains("The vehicle holds no mission now; the last one that the cloud knew had 4 items.");
+    }
+
+    @Test
+    void dropsTheNoticeWhenTheMissionIsBack() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
+        tracker.apply(new MissionRead(List.of(), false));
+
+        tracker.apply(new MissionRead(THREE, false));
+
+        assertThat(tracker.progress().notice()).isNull();
     }
 
     @Test

@@ -41,6 +41,12 @@ class MissionComparisonTest {
                 .contains("2 items instead of 3; items 1, 2 differ");
     }
 
+    @Test
+    void countsASingleItemAsOne() {
+        assertThat(MissionComparison.difference(List.of(CLIMB, HERE), List.of(CLIMB)))
+                .contains("1 item instead of 2");
+    }
+
     private static MissionItem waypoint(double latitude, double longitude, double altitude) {
         return new MissionItem.Waypoint(new Geodetic(latitude, longitude), Altitude.aboveHome(altitude), 0);
     }

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /** Checks numbers against the range of their field. */
@@ -19,7 +20,7 @@ final class Ranges {
     }
 
     static double altitude(String field, @Nullable Double value) {
-        return checked(field, value, -10_000, 10_000, "m");
+        return checked(field, value, Altitude.LOWEST_PLANNED_METERS, Altitude.HIGHEST_PLANNED_METERS, "m");
     }
 
     static double holdSeconds(String field, double value) {
