@@ -50,9 +50,9 @@ describe('map features', () => {
       (one) => one.geometry.type === 'Point',
     );
     expect(points.map((one) => [one.properties?.['label'], one.properties?.['state']])).toEqual([
-      ['1', 'reached'],
-      ['2', 'current'],
-      ['3', 'ahead'],
+      ['2', 'reached'],
+      ['3', 'current'],
+      ['4', 'ahead'],
     ]);
   });
 
@@ -71,12 +71,19 @@ describe('map features', () => {
 
   it('draws a trail only from two points on', () => {
     const drones = [aDrone()];
-    expect(trailFeatures(drones, null, () => [[8, 47]]).features).toEqual([]);
-    const two = trailFeatures(drones, 'd1', () => [
-      [8, 47],
-      [8, 48],
+    expect(trailFeatures(drones, null, () => [[[8, 47]]]).features).toEqual([]);
+    const parts = trailFeatures(drones, 'd1', () => [
+      [
+        [8, 47],
+        [8, 48],
+      ],
+      [[9, 47]],
+      [
+        [10, 47],
+        [10, 48],
+      ],
     ]);
-    expect(two.features[0]?.properties).toEqual({ selected: true });
+    expect(parts.features.map((one) => one.properties)).toEqual([{ selected: true }, { selected: true }]);
   });
 });
 

@@ -3,6 +3,7 @@ import type { Drone, Home, MissionItem } from '../api/types';
 import { placeOf } from '../fleet/place';
 import { standingOf } from '../fleet/standing';
 import type { Draft } from '../plan/draft';
+import { itemNumber, waypointNumber } from '../plan/numbering';
 import { age } from '../ui/format';
 
 /** Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. */
@@ -43,13 +44,14 @@ function droneProperties(drone: Drone, selected: boolean, silence: number | null
 export function trailFeatures(
   drones: readonly Drone[],
   selectedId: string | null,
-  trailOf: (id: string) => readonly Position[],
+  trailOf: (id: string) => readonly (readonly Position[])[],
 ): FeatureCollection {
   return collect(
-    drones.flatMap((drone) => {
-      const trail = trailOf(drone.id);
-      return trail.length < 2 ? [] : [line([...trail], { selected: drone.id === selectedId })];
-    }),
+    drones.flatMap((drone) =>
+      trailOf(drone.id)
+        .filter((part) => part.length > 1)
+        .map((part) => line([...part], { selected: drone.id === selectedId })),
+    ),
   );
 }
 
@@ -63,9 +65,9 @@ export function missionFeatures(drone: Drone | null): FeatureCollection {
   const points = mission.items.flatMap((item, index) =>
     item.type === 'waypoint' ? [{ index, at: [item.longitude, item.latitude] as Position }] : [],
   );
-  const features: Feature[] = points.map(({ index, at }, ordinal) =>
+  const features: Feature[] = points.map(({ index, at }) =>
     point(at, {
-      label: String(ordinal + 1),
+      label: String(itemNumber(index)),
       state: reached.has(index)
         ? 'reached'
         : mission.running && mission.current === index
@@ -94,7 +96,10 @@ export function draftFeatures(draft: Draft | null, drone: Drone | null): Feature
   return collect([
     ...wayOf(points, ending, drone?.home ?? null),
     ...draft.waypoints.map((waypoint, index) =>
-      point([waypoint.longitude, waypoint.latitude], { key: waypoint.key, label: String(index + 1) }),
+      point([waypoint.longitude, waypoint.latitude], {
+        key: waypoint.key,
+        label: String(waypointNumber(draft, drone, index)),
+      }),
     ),
   ]);
 }

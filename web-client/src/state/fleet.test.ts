@@ -57,11 +57,13 @@ describe('fleet', () => {
     fleet.update(aDrone({ version: 2, position: at(47.000001) }));
     fleet.update(aDrone({ version: 3, position: at(47.001) }));
     expect(fleet.trails.of('d1')).toEqual([
-      [8, 47],
-      [8, 47.001],
+      [
+        [8, 47],
+        [8, 47.001],
+      ],
     ]);
     fleet.update(aDrone({ version: 4, position: at(46) }));
-    expect(fleet.trails.of('d1')).toEqual([[8, 46]]);
+    expect(fleet.trails.of('d1')).toEqual([[[8, 46]]]);
     fleet.remove('d1');
     expect(fleet.trails.of('d1')).toEqual([]);
   });
