@@ -6,6 +6,7 @@ export class Problem extends Error {
   readonly field: string | null;
   readonly allowed: string | null;
   readonly commandId: string | null;
+  readonly type: string;
 
   constructor(body: ProblemBody) {
     super(sentenceOf(body));
@@ -14,6 +15,12 @@ export class Problem extends Error {
     this.field = body.field ?? null;
     this.allowed = body.allowed ?? null;
     this.commandId = body.commandId ?? null;
+    this.type = body.type ?? '';
+  }
+
+  /** There was a session, and the cloud no longer knows it. */
+  get sessionEnded(): boolean {
+    return this.type === 'urn:dronemap:problem:session-ended';
   }
 
   static unreachable(): Problem {

@@ -11,7 +11,11 @@ import { Fleet } from './fleet.svelte';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
 
-const KEY = Symbol('station');
+/** The context key; tests put a station of their own under it. */
+export const STATION = Symbol('station');
+
+const SESSION_ENDED =
+  'This session has ended: after 12 hours, or because the account was changed or the stored data were restored.';
 
 /** Everything that the page knows and can do; made once and handed down by context. */
 export class Station {
@@ -29,6 +33,8 @@ export class Station {
   readonly preferences = new Preferences();
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
+  /** Why nobody is signed in any more, when that was not their wish. */
+  signedOut = $state.raw<string | null>(null);
   settings = $state.raw<Settings | null>(null);
   selected = $derived<Drone | null>(this.fleet.find(this.desk.selectedId));
   readonly #stream = new StreamClient(
@@ -38,7 +44,7 @@ export class Station {
       onUp: () => this.#streamUp(),
       onDown: () => this.connection.down(),
       onRetryAt: (at) => (this.connection.retryAt = at),
-      onUnauthorized: () => this.#forgetSession(),
+      onUnauthorized: () => this.#forgetSession(SESSION_ENDED),
     },
   );
 
@@ -56,7 +62,7 @@ export class Station {
       await this.#enter(await this.rest.session());
     } catch (thrown) {
       if (thrown instanceof Problem && thrown.status === 401) {
-        this.session = null;
+        this.#forgetSession(thrown.sessionEnded ? thrown.message : null);
         return;
       }
       throw thrown;
@@ -74,7 +80,7 @@ export class Station {
 
   async signOut(): Promise<void> {
     await this.rest.signOut();
-    this.#forgetSession();
+    this.#forgetSession(null);
   }
 
   retryNow(): void {
@@ -93,11 +99,13 @@ export class Station {
       this.#stream.stop();
       this.#stream.start();
     }
+    this.signedOut = null;
     this.session = session;
   }
 
-  #forgetSession(): void {
+  #forgetSession(why: string | null): void {
     this.#stream.stop();
+    this.signedOut = why;
     this.session = null;
     this.fleet.clear();
     this.planner.stop();
@@ -151,11 +159,11 @@ export class Station {
 }
 
 export function provideStation(station: Station): void {
-  setContext(KEY, station);
+  setContext(STATION, station);
 }
 
 export function useStation(): Station {
-  return getContext<Station>(KEY);
+  return getContext<Station>(STATION);
 }
 
 function openSocket(address: string): Socket {

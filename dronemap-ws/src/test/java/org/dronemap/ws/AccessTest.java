@@ -93,7 +93,10 @@ class AccessTest {
 
         assertThat(without.status()).isEqualTo(403);
         assertThat(with.status()).isEqualTo(204);
-        assertThat(session(cookie).status()).isEqualTo(401);
+        Http.Answer after = session(cookie);
+        assertThat(after.status()).isEqualTo(401);
+        assertThat(after.text("type")).isEqualTo("urn:dronemap:problem:session-ended");
+        assertThat(after.text("detail")).startsWith("This session has ended");
     }
 
     @Test

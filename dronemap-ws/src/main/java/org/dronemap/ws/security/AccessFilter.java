@@ -49,12 +49,17 @@ public final class AccessFilter extends OncePerRequestFilter {
                 || (path.equals("session") && request.getMethod().equals("POST"))) {
             return;
         }
-        Caller caller =
-                identify(request).orElseThrow(() -> Rejection.notSignedIn("Sign in first, or send an access key."));
+        Caller caller = identify(request).orElseThrow(() -> noCaller(request));
         if (!path.equals("session") && !path.equals("session/password")) {
             authentication.requireOpen();
         }
         CurrentPrincipal.set(request, caller);
+    }
+
+    private static Rejection noCaller(HttpServletRequest request) {
+        return SessionCookie.read(request).isPresent()
+                ? Rejection.sessionEnded()
+                : Rejection.notSignedIn("Sign in first, or send an access key.");
     }
 
     private Optional<Caller> identify(HttpServletRequest request) {

@@ -31,6 +31,14 @@ public class Rejection extends RuntimeException {
         return new Rejection(RejectionKind.NOT_SIGNED_IN, sentence);
     }
 
+    /** There was a session, which is no longer known. */
+    public static Rejection sessionEnded() {
+        return new Rejection(
+                RejectionKind.SESSION_ENDED,
+                "This session has ended: after 12 hours, or because the account was changed or the stored data were"
+                        + " restored. Sign in again.");
+    }
+
     public static Rejection conflict(String sentence) {
         return new Rejection(RejectionKind.CONFLICT, sentence);
     }

@@ -4,6 +4,7 @@ package org.dronemap.ws.service;
 public enum RejectionKind {
     MALFORMED(400, "malformed", "The request cannot be read"),
     NOT_SIGNED_IN(401, "not-signed-in", "Not signed in"),
+    SESSION_ENDED(401, "session-ended", "The session has ended"),
     FORBIDDEN(403, "forbidden", "Not allowed"),
     UNKNOWN(404, "unknown", "There is no such thing"),
     METHOD(405, "method", "Not with this method"),
