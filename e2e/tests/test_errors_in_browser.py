@@ -71,5 +71,5 @@ def test_bad_waypoints_stay_on_the_page(server: Server, api: Api, tap: Tap, copt
     station.press("Add")
 
     expect(station.button("Upload mission")).to_have_attribute("aria-disabled", "true")
-    station.shows("altitude of 1 to 500 m")
+    station.shows("must be -500 to 10000 m")
     assert not sent(tap)

@@ -186,8 +186,12 @@ export interface Drone {
   version: number;
 }
 
+/** What a vehicle on a mission does by itself when it no longer hears the cloud. */
+export type CloudLoss = 'continue' | 'rtl';
+
 export type CommandRequest =
-  | { type: 'arm' | 'land' | 'returnToLaunch' | 'hold' | 'startMission' | 'pauseMission' | 'clearMission' }
+  | { type: 'arm' | 'land' | 'returnToLaunch' | 'hold' | 'pauseMission' | 'clearMission' }
+  | { type: 'startMission'; onCloudLoss: CloudLoss }
   | { type: 'disarm'; force?: boolean }
   | { type: 'setMode'; mode: string }
   | { type: 'takeOff'; altitude: number }

@@ -67,7 +67,7 @@ describe('mission of the vehicle', () => {
   it('reads as lines with what is reached and what comes now', () => {
     expect(missionLines(mission).map(({ words, state }) => [words, state])).toEqual([
       ['Take off to 20 m', 'reached'],
-      ['Waypoint 1 at 30 m', 'current'],
+      ['Waypoint at 30 m', 'current'],
       ['Return to launch', 'ahead'],
     ]);
   });

@@ -1,23 +1,22 @@
 import type { MissionItem, VehicleMission } from '../api/types';
+import { itemNumber } from '../plan/numbering';
 import { fixed } from '../ui/format';
 
 export interface MissionLine {
   words: string;
-  /** Waypoints are counted as on the map; other items have no number. */
-  number: number | null;
+  /** As on the map and in sentences about the mission. */
+  number: number;
   state: 'reached' | 'current' | 'ahead';
 }
 
 /** The vehicle's own mission as lines to read. */
 export function missionLines(mission: VehicleMission | null): MissionLine[] {
   const reached = new Set(mission?.reached ?? []);
-  let waypoints = 0;
   return (mission?.items ?? []).map((item, index) => {
-    const number = item.type === 'waypoint' ? ++waypoints : null;
     const current = mission?.running === true && mission.current === index;
     return {
-      words: wordsOf(item, number),
-      number,
+      words: wordsOf(item),
+      number: itemNumber(index),
       state: reached.has(index) ? 'reached' : current ? 'current' : 'ahead',
     };
   });
@@ -38,7 +37,7 @@ function summaryOf(mission: VehicleMission, total: number): string {
     return `Mission finished: ${count} reached.`;
   }
   if (mission.running) {
-    const at = mission.current === null ? '' : `item ${mission.current + 1} of ${total}, `;
+    const at = mission.current === null ? '' : `item ${itemNumber(mission.current)} of ${total}, `;
     return `Mission is running: ${at}${reached} reached.`;
   }
   return reached > 0
@@ -46,14 +45,14 @@ function summaryOf(mission: VehicleMission, total: number): string {
     : `Mission on the vehicle: ${count}.`;
 }
 
-function wordsOf(item: MissionItem, number: number | null): string {
+function wordsOf(item: MissionItem): string {
   switch (item.type) {
     case 'takeOff':
       return `Take off to ${fixed(item.altitude)} m`;
     case 'waypoint': {
       const reference = item.altitudeReference === 'amsl' ? ' above sea' : '';
       const wait = item.holdSeconds ? `, wait ${fixed(item.holdSeconds)} s` : '';
-      return `Waypoint ${number} at ${fixed(item.altitude)} m${reference}${wait}`;
+      return `Waypoint at ${fixed(item.altitude)} m${reference}${wait}`;
     }
     case 'returnToLaunch':
       return 'Return to launch';

@@ -86,7 +86,11 @@ describe('draft', () => {
   it('says what is missing before it can be uploaded', () => {
     expect(whyNotReady(emptyDraft())).toContain('Add a waypoint');
     const without = changeWaypoint(draftWith(A, B), 2, { altitude: null });
-    expect(whyNotReady(without)).toBe('Waypoint 2 needs an altitude of 1 to 500 m.');
-    expect(whyNotReady({ ...draftWith(A), takeOff: true, takeOffAltitude: 0 })).toContain('take-off');
+    expect(whyNotReady(without)).toBe('The altitude of item 2 must be -500 to 10000 m.');
+    expect(whyNotReady({ ...draftWith(A), takeOff: true, takeOffAltitude: 0 })).toBe(
+      'The altitude of the take-off must be 1 to 500 m.',
+    );
+    const absurd = changeWaypoint(draftWith(A), 1, { altitude: -10_000, altitudeReference: 'amsl' });
+    expect(whyNotReady(absurd)).toContain('-500 to 10000 m');
   });
 });

@@ -22,7 +22,14 @@ export interface Draft {
   nextKey: number;
 }
 
-export const ALTITUDE_RANGE = { lowest: 1, highest: 500 };
+export interface AltitudeRange {
+  lowest: number;
+  highest: number;
+}
+
+/** The cloud takes the same ranges by program: a take-off goes up, a waypoint may lie below its take-off place. */
+export const TAKE_OFF_RANGE: AltitudeRange = { lowest: 1, highest: 500 };
+export const PLACE_RANGE: AltitudeRange = { lowest: -500, highest: 10_000 };
 export const MOST_ITEMS = 500;
 
 export function emptyDraft(): Draft {
@@ -115,32 +122,31 @@ export function draftOf(items: readonly MissionItem[]): { draft: Draft; leftOut:
 }
 
 /** The first reason why this plan cannot be uploaded, or null when it can. */
-export function whyNotReady(draft: Draft): string | null {
+export function whyNotReady(draft: Draft, numberOf = ordinal): string | null {
   if (draft.waypoints.length === 0) {
     return 'Add a waypoint first: click the map.';
   }
-  if (draft.takeOff && !isAllowedAltitude(draft.takeOffAltitude)) {
-    return `The take-off needs an altitude of ${rangeWords()}.`;
+  if (draft.takeOff && !isWithin(TAKE_OFF_RANGE, draft.takeOffAltitude)) {
+    return altitudeWords('The altitude of the take-off', TAKE_OFF_RANGE);
   }
-  const bad = draft.waypoints.findIndex((waypoint) => !hasGoodAltitude(waypoint));
+  const bad = draft.waypoints.findIndex((waypoint) => !isWithin(PLACE_RANGE, waypoint.altitude));
   if (bad >= 0) {
-    return `Waypoint ${bad + 1} needs an altitude of ${rangeWords()}.`;
+    return altitudeWords(`The altitude of item ${numberOf(bad)}`, PLACE_RANGE);
   }
   return itemsOf(draft).length > MOST_ITEMS ? `A mission holds at most ${MOST_ITEMS} items.` : null;
 }
 
-export function hasGoodAltitude(waypoint: DraftWaypoint): boolean {
-  return waypoint.altitudeReference === 'amsl'
-    ? waypoint.altitude !== null
-    : isAllowedAltitude(waypoint.altitude);
+export function isWithin(range: AltitudeRange, altitude: number | null): boolean {
+  return altitude !== null && altitude >= range.lowest && altitude <= range.highest;
 }
 
-export function isAllowedAltitude(altitude: number | null): boolean {
-  return altitude !== null && altitude >= ALTITUDE_RANGE.lowest && altitude <= ALTITUDE_RANGE.highest;
+/** The sentence of the cloud itself: "… must be 1 to 500 m." */
+export function altitudeWords(what: string, range: AltitudeRange): string {
+  return `${what} must be ${range.lowest} to ${range.highest} m.`;
 }
 
-export function rangeWords(): string {
-  return `${ALTITUDE_RANGE.lowest} to ${ALTITUDE_RANGE.highest} m`;
+function ordinal(index: number): number {
+  return index + 1;
 }
 
 export function lengthMeters(draft: Draft): number {

@@ -1,4 +1,4 @@
-import type { MissionItem } from '../api/types';
+import type { CloudLoss, MissionItem } from '../api/types';
 import { addWaypoint, draftOf, emptyDraft, type Draft } from '../plan/draft';
 import type { Coordinates } from '../geo/coordinates';
 
@@ -10,6 +10,10 @@ export class Planner {
   /** The altitude that the next waypoint gets, metres above home. */
   defaultAltitude = $state<number | null>(20);
   #drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
+  /** What each vehicle shall do when the cloud falls silent on its mission; on to the end unless chosen. */
+  #cloudLoss = $state.raw<ReadonlyMap<string, CloudLoss>>(new Map());
+  /** The drone whose plan has just become true, until its panel has shown what comes next. */
+  uploaded = $state<string | null>(null);
   /** What was sent to each vehicle, until its outcome is known. */
   readonly #sent = new Map<string, Draft>();
   #undo = $state.raw<readonly { droneId: string; draft: Draft }[]>([]);
@@ -24,6 +28,14 @@ export class Planner {
 
   get canUndo(): boolean {
     return this.#undo.some((step) => step.droneId === this.droneId);
+  }
+
+  cloudLossOf(droneId: string): CloudLoss {
+    return this.#cloudLoss.get(droneId) ?? 'continue';
+  }
+
+  chooseCloudLoss(droneId: string, choice: CloudLoss): void {
+    this.#cloudLoss = new Map(this.#cloudLoss).set(droneId, choice);
   }
 
   /** Opens the editor; a draft that was left there before is still there. */
@@ -86,6 +98,7 @@ export class Planner {
     const sent = this.#sent.get(droneId);
     this.#sent.delete(droneId);
     if (sent !== undefined && sent === this.draftFor(droneId)) {
+      this.uploaded = this.droneId === droneId ? droneId : null;
       this.#discard(droneId);
     }
   }
