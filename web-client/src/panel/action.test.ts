@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Attempt } from '../state/commands.svelte';
 import { aDrone } from '../testing';
 import { whyNot, wordsFor } from './action';
-import { missionLines, missionSummary } from './mission-lines';
+import { missionLines, missionSummary, whyNoStart } from './mission-lines';
 
 const attempt = (change: Partial<Attempt>): Attempt => ({
   id: 'c1',
@@ -77,8 +77,28 @@ describe('mission of the vehicle', () => {
     expect(missionSummary({ ...mission, running: false })).toBe(
       'Mission is not running: 1 of 3 items reached.',
     );
-    expect(missionSummary({ ...mission, reached: [0, 1, 2] })).toBe('Mission finished: 3 items reached.');
+    expect(missionSummary({ ...mission, reached: [0, 1, 2] })).toBe('Mission complete: 3 items.');
     expect(missionSummary({ ...mission, items: [], total: 0 })).toBe('No mission on the vehicle.');
     expect(missionSummary(null)).toContain('not known');
+  });
+
+  it('believes the vehicle when it says that the mission is complete or paused', () => {
+    expect(missionSummary({ ...mission, running: false, state: 'complete' })).toBe(
+      'Mission complete: 3 items.',
+    );
+    expect(missionSummary({ ...mission, running: false, state: 'paused' })).toBe(
+      'Mission is paused: 1 of 3 items reached.',
+    );
+    expect(missionSummary({ ...mission, reached: [0, 1, 2], state: 'running' })).toBe(
+      'Mission is running: item 2 of 3, 3 reached.',
+    );
+  });
+
+  it('need not be started while it is flown', () => {
+    expect(whyNoStart(aDrone({ mission, flight: 'inAir' }))).toBe('It is running.');
+    expect(whyNoStart(aDrone({ mission, flight: 'onGround' }))).toBeNull();
+    expect(whyNoStart(aDrone({ mission: { ...mission, running: false }, flight: 'inAir' }))).toBeNull();
+    const complete = { ...mission, reached: [0, 1, 2] };
+    expect(whyNoStart(aDrone({ mission: complete, flight: 'inAir' }))).toBeNull();
   });
 });

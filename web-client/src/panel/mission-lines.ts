@@ -1,4 +1,4 @@
-import type { MissionItem, VehicleMission } from '../api/types';
+import type { Drone, MissionItem, VehicleMission } from '../api/types';
 import { itemNumber } from '../plan/numbering';
 import { fixed } from '../ui/format';
 
@@ -33,16 +33,34 @@ export function missionSummary(mission: VehicleMission | null): string {
 function summaryOf(mission: VehicleMission, total: number): string {
   const count = `${total} ${total === 1 ? 'item' : 'items'}`;
   const reached = new Set(mission.reached).size;
-  if (reached >= total) {
-    return `Mission finished: ${count} reached.`;
+  if (isComplete(mission)) {
+    return `Mission complete: ${count}.`;
   }
   if (mission.running) {
     const at = mission.current === null ? '' : `item ${itemNumber(mission.current)} of ${total}, `;
     return `Mission is running: ${at}${reached} reached.`;
   }
+  if (mission.state === 'paused') {
+    return `Mission is paused: ${reached} of ${count} reached.`;
+  }
   return reached > 0
     ? `Mission is not running: ${reached} of ${count} reached.`
     : `Mission on the vehicle: ${count}.`;
+}
+
+/** The vehicle's own word where it gives one; else all items reached. */
+function isComplete(mission: VehicleMission): boolean {
+  const total = mission.items?.length ?? mission.total ?? 0;
+  return mission.state === 'complete' || (mission.state === null && new Set(mission.reached).size >= total);
+}
+
+/**
+ * Why a mission need not be started now, or null. A vehicle on the ground may call its mission running and yet wait
+ * for the word to take off.
+ */
+export function whyNoStart(drone: Drone): string | null {
+  const { mission, flight } = drone;
+  return mission?.running && flight !== 'onGround' && !isComplete(mission) ? 'It is running.' : null;
 }
 
 function wordsOf(item: MissionItem): string {

@@ -16,7 +16,7 @@ const ITEMS: MissionItem[] = [
 function flyable(change: Partial<Drone> = {}): Drone {
   return aDrone({
     actions: { takeOff: READY, uploadMission: READY, startMission: READY },
-    mission: { items: ITEMS, current: 0, reached: [], total: 2, running: false, notice: null },
+    mission: { items: ITEMS, current: 0, reached: [], total: 2, running: false, state: null, notice: null },
     ...change,
   });
 }
@@ -61,7 +61,8 @@ describe('mission section', () => {
     show(station, flyable());
     await tick();
 
-    expect(scrolled).toHaveBeenCalledOnce();
+    const last = scrolled.mock.contexts.at(-1) as HTMLElement;
+    expect(last.contains(screen.getByRole('button', { name: 'Start mission' }))).toBe(true);
     expect(document.activeElement?.textContent).toBe('Mission');
     expect(station.planner.uploaded).toBeNull();
   });
@@ -83,9 +84,29 @@ describe('mission section', () => {
     expect(send).toHaveBeenCalledOnce();
   });
 
+  it('says why Start is not to be pressed while the mission is flown', async () => {
+    const station = stationWithLink();
+    const send = vi.spyOn(station.rest, 'sendCommand');
+    const mission = {
+      items: ITEMS,
+      current: 1,
+      reached: [0],
+      total: 2,
+      running: true,
+      state: 'running',
+      notice: null,
+    } as const;
+    show(station, flyable({ flight: 'inAir', mission: { ...mission, reached: [0] } }));
+    const start = screen.getByRole('button', { name: 'Start mission' });
+    expect(start.getAttribute('aria-disabled')).toBe('true');
+    expect(screen.getByText('It is running.')).toBeDefined();
+    await fireEvent.click(start);
+    expect(send).not.toHaveBeenCalled();
+  });
+
   it('says calmly that the vehicle has forgotten its mission', () => {
     const notice = 'The vehicle holds no mission now; the last one that the cloud knew had 4 items.';
-    const mission = { items: [], current: null, reached: [], total: 0, running: false, notice };
+    const mission = { items: [], current: null, reached: [], total: 0, running: false, state: null, notice };
     show(stationWithLink(), flyable({ mission }));
 
     expect(screen.getByText(notice).classList.contains('calm')).toBe(true);
