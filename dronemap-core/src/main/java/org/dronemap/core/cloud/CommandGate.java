@@ -184,7 +184,7 @@ public final class CommandGate {
         channel.get().perform(entry.open().record().id(), entry.open().command(), new Reporter(entry, guard));
     }
 
-    /** Newer flight commands replace older ones; of mission transfers the first one goes on. */
+    /** Newer flight commands replace older ones; of all others the first one goes on. */
     private @Nullable String makeRoom(Underway entry, VehicleChannel channel) {
         Command.Contention contention = entry.open().command().contention();
         for (Underway other : List.copyOf(underway.values())) {
@@ -194,8 +194,11 @@ public final class CommandGate {
             if (other.open().command().contention() != contention) {
                 continue;
             }
-            if (contention == Command.Contention.TRANSFER) {
-                return "Another mission transfer with this drone is under way; wait for its end.";
+            if (!contention.newerWins()) {
+                return contention == Command.Contention.TRANSFER
+                        ? "Another mission transfer with this drone is under way; wait for its end."
+                        : "Wait for the end of what is under way: "
+                                + other.open().record().summary() + ".";
             }
             channel.cancel(other.open().record().id());
             end(

@@ -50,10 +50,11 @@ public final class CommandRules {
             case DISARM -> armed ? (drone.airborne() ? "It is in the air; land first." : null) : "It is not armed.";
             case TAKE_OFF -> armed ? (drone.airborne() ? "It is already in the air." : null) : "Arm first.";
             case LAND, RETURN_TO_LAUNCH, HOLD, PAUSE_MISSION -> armed ? null : "It is not armed.";
-            case GO_TO -> armed ? (needsAir(drone) && !drone.airborne() ? "Take off first." : null) : "Arm first.";
+            case GO_TO, TURN ->
+                armed ? (needsAir(drone) && !drone.airborne() ? "Take off first." : null) : "Arm first.";
             case START_MISSION ->
                 hasMission(drone.mission()) ? (armed ? null : "Arm first.") : "Upload a mission first.";
-            case SET_MODE, UPLOAD_MISSION, CLEAR_MISSION -> null;
+            case SET_MODE, UPLOAD_MISSION, CLEAR_MISSION, TAKE_PICTURE, SET_RELAY -> null;
         };
     }
 

@@ -172,6 +172,58 @@ public sealed interface Command {
         }
     }
 
+    /** Turn on the spot from where it looks now, clockwise when positive: -360 to 360 degrees, not 0. */
+    record Turn(double degrees) implements Command {
+        public Turn {
+            if (!(Math.abs(degrees) <= 360 && degrees != 0)) {
+                throw new IllegalArgumentException("a turn must be -360 to 360 degrees and not 0: " + degrees);
+            }
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.TURN;
+        }
+
+        @Override
+        public String summary() {
+            return String.format(Locale.ROOT, "turn by %.0f degrees", degrees);
+        }
+    }
+
+    record TakePicture() implements Command {
+        @Override
+        public Capability needs() {
+            return Capability.TAKE_PICTURE;
+        }
+
+        @Override
+        public String summary() {
+            return "take a picture";
+        }
+    }
+
+    /** Switch one of the relays 0 to 15. */
+    record SetRelay(int relay, RelaySetting setting) implements Command {
+        public SetRelay {
+            if (relay < 0 || relay > 15) {
+                throw new IllegalArgumentException("relays count from 0 to 15: " + relay);
+            }
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.SET_RELAY;
+        }
+
+        @Override
+        public String summary() {
+            return setting == RelaySetting.TOGGLE
+                    ? "toggle relay " + relay
+                    : "switch relay " + relay + " " + setting.name().toLowerCase(Locale.ROOT);
+        }
+    }
+
     /** Which commands compete with each other on one vehicle. */
     enum Contention {
         /** Motors on or off; the newer one wins. */
@@ -179,7 +231,16 @@ public sealed interface Command {
         /** Where to fly; the newer one wins. */
         FLIGHT,
         /** Mission items on the wire; the first one goes on. */
-        TRANSFER
+        TRANSFER,
+        /** The camera; the first one goes on. */
+        CAMERA,
+        /** The relays; the first one goes on. */
+        RELAY;
+
+        /** A newer command takes the place of one that is under way; else it has to wait. */
+        public boolean newerWins() {
+            return this == ARMING || this == FLIGHT;
+        }
     }
 
     /** What this command competes for. */
@@ -187,6 +248,8 @@ public sealed interface Command {
         return switch (needs()) {
             case ARM, DISARM -> Contention.ARMING;
             case UPLOAD_MISSION, CLEAR_MISSION -> Contention.TRANSFER;
+            case TAKE_PICTURE -> Contention.CAMERA;
+            case SET_RELAY -> Contention.RELAY;
             default -> Contention.FLIGHT;
         };
     }

@@ -13,7 +13,10 @@ public enum Capability {
     UPLOAD_MISSION("take a mission"),
     START_MISSION("start a mission"),
     PAUSE_MISSION("pause a mission"),
-    CLEAR_MISSION("clear its mission");
+    CLEAR_MISSION("clear its mission"),
+    TURN("turn on the spot"),
+    TAKE_PICTURE("take a picture"),
+    SET_RELAY("switch a relay");
 
     private final String phrase;
 

@@ -24,8 +24,11 @@ final class Errands {
         settle();
     }
 
-    void cancel(CommandId id) {
-        underway.remove(id);
+    void cancel(CommandId id, long nowNanos) {
+        Errand errand = underway.remove(id);
+        if (errand != null) {
+            errand.exchange().cancel(nowNanos);
+        }
     }
 
     boolean isEmpty() {

@@ -327,7 +327,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     @Override
     public void cancel(CommandId id) {
-        errands.cancel(id);
+        errands.cancel(id, surroundings.now());
     }
 
     @Override

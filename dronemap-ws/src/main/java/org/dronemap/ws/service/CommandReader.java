@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
@@ -13,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 final class CommandReader {
     private static final String KINDS =
             Arrays.stream(Capability.values()).map(WireNames::camel).collect(Collectors.joining(", ", "one of ", ""));
+    private static final String RELAY_SETTINGS = "off, on or toggle";
     private static final String CLOUD_LOSS = "continue or rtl";
 
     private CommandReader() {}
@@ -34,6 +36,10 @@ final class CommandReader {
             case "uploadMission" ->
                 new Command.UploadMission(TakeOffFirst.complete(MissionReader.read(request.items()), drone));
             case "startMission" -> new Command.StartMission(cloudLoss(request.onCloudLoss()));
+            case "turn" -> new Command.Turn(Ranges.turn("degrees", request.degrees()));
+            case "takePicture" -> new Command.TakePicture();
+            case "setRelay" ->
+                new Command.SetRelay(Ranges.relay("relay", request.relay()), relaySetting(request.setting()));
             case "pauseMission" -> new Command.PauseMission();
             case "clearMission" -> new Command.ClearMission();
             default -> throw InvalidInput.outside("type", KINDS, "\"" + type + "\"");
@@ -53,6 +59,16 @@ final class CommandReader {
                     "mode", "one of " + String.join(", ", drone.capabilities().modes()));
         }
         return mode.strip();
+    }
+
+    private static RelaySetting relaySetting(@Nullable String value) {
+        return switch (value == null ? "" : value) {
+            case "off" -> RelaySetting.OFF;
+            case "on" -> RelaySetting.ON;
+            case "toggle" -> RelaySetting.TOGGLE;
+            case "" -> throw InvalidInput.missing("setting", RELAY_SETTINGS);
+            default -> throw InvalidInput.outside("setting", RELAY_SETTINGS, "\"" + value + "\"");
+        };
     }
 
     private static CloudLoss cloudLoss(@Nullable String value) {

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 public record CommandRequest(
         @Schema(
                 description = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
-                        + " startMission, pauseMission or clearMission",
+                        + " startMission, pauseMission, clearMission, turn, takePicture or setRelay",
                 requiredMode = Schema.RequiredMode.REQUIRED)
         @Nullable
         String type,
@@ -39,10 +39,18 @@ public record CommandRequest(
                 description = "startMission: what the vehicle does by itself when it no longer hears the cloud:"
                         + " continue (the default) or rtl")
         @Nullable
-        String onCloudLoss) {
+        String onCloudLoss,
+
+        @Schema(description = "turn: degrees from where it looks now, clockwise when positive") @Nullable
+        Double degrees,
+
+        @Schema(description = "setRelay: 0 to 15") @Nullable Integer relay,
+
+        @Schema(description = "setRelay: off, on or toggle") @Nullable
+        String setting) {
 
     /** A command without parameters. */
     public static CommandRequest simple(String type) {
-        return new CommandRequest(type, null, null, null, null, null, null, null, null, null);
+        return new CommandRequest(type, null, null, null, null, null, null, null, null, null, null, null, null);
     }
 }

@@ -5,6 +5,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Checks numbers against the range of their field. */
 final class Ranges {
+    private static final String RELAYS = "0 to 15";
+
     private Ranges() {}
 
     static double latitude(String field, @Nullable Double value) {
@@ -21,6 +23,24 @@ final class Ranges {
 
     static double altitude(String field, @Nullable Double value) {
         return checked(field, value, Altitude.LOWEST_PLANNED_METERS, Altitude.HIGHEST_PLANNED_METERS, "m");
+    }
+
+    static double turn(String field, @Nullable Double value) {
+        double degrees = checked(field, value, -360, 360, "degrees");
+        if (degrees == 0) {
+            throw InvalidInput.outside(field, "-360 to 360 degrees, not 0", degrees);
+        }
+        return degrees;
+    }
+
+    static int relay(String field, @Nullable Integer value) {
+        if (value == null) {
+            throw InvalidInput.missing(field, RELAYS);
+        }
+        if (value < 0 || value > 15) {
+            throw InvalidInput.outside(field, RELAYS, value);
+        }
+        return value;
     }
 
     static double holdSeconds(String field, double value) {

@@ -56,17 +56,24 @@ public class ControllerService implements MAVLinkController {
 
     @Override
     public SoapOutcome disarm(String droneId, @Nullable Boolean force) throws DronemapFault {
-        return act(droneId, new CommandRequest("disarm", null, force, null, null, null, null, null, null, null));
+        return act(
+                droneId,
+                new CommandRequest("disarm", null, force, null, null, null, null, null, null, null, null, null, null));
     }
 
     @Override
     public SoapOutcome setMode(String droneId, String mode) throws DronemapFault {
-        return act(droneId, new CommandRequest("setMode", null, null, mode, null, null, null, null, null, null));
+        return act(
+                droneId,
+                new CommandRequest("setMode", null, null, mode, null, null, null, null, null, null, null, null, null));
     }
 
     @Override
     public SoapOutcome takeoff(String droneId, @Nullable Double altitude) throws DronemapFault {
-        return act(droneId, new CommandRequest("takeOff", null, null, null, null, null, altitude, null, null, null));
+        return act(
+                droneId,
+                new CommandRequest(
+                        "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null));
     }
 
     @Override
@@ -89,7 +96,9 @@ public class ControllerService implements MAVLinkController {
             String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude)
             throws DronemapFault {
         return act(
-                droneId, new CommandRequest("goTo", null, null, null, latitude, longitude, altitude, null, null, null));
+                droneId,
+                new CommandRequest(
+                        "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null));
     }
 
     @Override
@@ -97,7 +106,10 @@ public class ControllerService implements MAVLinkController {
         List<MissionItemView> items = waypoints == null
                 ? null
                 : waypoints.stream().map(SoapWaypoint::view).toList();
-        return act(droneId, new CommandRequest("uploadMission", null, null, null, null, null, null, null, items, null));
+        return act(
+                droneId,
+                new CommandRequest(
+                        "uploadMission", null, null, null, null, null, null, null, items, null, null, null, null));
     }
 
     @Override
@@ -125,6 +137,27 @@ public class ControllerService implements MAVLinkController {
     @Override
     public SoapOutcome clearMission(String droneId) throws DronemapFault {
         return act(droneId, CommandRequest.simple("clearMission"));
+    }
+
+    @Override
+    public SoapOutcome turn(String droneId, @Nullable Double degrees) throws DronemapFault {
+        return act(
+                droneId,
+                new CommandRequest("turn", null, null, null, null, null, null, null, null, null, degrees, null, null));
+    }
+
+    @Override
+    public SoapOutcome takePicture(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("takePicture"));
+    }
+
+    @Override
+    public SoapOutcome setRelay(String droneId, @Nullable Integer relay, @Nullable String setting)
+            throws DronemapFault {
+        return act(
+                droneId,
+                new CommandRequest(
+                        "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting));
     }
 
     @Override

@@ -86,6 +86,25 @@ public interface MAVLinkController {
     @WebResult(name = OUTCOME)
     SoapOutcome clearMission(@WebParam(name = DRONE) String droneId) throws DronemapFault;
 
+    /** Degrees from where it looks now, clockwise when positive. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome turn(@WebParam(name = DRONE) String droneId, @WebParam(name = "degrees") @Nullable Double degrees)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome takePicture(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** {@code setting}: off, on or toggle. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome setRelay(
+            @WebParam(name = DRONE) String droneId,
+            @WebParam(name = "relay") @Nullable Integer relay,
+            @WebParam(name = "setting") @Nullable String setting)
+            throws DronemapFault;
+
     @WebMethod
     @WebResult(name = OUTCOME)
     SoapOutcome getCommand(@WebParam(name = "commandId") String commandId) throws DronemapFault;

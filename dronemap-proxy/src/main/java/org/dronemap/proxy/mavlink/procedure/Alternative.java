@@ -43,6 +43,11 @@ public final class Alternative implements Exchange {
     }
 
     @Override
+    public void cancel(long nowNanos) {
+        current.cancel(nowNanos);
+    }
+
+    @Override
     public @Nullable Outcome outcome() {
         return current.outcome();
     }

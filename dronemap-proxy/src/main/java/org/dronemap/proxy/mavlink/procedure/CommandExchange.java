@@ -1,44 +1,41 @@
 package org.dronemap.proxy.mavlink.procedure;
 
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
-import java.util.List;
-import java.util.Set;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.CommandCancel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Carries one MAV_CMD out: sent up to nine times with rising confirmation until it is acknowledged or seen to be done;
- * a refusal waits for the sentence that the vehicle says about it.
+ * Carries one MAV_CMD out: sent with rising confirmation, as often as its retry class allows, until it is acknowledged or
+ * seen to be done; a refusal waits for the sentence that the vehicle says about it.
  */
 public final class CommandExchange implements Exchange {
-    private static final int TRIES = 9;
-    private static final long BETWEEN_TRIES_NANOS = 800_000_000L;
     private static final long DEADLINE_NANOS = 8_000_000_000L;
+    private static final long VERIFIED_DEADLINE_NANOS = 15_000_000_000L;
     private static final long IN_PROGRESS_NANOS = 30_000_000_000L;
-    private static final long REASON_BEFORE_NANOS = 500_000_000L;
-    private static final long REASON_AFTER_NANOS = 1_000_000_000L;
-    private static final long MORE_REASONS_NANOS = 250_000_000L;
-    private static final int MAX_SENTENCES = 4;
-
-    /** A sentence of the vehicle that may be why it refused. */
-    private record Sentence(Severity severity, String text, long atNanos) {}
+    private static final long ASK_PROGRESS_NANOS = 5_000_000_000L;
+    /** A refused repetition may follow a first try that acted: so long its effect may take to show. */
+    private static final long EFFECT_NANOS = 3_000_000_000L;
+    /** Who said nothing for so long after accepting cannot be called failed. */
+    private static final long SILENCE_NANOS = 2_000_000_000L;
 
     private final Target target;
     private final CommandRequest request;
     private final Observer observer;
-    private final List<Sentence> sentences = new ArrayList<>();
+    private final RefusalReason reasons = new RefusalReason();
+    private Pace pace = new Pace(0, 0, 0);
     private boolean seenAtStart;
     private int tries;
+    private long settledNanos;
     private long lastSentNanos;
     private long lastHeardNanos;
     private long deadlineNanos;
     private boolean accepted;
     private long acceptedNanos;
     private boolean inProgress;
+    private long lastProgressNanos;
     private int refusal;
     private long refusedNanos;
     private @Nullable Outcome outcome;
@@ -52,9 +49,17 @@ public final class CommandExchange implements Exchange {
     @Override
     public void start(long nowNanos) {
         seenAtStart = request.proof().seen().getAsBoolean();
-        deadlineNanos = nowNanos + DEADLINE_NANOS;
+        pace = switch (request.retry()) {
+            case REPEATABLE -> Pace.of(target.roundTrip(), DEADLINE_NANOS);
+            case VERIFY_FIRST -> Pace.of(target.roundTrip(), VERIFIED_DEADLINE_NANOS);
+            case ONCE -> Pace.single(target.roundTrip(), DEADLINE_NANOS);
+        };
+        settledNanos = target.ledger().settledNanos(request.command(), nowNanos, target.roundTrip());
+        deadlineNanos = settledNanos + pace.deadlineNanos();
         lastHeardNanos = nowNanos;
-        send(nowNanos);
+        if (request.retry() != CommandRequest.Retry.ONCE || settledNanos - nowNanos <= 0) {
+            send(nowNanos);
+        }
     }
 
     @Override
@@ -66,18 +71,26 @@ public final class CommandExchange implements Exchange {
         if (frame.messageId() == CommandAck.ID) {
             CommandAck ack = CommandAck.decode(frame);
             if (ack.command() == request.command() && Target.isForUs(ack.targetSystem())) {
-                acknowledged(ack, nowNanos);
+                heardOf(ack, nowNanos);
             }
         }
         look();
     }
 
+    /** What comes before an earlier exchange of this command has settled may belong to that one. */
+    private void heardOf(CommandAck ack, long nowNanos) {
+        target.ledger().crossed(ack.command(), nowNanos);
+        if (tries > 0 && nowNanos - settledNanos >= 0) {
+            if (tries == 1 && !inProgress && !accepted) {
+                target.roundTrip().measured(nowNanos - lastSentNanos);
+            }
+            acknowledged(ack, nowNanos);
+        }
+    }
+
     @Override
     public void said(Severity severity, String text, long nowNanos) {
-        if (sentences.size() == MAX_SENTENCES) {
-            sentences.remove(0);
-        }
-        sentences.add(new Sentence(severity, text, nowNanos));
+        reasons.said(severity, text, nowNanos);
     }
 
     @Override
@@ -89,21 +102,38 @@ public final class CommandExchange implements Exchange {
         if (refusal != 0) {
             concludeRefusal(nowNanos);
         } else if (accepted) {
-            if (nowNanos - acceptedNanos > request.proof().patience().toNanos()) {
-                outcome = new Outcome.Failed(request.proof().unseen());
-            }
+            concludeAccepted(nowNanos);
         } else if (nowNanos - deadlineNanos >= 0) {
-            outcome = inProgress
-                    ? new Outcome.Unknown("The vehicle began, but never said that it finished.")
-                    : noAnswer(DEADLINE_NANOS, tries);
-        } else if (mayResend(nowNanos)) {
+            outcome = unanswered();
+        } else if (maySend(nowNanos)) {
             send(nowNanos);
         }
     }
 
+    @Override
+    public void cancel(long nowNanos) {
+        if (outcome == null && inProgress && !accepted) {
+            target.send(new CommandCancel(target.systemId(), target.componentId(), request.command()));
+        }
+    }
+
+    private Outcome unanswered() {
+        if (inProgress) {
+            return new Outcome.Unknown("The vehicle began, but never said that it finished.");
+        }
+        if (request.retry() == CommandRequest.Retry.ONCE) {
+            return new Outcome.Unknown("It was sent once and not acknowledged within " + pace.deadline()
+                    + "; the vehicle may have carried it out or not.");
+        }
+        return noAnswer(pace.deadline(), tries);
+    }
+
     static Outcome noAnswer(long withinNanos, int tries) {
-        return new Outcome.TimedOut(
-                "No answer from the vehicle within " + withinNanos / 1_000_000_000L + " s (" + tries + " tries).");
+        return noAnswer(withinNanos / 1_000_000_000L + " s", tries);
+    }
+
+    private static Outcome noAnswer(String within, int tries) {
+        return new Outcome.TimedOut("No answer from the vehicle within " + within + " (" + tries + " tries).");
     }
 
     @Override
@@ -111,41 +141,70 @@ public final class CommandExchange implements Exchange {
         return outcome;
     }
 
-    private boolean mayResend(long nowNanos) {
-        return !inProgress
-                && tries < TRIES
-                && nowNanos - lastSentNanos >= BETWEEN_TRIES_NANOS
-                && (request.retry() == CommandRequest.Retry.REPEATABLE || lastHeardNanos - lastSentNanos > 0);
+    private boolean maySend(long nowNanos) {
+        if (tries == 0) {
+            return nowNanos - settledNanos >= 0;
+        }
+        long pause = pace.pauseNanos(tries);
+        if (nowNanos - lastSentNanos < pause || deadlineNanos - nowNanos < pace.firstNanos()) {
+            return false;
+        }
+        return switch (request.retry()) {
+            case ONCE -> false;
+            // What was said later than an answer takes shows the vehicle as the last try left it.
+            case VERIFY_FIRST -> !inProgress && lastHeardNanos - lastSentNanos >= pace.firstNanos();
+            case REPEATABLE ->
+                !inProgress || nowNanos - Math.max(lastProgressNanos, lastSentNanos) >= ASK_PROGRESS_NANOS;
+        };
     }
 
     private void send(long nowNanos) {
         target.send(request.message().apply(tries));
+        target.ledger().crossed(request.command(), nowNanos);
+        if (tries == 0) {
+            deadlineNanos = nowNanos + pace.deadlineNanos();
+        } else if (tries == 1) {
+            target.roundTrip().repeated();
+        }
         tries++;
         lastSentNanos = nowNanos;
     }
 
     private void acknowledged(CommandAck ack, long nowNanos) {
         if (ack.result() == MavResult.ACCEPTED) {
+            refusal = 0;
             if (!accepted) {
                 accepted = true;
                 acceptedNanos = nowNanos;
                 observer.accepted();
             }
         } else if (ack.result() == MavResult.IN_PROGRESS) {
-            if (!inProgress) {
-                inProgress = true;
-                observer.accepted();
-            }
-            deadlineNanos = nowNanos + IN_PROGRESS_NANOS;
+            progressed(ack, nowNanos);
         } else if (refusal == 0 && !accepted) {
             refusal = ack.result();
             refusedNanos = nowNanos;
         }
     }
 
+    private void progressed(CommandAck ack, long nowNanos) {
+        if (!inProgress) {
+            inProgress = true;
+            observer.accepted();
+        }
+        if (ack.progress() > 0 && ack.progress() <= 100) {
+            observer.progress(ack.progress(), 100);
+        }
+        lastProgressNanos = nowNanos;
+        deadlineNanos = nowNanos + IN_PROGRESS_NANOS;
+    }
+
     /** Done is done, whether or not the acknowledgement came; but what was so before proves nothing. */
     private void look() {
-        if (outcome != null || refusal != 0 || !request.proof().seen().getAsBoolean()) {
+        boolean refusedAtOnce = refusal != 0 && tries == 1;
+        if (outcome != null
+                || tries == 0
+                || refusedAtOnce
+                || !request.proof().seen().getAsBoolean()) {
             return;
         }
         if (accepted || (!seenAtStart && lastHeardNanos - lastSentNanos >= 0)) {
@@ -153,23 +212,22 @@ public final class CommandExchange implements Exchange {
         }
     }
 
-    private void concludeRefusal(long nowNanos) {
-        Set<String> grave = new LinkedHashSet<>();
-        Set<String> any = new LinkedHashSet<>();
-        long newest = refusedNanos - REASON_BEFORE_NANOS;
-        for (Sentence sentence : sentences) {
-            if (sentence.atNanos() >= refusedNanos - REASON_BEFORE_NANOS) {
-                any.add(sentence.text());
-                newest = Math.max(newest, sentence.atNanos());
-                if (sentence.severity().compareTo(Severity.WARNING) <= 0) {
-                    grave.add(sentence.text());
-                }
-            }
+    private void concludeAccepted(long nowNanos) {
+        if (nowNanos - acceptedNanos > request.proof().patience().toNanos()) {
+            outcome = nowNanos - lastHeardNanos < SILENCE_NANOS
+                    ? new Outcome.Failed(request.proof().unseen())
+                    : new Outcome.Unknown(
+                            "The vehicle accepted it and then fell silent, before it was seen to be done.");
         }
-        boolean enough = !grave.isEmpty() && nowNanos - Math.max(newest, refusedNanos) >= MORE_REASONS_NANOS;
-        if (enough || nowNanos - refusedNanos >= REASON_AFTER_NANOS) {
-            Set<String> reasons = grave.isEmpty() ? any : grave;
-            String reason = reasons.isEmpty() ? MavResult.words(refusal) : String.join("; ", reasons);
+    }
+
+    private void concludeRefusal(long nowNanos) {
+        boolean mayShowStill = tries > 1 && !seenAtStart;
+        if (mayShowStill && nowNanos - refusedNanos < EFFECT_NANOS) {
+            return;
+        }
+        String reason = reasons.of(refusedNanos, MavResult.words(refusal), nowNanos);
+        if (reason != null) {
             outcome = new Outcome.Refused("vehicle", reason);
         }
     }

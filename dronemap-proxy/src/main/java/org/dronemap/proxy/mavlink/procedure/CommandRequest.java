@@ -21,7 +21,9 @@ public record CommandRequest(IntFunction<Message> message, int command, Retry re
         /** Doing it twice is doing it once. */
         REPEATABLE,
         /** Sent again only after a sign of the vehicle that does not show it done. */
-        VERIFY_FIRST
+        VERIFY_FIRST,
+        /** Never sent again: twice would be once too often. */
+        ONCE
     }
 
     /** {@code seen} shows that it came about, within {@code patience} of the acceptance; else {@code unseen} is said. */
@@ -58,5 +60,9 @@ public record CommandRequest(IntFunction<Message> message, int command, Retry re
 
     public CommandRequest verifyFirst() {
         return new CommandRequest(message, command, Retry.VERIFY_FIRST, proof);
+    }
+
+    public CommandRequest once() {
+        return new CommandRequest(message, command, Retry.ONCE, proof);
     }
 }

@@ -17,6 +17,9 @@ public interface Exchange {
 
     void tick(long nowNanos);
 
+    /** Nobody waits for it any more: tells the vehicle to stop where it can, and sends nothing after that. */
+    default void cancel(long nowNanos) {}
+
     /** Null as long as it is under way. */
     @Nullable
     Outcome outcome();

@@ -65,6 +65,13 @@ public final class Sequence implements Exchange {
     }
 
     @Override
+    public void cancel(long nowNanos) {
+        if (current != null) {
+            current.cancel(nowNanos);
+        }
+    }
+
+    @Override
     public @Nullable Outcome outcome() {
         return outcome;
     }

@@ -3,13 +3,23 @@ package org.dronemap.proxy.mavlink.procedure;
 import java.util.function.Consumer;
 import org.dronemap.mavlink.Message;
 
-/** Who is talked to: the vehicle's system and component id, and the way down to it. */
-public record Target(int systemId, int componentId, Consumer<Message> down) {
+/**
+ * Who is talked to: the vehicle's system and component id, the way down to it, and what talking to it has taught.
+ *
+ * @param roundTrip how long its answers take
+ * @param ledger which commands crossed the wire when
+ */
+public record Target(int systemId, int componentId, Consumer<Message> down, RoundTrip roundTrip, CommandLedger ledger) {
     /** The cloud's own system id: what autopilots expect of their ground station. */
     public static final int OWN_SYSTEM_ID = 255;
 
     /** MAV_COMP_ID_MISSIONPLANNER. */
     public static final int OWN_COMPONENT_ID = 190;
+
+    /** Somebody of whom nothing is known yet. */
+    public Target(int systemId, int componentId, Consumer<Message> down) {
+        this(systemId, componentId, down, new RoundTrip(), new CommandLedger());
+    }
 
     public void send(Message message) {
         down.accept(message);

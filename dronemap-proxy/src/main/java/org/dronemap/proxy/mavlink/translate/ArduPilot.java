@@ -34,6 +34,8 @@ final class ArduPilot implements Autopilot {
     private static final String AUTO = "AUTO";
     private static final String GUIDED = "GUIDED";
     private static final int NAV_TAKEOFF = 22;
+    private static final int CONDITION_YAW = 115;
+    private static final float RELATIVE = 1f;
     private static final int FRAME_RELATIVE = 6;
     private static final int FRAME_GLOBAL = 5;
     private static final int STANDBY = 3;
@@ -86,7 +88,8 @@ final class ArduPilot implements Autopilot {
 
     @Override
     public Capabilities capabilities() {
-        Set<Capability> can = EnumSet.of(Capability.ARM, Capability.DISARM, Capability.SET_MODE);
+        Set<Capability> can = EnumSet.of(
+                Capability.ARM, Capability.DISARM, Capability.SET_MODE, Capability.TAKE_PICTURE, Capability.SET_RELAY);
         if (table.has(AUTO)) {
             can.addAll(EnumSet.of(
                     Capability.UPLOAD_MISSION,
@@ -106,6 +109,9 @@ final class ArduPilot implements Autopilot {
         }
         if (table == ModeTable.COPTER || kind == VehicleKind.VTOL) {
             can.add(Capability.TAKE_OFF);
+        }
+        if (table == ModeTable.COPTER) {
+            can.add(Capability.TURN);
         }
         return new Capabilities(can, modes());
     }
@@ -150,6 +156,19 @@ final class ArduPilot implements Autopilot {
         }
         if (command instanceof Command.GoTo goTo) {
             return goTo(cockpit, goTo);
+        }
+        return planPayload(command, cockpit);
+    }
+
+    private Exchange planPayload(Command command, Cockpit cockpit) {
+        if (command instanceof Command.Turn turn) {
+            return turn(cockpit, turn.degrees());
+        }
+        if (command instanceof Command.TakePicture) {
+            return Maneuvers.picture(cockpit);
+        }
+        if (command instanceof Command.SetRelay relay) {
+            return Maneuvers.relay(cockpit, relay);
         }
         return planMission(command, cockpit);
     }
@@ -205,6 +224,14 @@ final class ArduPilot implements Autopilot {
                                         cockpit.target(), NAV_TAKEOFF, parameters, Maneuvers.climbing(cockpit.status()))
                                 .verifyFirst(),
                         cockpit.observer()))));
+    }
+
+    private Exchange turn(Cockpit cockpit, double degrees) {
+        float direction = degrees < 0 ? -1f : 1f;
+        return new Sequence(List.of(
+                guided(cockpit),
+                Sequence.Step.of(() ->
+                        Maneuvers.once(cockpit, CONDITION_YAW, (float) Math.abs(degrees), 0f, direction, RELATIVE))));
     }
 
     private Exchange goTo(Cockpit cockpit, Command.GoTo command) {

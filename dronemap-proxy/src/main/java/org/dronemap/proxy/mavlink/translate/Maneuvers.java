@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.mission.MissionComparison;
@@ -27,6 +28,9 @@ final class Maneuvers {
     static final int DO_REPOSITION = 192;
     static final int MISSION_START = 300;
     static final int ARM_DISARM = 400;
+    private static final int DO_SET_RELAY = 181;
+    private static final int DO_DIGICAM_CONTROL = 203;
+    private static final int IMAGE_START_CAPTURE = 2000;
     private static final float FORCE = 21196f;
     private static final float CUSTOM_MODE = 1f;
     private static final double CLIMBED_METERS = 1;
@@ -35,6 +39,34 @@ final class Maneuvers {
     private static final Duration TO_CLIMB = Duration.ofSeconds(25);
 
     private Maneuvers() {}
+
+    /** A command of which twice would be once too often. */
+    static CommandExchange once(Cockpit cockpit, int command, float... parameters) {
+        return new CommandExchange(
+                cockpit.target(),
+                CommandRequest.ofLong(cockpit.target(), command, parameters, CommandRequest.Proof.ACKNOWLEDGED)
+                        .once(),
+                cockpit.observer());
+    }
+
+    /** The newer command for cameras, and where it is not known the older one. */
+    static Exchange picture(Cockpit cockpit) {
+        CommandExchange capture =
+                once(cockpit, IMAGE_START_CAPTURE, 0f, 0f, 1f, cockpit.status().nextPicture());
+        return new Alternative(
+                capture,
+                refused -> capture.isUnknownToVehicle(),
+                () -> once(cockpit, DO_DIGICAM_CONTROL, 0f, 0f, 0f, 0f, 1f));
+    }
+
+    static Exchange relay(Cockpit cockpit, Command.SetRelay command) {
+        float setting = switch (command.setting()) {
+            case OFF -> 0f;
+            case ON -> 1f;
+            case TOGGLE -> 2f;
+        };
+        return once(cockpit, DO_SET_RELAY, command.relay(), setting);
+    }
 
     static Exchange arm(Cockpit cockpit) {
         CommandRequest.Proof proof = new CommandRequest.Proof(

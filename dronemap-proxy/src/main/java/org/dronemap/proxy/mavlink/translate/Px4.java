@@ -100,7 +100,7 @@ final class Px4 implements Autopilot {
 
     @Override
     public Capabilities capabilities() {
-        Set<Capability> can = EnumSet.allOf(Capability.class);
+        Set<Capability> can = EnumSet.complementOf(EnumSet.of(Capability.TURN, Capability.SET_RELAY));
         if (kind == VehicleKind.ROVER || kind == VehicleKind.BOAT || kind == VehicleKind.SUBMARINE) {
             can.removeAll(EnumSet.of(Capability.TAKE_OFF, Capability.LAND));
         }
@@ -140,6 +140,9 @@ final class Px4 implements Autopilot {
         }
         if (command instanceof Command.GoTo goTo) {
             return goTo(cockpit, goTo);
+        }
+        if (command instanceof Command.TakePicture) {
+            return Maneuvers.picture(cockpit);
         }
         return planMission(command, cockpit);
     }

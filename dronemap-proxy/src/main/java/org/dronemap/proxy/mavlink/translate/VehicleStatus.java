@@ -23,6 +23,8 @@ public final class VehicleStatus {
     private int currentSeq = -1;
     private int lastSeqReached = -1;
     private int missionItems = -1;
+    /** Begins anywhere, so that a camera never takes a new picture for the repetition of an old one. */
+    private int pictures = (int) (System.nanoTime() / 1_000_000_000L % 1_000_000);
 
     /** {@code type} is the MAV_TYPE, which makes the session. */
     public VehicleStatus(int type) {
@@ -36,6 +38,11 @@ public final class VehicleStatus {
     public boolean armed() {
         Heartbeat last = heartbeat;
         return last != null && (last.baseMode() & ARMED_FLAG) != 0;
+    }
+
+    /** Numbers pictures, so that a camera knows a repeated order. */
+    int nextPicture() {
+        return ++pictures;
     }
 
     public boolean inMode(String name) {

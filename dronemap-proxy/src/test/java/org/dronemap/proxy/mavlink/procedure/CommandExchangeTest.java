@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.CommandCancel;
 import org.dronemap.mavlink.message.CommandLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -89,8 +90,14 @@ class CommandExchangeTest {
     @Test
     void failsWhenAcceptedButNeverSeen() {
         wire.peer((w, message) -> w.answer(ack(0)));
+        CommandExchange exchange = exchange(seen(() -> false));
+        exchange.start(wire.now());
+        for (int i = 0; i < 7; i++) {
+            wire.run(exchange, 1);
+            exchange.heard(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
+        }
 
-        assertThat(wire.runWhole(exchange(seen(() -> false)))).isEqualTo(new Outcome.Failed("It did not arm."));
+        assertThat(exchange.outcome()).isEqualTo(new Outcome.Failed("It did not arm."));
         assertThat(wire.sent()).hasSize(1);
     }
 
@@ -126,15 +133,129 @@ class CommandExchangeTest {
     }
 
     @Test
-    void waitsLongerWhileInProgress() {
+    void waitsAsLongAsTheVehicleSaysThatItIsAtIt() {
         wire.peer((w, message) -> w.answer(ack(5)));
         CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
         exchange.start(wire.now());
-        wire.run(exchange, 20);
+        for (int second = 0; second < 60; second++) {
+            wire.run(exchange, 1);
+            exchange.heard(wire.frame(ack(5)), wire.now());
+        }
         exchange.heard(wire.frame(ack(0)), wire.now());
 
         assertThat(wire.run(exchange, 1)).isEqualTo(DONE);
         assertThat(wire.sent()).hasSize(1);
+    }
+
+    @Test
+    void asksAgainWhenTheWordThatItIsFinishedWasLost() {
+        wire.peer((w, message) -> w.answer(ack(((CommandLong) message).confirmation() == 0 ? 5 : 0)));
+
+        assertThat(wire.runWhole(exchange(CommandRequest.Proof.ACKNOWLEDGED))).isEqualTo(DONE);
+        assertThat(wire.sent()).hasSize(2);
+    }
+
+    @Test
+    void tellsTheVehicleToStopWhenCancelledHalfWay() {
+        wire.peer((w, message) -> w.answer(ack(5)));
+        CommandExchange exchange = exchange(CommandRequest.Proof.ACKNOWLEDGED);
+        exchange.start(wire.now());
+        exchange.cancel(wire.now());
+        assertThat(wire.sent(CommandCancel.class)).isEmpty();
+        wire.run(exchange, 1);
+        exchange.cancel(wire.now());
+
+        assertThat(wire.sent(CommandCancel.class)).containsExactly(new CommandCancel(1, 1, ARM));
+    }
+
+    @Test
+    void sendsAnOnceOnlyCommandOnceAndDoesNotPretendToKnow() {
+        wire.peer((w, message) -> w.answer(new CommandAck(999, 0, 0, 0, 255, 190)));
+        CommandExchange exchange = new CommandExchange(
+                wire.target(), request(CommandRequest.Proof.ACKNOWLEDGED).once(), Observer.NONE);
+
+        assertThat(wire.runWhole(exchange)).isInstanceOf(Outcome.Unknown.class);
+        assertThat(wire.sent()).hasSize(1);
+    }
+
+    @Test
+    void doesNotTakeTheLateEchoOfAnEarlierCommandForItsOwn() {
+        Target target = wire.target();
+        wire.peer((w, message) -> w.answer(ack(0)));
+        CommandRequest picture = request(CommandRequest.Proof.ACKNOWLEDGED).once();
+        assertThat(wire.runWhole(new CommandExchange(target, picture, Observer.NONE)))
+                .isEqualTo(DONE);
+        // The network doubles the acknowledgement of the first and loses the second command.
+        wire.peer((w, message) -> {});
+        wire.answer(ack(0));
+
+        assertThat(wire.runWhole(new CommandExchange(target, picture, Observer.NONE)))
+                .isInstanceOf(Outcome.Unknown.class);
+        assertThat(wire.sent()).hasSize(2);
+    }
+
+    @Test
+    void measuresHowLongAnswersTakeAndAsksAgainSoonerOnAQuickLink() {
+        Target target = wire.target();
+        wire.peer((w, message) -> w.answer(ack(0)));
+        for (int i = 0; i < 8; i++) {
+            wire.runWhole(new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE));
+            wire.run(new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE), 2);
+        }
+        assertThat(target.roundTrip().timeoutNanos()).isLessThan(RoundTrip.FIRST_TIMEOUT_NANOS / 2);
+        int before = wire.sent().size();
+        wire.peer((w, message) -> {});
+        CommandExchange unheard =
+                new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE);
+        unheard.start(wire.now());
+        wire.run(unheard, 0.5);
+
+        assertThat(wire.sent().size() - before).isEqualTo(2);
+    }
+
+    @Test
+    void givesASlowLinkItsNineTries() {
+        Target target = wire.target();
+        for (int i = 0; i < 20; i++) {
+            target.roundTrip().measured(i % 2 == 0 ? 700_000_000L : 1_300_000_000L);
+        }
+        long before = wire.now();
+
+        Outcome outcome =
+                wire.runWhole(new CommandExchange(target, request(CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE));
+
+        assertThat(wire.sent()).hasSizeGreaterThanOrEqualTo(9);
+        assertThat(outcome).isInstanceOf(Outcome.TimedOut.class);
+        double took = (wire.now() - before) / 1e9;
+        assertThat(((Outcome.TimedOut) outcome).reason())
+                .contains(String.format(java.util.Locale.ROOT, "within %.1f s", took));
+    }
+
+    @Test
+    void believesWhatItSeesMoreThanTheRefusalOfARepetition() {
+        AtomicBoolean climbing = new AtomicBoolean();
+        wire.peer((w, message) -> {
+            boolean first = ((CommandLong) message).confirmation() == 0;
+            w.answer(first ? new CommandAck(999, 0, 0, 0, 255, 190) : ack(4));
+        });
+        CommandExchange takeOff =
+                new CommandExchange(wire.target(), request(seen(climbing::get)).verifyFirst(), Observer.NONE);
+        takeOff.start(wire.now());
+        for (int i = 0; i < 8; i++) {
+            wire.run(takeOff, 0.25);
+            takeOff.heard(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
+        }
+        assertThat(wire.sent()).hasSize(2);
+        climbing.set(true);
+
+        assertThat(wire.run(takeOff, 2)).isEqualTo(DONE);
+    }
+
+    @Test
+    void doesNotCallFailedWhoFellSilentAfterAccepting() {
+        wire.peer((w, message) -> w.answer(ack(0)));
+
+        assertThat(wire.runWhole(exchange(seen(() -> false)))).isInstanceOf(Outcome.Unknown.class);
     }
 
     @Test

@@ -1,0 +1,109 @@
+"""A bad link: a UDP relay that delays, loses, doubles and reorders, the same way for the same seed."""
+
+import heapq
+import itertools
+import random
+import selectors
+import socket
+import threading
+import time
+from dataclasses import dataclass
+
+LOOPBACK = "127.0.0.1"
+
+
+@dataclass(frozen=True)
+class Weather:
+    """How bad the link is, in each direction. Datagrams overtake each other as their delays differ."""
+
+    delay: float = 0.0
+    jitter: float = 0.0
+    loss: float = 0.0
+    duplication: float = 0.0
+
+
+CLEAR = Weather()
+CUT = Weather(loss=1.0)
+BAD = Weather(delay=0.5, jitter=0.2, loss=0.1, duplication=0.02)
+
+
+class Impairer:
+    """Stands between vehicles, which call `port`, and a server, which sees one port for each vehicle."""
+
+    def __init__(self, server_port: int, seed: int = 1, weather: Weather = CLEAR) -> None:
+        self.weather = weather
+        self.carried = 0
+        self.lost = 0
+        self._server = (LOOPBACK, server_port)
+        self._random = random.Random(seed)
+        self._front = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._front.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
+        self._front.bind((LOOPBACK, 0))
+        self.port: int = self._front.getsockname()[1]
+        self._backs: dict[tuple[str, int], socket.socket] = {}
+        self._due: list[tuple[float, int, socket.socket, tuple[str, int], bytes]] = []
+        self._order = itertools.count()
+        self._selector = selectors.DefaultSelector()
+        self._selector.register(self._front, selectors.EVENT_READ, None)
+        self._closed = False
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def seen_by_server(self, vehicle_port: int) -> int:
+        """The port that the server knows a vehicle by."""
+        port: int = self._backs[(LOOPBACK, vehicle_port)].getsockname()[1]
+        return port
+
+    def close(self) -> None:
+        self._closed = True
+        self._thread.join()
+        for back in self._backs.values():
+            back.close()
+        self._front.close()
+        self._selector.close()
+
+    def _run(self) -> None:
+        while not self._closed:
+            pause = max(0.0, self._due[0][0] - time.monotonic()) if self._due else 0.05
+            for key, _ in self._selector.select(min(pause, 0.05)):
+                self._read(key.fileobj, key.data)
+            self._deliver()
+
+    def _read(self, source: object, vehicle: tuple[str, int] | None) -> None:
+        assert isinstance(source, socket.socket)
+        try:
+            data, sender = source.recvfrom(65535)
+        except ConnectionError:
+            return
+        if vehicle is None:
+            self._carry(self._back(sender), self._server, data)
+        else:
+            self._carry(self._front, vehicle, data)
+
+    def _back(self, vehicle: tuple[str, int]) -> socket.socket:
+        if vehicle not in self._backs:
+            back = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+            back.bind((LOOPBACK, 0))
+            self._backs[vehicle] = back
+            self._selector.register(back, selectors.EVENT_READ, vehicle)
+        return self._backs[vehicle]
+
+    def _carry(self, way: socket.socket, to: tuple[str, int], data: bytes) -> None:
+        weather = self.weather
+        if self._random.random() < weather.loss:
+            self.lost += 1
+            return
+        copies = 2 if self._random.random() < weather.duplication else 1
+        for _ in range(copies):
+            delay = weather.delay + self._random.uniform(-weather.jitter, weather.jitter)
+            heapq.heappush(self._due, (time.monotonic() + delay, next(self._order), way, to, data))
+
+    def _deliver(self) -> None:
+        now = time.monotonic()
+        while self._due and self._due[0][0] <= now:
+            _, _, way, to, data = heapq.heappop(self._due)
+            self.carried += 1
+            try:
+                way.sendto(data, to)
+            except ConnectionError:
+                continue
