@@ -75,7 +75,7 @@ fail_from_server_log() { # SENTENCE
     local said
     said=$(tail -c "+$((${LOG_START:-0} + 1))" "$LOGS/server.log" 2>/dev/null || true)
     stop_everything >/dev/null
-    if grep -qE 'No space left on device|could not extend file|Disk quota exceeded' <<<"$said"; then
+    if grep -qE 'No space left on device|could not extend file|Disk quota exceeded|[Tt]he disk (that holds .* |of the database )?is full' <<<"$said"; then
         fail "$EXIT_DISK" "$1 The disk that holds $DATA is full: make room and run ./dronemap up again."
     elif grep -qE 'Address already in use|PortInUseException' <<<"$said"; then
         fail "$EXIT_PORT" "$1 A port is taken: $(grep -m 1 -E 'Address already in use|PortInUseException' <<<"$said" | tail -c 200)"

@@ -13,7 +13,7 @@ import pytest
 
 from .conftest import Checkout, copy_tree, needs_root
 
-USAGE, RIGHTS, PORT, DISK, NETWORK = 2, 3, 4, 5, 6
+USAGE, RIGHTS, PORT, DISK, NETWORK, START = 2, 3, 4, 5, 6, 8
 INTERRUPTED = 130
 NOBODY = 65534
 
@@ -136,6 +136,31 @@ def test_says_that_the_disk_of_the_data_is_full(built: Checkout, tmp_path: Path)
         outcome = built.run("up", "--no-demo", DRONEMAP_DATA_DIR=str(disk / "data"))
     assert outcome.returncode == DISK, outcome.stderr
     assert "full" in outcome.stderr or "MB free" in outcome.stderr
+
+
+@pytest.mark.parametrize(
+    ("said", "code"),
+    [
+        ("The disk that holds /data/postgres is full: the database needs 300 MB to start with.", DISK),
+        ("The disk of the database is full; free some space, nothing was lost.", DISK),
+        ("FATAL: could not write lock file: No space left on device", DISK),
+        ("java.net.BindException: Address already in use", PORT),
+        ("java.lang.OutOfMemoryError: Java heap space", START),
+    ],
+)
+def test_tells_from_the_servers_own_words_why_it_did_not_start(
+    checkout: Checkout, said: str, code: int
+) -> None:
+    log = checkout.path / "server.log"
+    log.write_text(f"What an earlier run said: Disk quota exceeded\n{said}\n")
+    earlier = len(log.read_bytes().splitlines(keepends=True)[0])
+    status = checkout.inside(
+        f". {checkout.path}/scripts/lib/ready.sh",
+        f"LOGS={checkout.path} DATA={checkout.path} LOG_START={earlier}",
+        "stop_everything() { :; }",
+        "(fail_from_server_log 'It ended.') >/dev/null 2>&1 || echo $?",
+    )
+    assert int(status) == code
 
 
 @needs_root
