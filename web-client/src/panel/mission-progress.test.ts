@@ -6,7 +6,7 @@ import MissionProgress from './MissionProgress.svelte';
 const MISSION: VehicleMission = {
   items: [
     { type: 'takeOff', altitude: 10 },
-    { type: 'waypoint', latitude: 47.4, longitude: 8.5, altitude: 10 },
+    { type: 'waypoint', latitude: 47.4, longitude: 8.5, altitude: 10, altitudeReference: 'home' },
   ],
   current: 1,
   reached: [0],
