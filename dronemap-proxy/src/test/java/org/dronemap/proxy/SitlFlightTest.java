@@ -78,7 +78,8 @@ class SitlFlightTest {
     }
 
     private static void fly(TestCloud cloud) {
-        DroneState drone = cloud.awaitDrone(state -> state.identification().firmware() != null);
+        DroneState drone = cloud.awaitDrone(state -> state.identification().firmware() != null
+                && state.capabilities().known());
         DroneId id = drone.id();
         assertThat(drone.identification().kind()).isEqualTo(VehicleKind.MULTICOPTER);
         assertThat(drone.identification().vehicle()).isEqualTo("ArduCopter");

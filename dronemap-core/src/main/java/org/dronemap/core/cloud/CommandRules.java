@@ -23,6 +23,9 @@ public final class CommandRules {
         if (drone.link().state() == LinkState.LOST) {
             return Optional.of("There is no contact with the drone; a command would not reach it.");
         }
+        if (!drone.capabilities().known()) {
+            return Optional.of("It is not known yet what this vehicle can do; try again in a moment.");
+        }
         if (!drone.capabilities().commands().contains(capability)) {
             return Optional.of(
                     "This vehicle (" + drone.identification().vehicle() + ") cannot " + capability.phrase() + ".");

@@ -39,7 +39,7 @@ final class Drone {
     private @Nullable Instant lastHeard;
     private LinkQuality quality = LinkQuality.UNKNOWN;
     private Identification identification;
-    private Capabilities capabilities = Capabilities.NONE;
+    private Capabilities capabilities = Capabilities.UNKNOWN;
     private @Nullable String mode;
     private @Nullable Boolean armed;
     private @Nullable Boolean readyToArm;

@@ -126,6 +126,17 @@ class CommandGateTest {
     }
 
     @Test
+    void doesNotSayThatAVehicleCannotWhatItWasNotAskedYet() {
+        link = cloud.connect(session(false, 5002), Fixtures.copter(null));
+
+        CommandRecord refused = gate.submit(OPERATOR, link.id(), id("early-001"), new Command.Arm());
+
+        assertThat(refused.outcome())
+                .isEqualTo(new Outcome.Refused(
+                        "gate", "It is not known yet what this vehicle can do; try again in a moment."));
+    }
+
+    @Test
     void neverCommandsARecording() {
         DroneLink recording = cloud.connect(session(true), Fixtures.copter(null));
         on(recording, new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
@@ -194,7 +205,11 @@ class CommandGateTest {
     }
 
     private LinkSession session(boolean replay) {
-        return new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", replay, "ArduCopter 1", vehicle);
+        return session(replay, 14601);
+    }
+
+    private LinkSession session(boolean replay, int port) {
+        return new LinkSession(new DroneKey("127.0.0.1", port, 1), "udp", replay, "ArduCopter 1", vehicle);
     }
 
     private void hear(DroneEvent event) {

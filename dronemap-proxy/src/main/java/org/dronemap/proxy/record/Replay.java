@@ -49,6 +49,10 @@ public final class Replay {
 
     public ReplayStatus status() {
         ReplayStatus last = status;
+        if (last.state() == ReplayStatus.State.RUNNING && cancelled) {
+            // Nothing more plays, though the thread has not come round to say so.
+            return last.cancelled();
+        }
         return last.state() == ReplayStatus.State.CANCELLED ? last : last.withDrones(feed.drones());
     }
 

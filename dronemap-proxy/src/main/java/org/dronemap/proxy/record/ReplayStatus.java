@@ -34,6 +34,21 @@ public record ReplayStatus(
                 id, name, speed, now, state, records, goodMessages, brokenRuns, brokenBytes, progress, failure);
     }
 
+    ReplayStatus cancelled() {
+        return new ReplayStatus(
+                id,
+                name,
+                speed,
+                List.of(),
+                State.CANCELLED,
+                records,
+                goodMessages,
+                brokenRuns,
+                brokenBytes,
+                progress,
+                failure);
+    }
+
     /** Where it is between start and end. */
     public enum State {
         RUNNING,

@@ -105,7 +105,9 @@ class ReplayTest {
         TestCloud.await(Duration.ofSeconds(10), () -> replay.status().drones().size() == 2, () -> "no drones");
 
         assertThat(cloud.proxy().replays().remove(replay.id())).isTrue();
-        awaitState(replay, ReplayStatus.State.CANCELLED);
+        assertThat(replay.status().state())
+                .as("whoever cancelled it reads so at once")
+                .isEqualTo(ReplayStatus.State.CANCELLED);
         TestCloud.await(Duration.ofSeconds(5), () -> cloud.cloud().drones().isEmpty(), () -> "still there");
     }
 
