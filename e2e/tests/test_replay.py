@@ -45,6 +45,7 @@ def test_a_recording_shows_its_vehicle_and_loses_no_good_message(api: Api, recor
     position = api.drone(drone["id"])["position"] or {"latitude": None}
     assert (position["latitude"] is not None) == (recording.name in WITH_POSITION)
     assert len(done["drones"]) == 1, "other components make no drone"
+    wait_for("its drone is called ended, not lost", lambda: is_ended(api, drone["id"]), 10)
     api.call("DELETE", f"/replays/{replay}")
 
 
@@ -56,6 +57,10 @@ def drone_of(api: Api, replay: str) -> Json | None:
 def shown(api: Api, drone: str) -> Json | None:
     now = api.drone(drone)
     return now if now["mode"] and now["battery"] and now["battery"]["volts"] else None
+
+
+def is_ended(api: Api, drone: str) -> bool:
+    return bool(api.drone(drone)["link"]["state"] == "ended")
 
 
 def finished(api: Api, replay: str) -> Json | None:

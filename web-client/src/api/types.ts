@@ -28,7 +28,8 @@ export interface NewAccessKey extends AccessKey {
   key: string;
 }
 
-export type LinkState = 'live' | 'suspect' | 'lost';
+/** `ended`: the recording that it comes from has been played to its end. */
+export type LinkState = 'live' | 'suspect' | 'lost' | 'ended';
 
 /** Shares from 0 to 1 that were lost over some 5 s and 60 s; milliseconds there and back. */
 export interface LinkQuality {

@@ -9,6 +9,9 @@ export interface Standing {
 }
 
 export function standingOf(drone: Drone): Standing {
+  if (drone.link.state === 'ended') {
+    return { word: 'Replay ended', tone: 'neutral' };
+  }
   if (drone.link.state === 'lost') {
     // A silent vehicle that was armed may still be flying: that needs somebody, the other does not.
     return { word: 'Lost', tone: drone.armed && !drone.replay ? 'red' : 'neutral' };
@@ -61,7 +64,12 @@ export function armedWordOf(drone: Drone): string {
   return drone.armed ? 'Armed' : 'Disarmed';
 }
 
-const LINK_WORDS: Record<LinkState, string> = { live: 'Live', suspect: 'Suspect', lost: 'Lost' };
+const LINK_WORDS: Record<LinkState, string> = {
+  live: 'Live',
+  suspect: 'Suspect',
+  lost: 'Lost',
+  ended: 'Ended',
+};
 
 export function linkWord(state: LinkState): string {
   return LINK_WORDS[state];

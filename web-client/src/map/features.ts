@@ -36,7 +36,7 @@ function droneProperties(drone: Drone, selected: boolean, silence: number | null
     selected,
     opacity: stale ? 0.55 : 1,
     label: drone.replay ? `${drone.name} · replay` : drone.name,
-    age: stale ? age(silence) : '',
+    age: stale && drone.link.state !== 'ended' ? age(silence) : '',
     rank: selected ? 0 : 1,
   };
 }

@@ -58,8 +58,10 @@ describe('mission section', () => {
     station.planner.edit((draft) => addWaypoint(draft, { latitude: 47.4, longitude: 8.5 }, 20));
     station.planner.markSent();
     station.planner.becameTrue('d1');
-    show(station, flyable());
+    const { rerender } = show(station, flyable({ mission: null }));
     await tick();
+    scrolled.mockClear();
+    await rerender({ drone: flyable() });
 
     const last = scrolled.mock.contexts.at(-1) as HTMLElement;
     expect(last.contains(screen.getByRole('button', { name: 'Start mission' }))).toBe(true);

@@ -8,70 +8,91 @@ const LONG_LEG_METERS = 20_000;
 const LONG_WAY_METERS = 50_000;
 const HIGH_METERS = 500;
 
+/** Something that may be a slip of the hand. `about` stays the same while the drone moves, the sentence may not. */
+export interface Doubt {
+  about: string;
+  sentence: string;
+}
+
 interface Place extends Coordinates {
   number: number;
 }
 
 /**
- * What in a mission may be a slip of the hand: sentences to look at before it is flown. Nothing of it is forbidden.
+ * What in a mission may be a slip of the hand, to be looked at before it is flown. Nothing of it is forbidden.
  * Items are the whole mission as on the vehicle; `from` is where the drone is, when that is known.
  */
-export function doubtsAbout(items: readonly MissionItem[], from: Coordinates | null): string[] {
+export function doubtsAbout(items: readonly MissionItem[], from: Coordinates | null): Doubt[] {
   const places = items.flatMap((item, index): Place[] =>
     item.type === 'waypoint'
       ? [{ number: index + 1, latitude: item.latitude, longitude: item.longitude }]
       : [],
   );
-  return [farPlaces(places, from), longLeg(places), longWay(places), ...oddAltitudes(items)].filter(
-    (sentence) => sentence !== null,
-  );
+  return [...farPlaces(places, from), ...longLeg(places), ...longWay(places), ...oddAltitudes(items)];
 }
 
-function farPlaces(places: readonly Place[], from: Coordinates | null): string | null {
-  const far =
-    from === null
-      ? []
-      : places
-          .map((place) => ({ number: place.number, meters: distanceMeters(from, place) }))
-          .filter(({ meters }) => meters > FAR_METERS);
-  const farthest = far.reduce<{ number: number; meters: number } | null>(
-    (most, one) => (most === null || one.meters > most.meters ? one : most),
-    null,
-  );
-  if (farthest === null) {
-    return null;
+function farPlaces(places: readonly Place[], from: Coordinates | null): Doubt[] {
+  if (from === null) {
+    return [];
   }
-  return far.length === 1
-    ? `Item ${farthest.number} is ${distance(farthest.meters)} away from the drone.`
-    : `${far.length} waypoints are more than ${FAR_METERS / 1000} km away from the drone; item ${farthest.number} is ${distance(farthest.meters)} away.`;
+  const far = places
+    .map((place) => ({ place, meters: distanceMeters(from, place) }))
+    .filter(({ meters }) => meters > FAR_METERS)
+    .sort((a, b) => b.meters - a.meters);
+  const [farthest] = far;
+  if (farthest === undefined) {
+    return [];
+  }
+  const { place, meters } = farthest;
+  const sentence =
+    far.length === 1
+      ? `Item ${place.number} is ${distance(meters)} away from the drone.`
+      : `${far.length} waypoints are more than ${FAR_METERS / 1000} km away from the drone; item ${place.number} is ${distance(meters)} away.`;
+  return [{ about: `far ${nameOf(place)}`, sentence }];
 }
 
-function longLeg(places: readonly Place[]): string | null {
+function longLeg(places: readonly Place[]): Doubt[] {
   for (let i = 1; i < places.length; i++) {
     const start = places[i - 1] as Place;
     const end = places[i] as Place;
     const meters = distanceMeters(start, end);
     if (meters > LONG_LEG_METERS) {
-      return `From item ${start.number} to item ${end.number} it is ${distance(meters)}.`;
+      return [
+        {
+          about: `leg ${nameOf(start)} ${nameOf(end)}`,
+          sentence: `From item ${start.number} to item ${end.number} it is ${distance(meters)}.`,
+        },
+      ];
     }
   }
-  return null;
+  return [];
 }
 
-function longWay(places: readonly Place[]): string | null {
+function longWay(places: readonly Place[]): Doubt[] {
   const meters = wayLengthMeters(places);
-  return meters > LONG_WAY_METERS ? `The whole way is ${distance(meters)}.` : null;
+  return meters > LONG_WAY_METERS
+    ? [{ about: `way ${distance(meters)}`, sentence: `The whole way is ${distance(meters)}.` }]
+    : [];
 }
 
-function oddAltitudes(items: readonly MissionItem[]): string[] {
+function oddAltitudes(items: readonly MissionItem[]): Doubt[] {
   return items.flatMap((item, index) => {
     if (item.type !== 'waypoint' || item.altitudeReference === 'amsl') {
       return [];
     }
     const { altitude } = item;
-    if (altitude < 0) {
-      return [`Item ${index + 1} is at ${fixed(altitude)} m, lower than home.`];
-    }
-    return altitude > HIGH_METERS ? [`Item ${index + 1} is ${fixed(altitude)} m above home.`] : [];
+    const words =
+      altitude < 0
+        ? `is at ${fixed(altitude)} m, lower than home`
+        : altitude > HIGH_METERS
+          ? `is ${fixed(altitude)} m above home`
+          : null;
+    return words === null
+      ? []
+      : [{ about: `altitude ${index} ${altitude}`, sentence: `Item ${index + 1} ${words}.` }];
   });
+}
+
+function nameOf(place: Place): string {
+  return `${place.number} ${place.latitude} ${place.longitude}`;
 }

@@ -225,6 +225,13 @@ public final class CloudManager {
         }
 
         @Override
+        public void played() {
+            if (drone.isAttachedTo(session)) {
+                drone.played();
+            }
+        }
+
+        @Override
         public void disconnect() {
             if (session.replay()) {
                 drop(drone);

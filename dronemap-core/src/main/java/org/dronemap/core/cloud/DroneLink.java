@@ -23,6 +23,9 @@ public interface DroneLink {
     /** How well the link carries now; no sign of life by itself. On the lane only. */
     void measured(LinkQuality quality);
 
+    /** The recording has been played to its end; silence from now on means nothing. On the lane only. */
+    void played();
+
     /** The session has ended: a drone stays and falls silent, a replayed one goes. Any thread. */
     void disconnect();
 }

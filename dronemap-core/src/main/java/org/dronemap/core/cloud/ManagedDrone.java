@@ -15,6 +15,7 @@ final class ManagedDrone implements Lane.Ticker {
     private final Liveness liveness;
     private final CloudListener listener;
     private @Nullable LinkSession session;
+    private boolean played;
 
     ManagedDrone(Drone drone, Lane lane, Watchdog watchdog, CloudListener listener) {
         this.drone = drone;
@@ -68,6 +69,12 @@ final class ManagedDrone implements Lane.Ticker {
         listener.droneChanged(drone.state());
     }
 
+    /** Its recording is over. */
+    void played() {
+        played = true;
+        judge();
+    }
+
     void say(Severity severity, String text) {
         drone.say(severity, text);
         listener.droneChanged(drone.state());
@@ -88,7 +95,7 @@ final class ManagedDrone implements Lane.Ticker {
 
     private void judge() {
         LinkState before = drone.state().link().state();
-        LinkState now = liveness.judge(lane.activeNanos());
+        LinkState now = played ? LinkState.ENDED : liveness.judge(lane.activeNanos());
         if (!drone.linkState(now)) {
             return;
         }

@@ -7,5 +7,7 @@ public enum LinkState {
     /** Silent for longer than normal; being probed. */
     SUSPECT,
     /** Silent for the declared time; may still be flying. */
-    LOST
+    LOST,
+    /** The recording that it comes from has been played to its end. */
+    ENDED
 }

@@ -132,6 +132,23 @@ class CloudManagerTest {
         assertThat(goneOnLane(link)).isTrue();
     }
 
+    @Test
+    void callsARecordingEndedAndNotLostWhenItIsOver() {
+        DroneLink link = cloud.connect(
+                new LinkSession(
+                        new DroneKey("replay", 1, 1), "replay", true, "ArduCopter 1", new Fixtures.RecordingChannel()),
+                Fixtures.copter(null));
+        hear(link);
+
+        onLane(link, link::played);
+        hear(link);
+
+        assertThat(cloud.drone(link.id()).orElseThrow().link().state())
+                .as("also when its last frames come in after that")
+                .isEqualTo(LinkState.ENDED);
+        assertThat(cloud.forget(link.id())).isEmpty();
+    }
+
     private CloudManager manager() {
         return new CloudManager(
                 lanes,

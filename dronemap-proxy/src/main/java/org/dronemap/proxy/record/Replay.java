@@ -115,6 +115,7 @@ public final class Replay {
 
     private void end(ReplayStatus.State state, @Nullable String failure) {
         status = status(state, failure);
+        feed.played();
         try {
             in.close();
         } catch (IOException e) {

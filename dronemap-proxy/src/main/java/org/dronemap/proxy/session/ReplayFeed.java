@@ -53,6 +53,13 @@ public final class ReplayFeed {
         }
     }
 
+    /** The recording has no more frames. Any thread. */
+    public void played() {
+        synchronized (sessions) {
+            sessions.values().forEach(VehicleSession::played);
+        }
+    }
+
     /** Takes its drones away. Any thread. */
     public void vanish() {
         synchronized (sessions) {

@@ -34,7 +34,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * One vehicle on one link. Begins on the registry lane, asks who it is, binds to a drone and moves to the drone's lane;
- * everything but {@link #offer} and {@link #vanish} belongs to the lane where it is.
+ * everything but {@link #offer}, {@link #played} and {@link #vanish} belongs to the lane where it is.
  */
 final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleSession.class);
@@ -78,6 +78,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private long notBindBeforeNanos;
     private volatile boolean ended;
     private volatile boolean vanished;
+    private volatile boolean played;
 
     /** {@code first} made the session; {@code onEnd} hears once that it is over. */
     VehicleSession(Surroundings surroundings, LinkLabel label, Downlink downlink, Frame first, Runnable onEnd) {
@@ -170,6 +171,9 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         DroneLink bound = link;
         if (meter.tick(now) && bound != null) {
             bound.measured(meter.quality());
+        }
+        if (played && bound != null) {
+            bound.played();
         }
         if (link == null && !ended) {
             bindWhenKnown(now);
@@ -285,6 +289,11 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     Optional<DroneId> drone() {
         DroneLink bound = link;
         return bound == null ? Optional.empty() : Optional.of(bound.id());
+    }
+
+    /** Its recording is over. Any thread. */
+    void played() {
+        played = true;
     }
 
     /** A recording is taken away, and its drone with it. Any thread. */

@@ -20,6 +20,8 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
@@ -96,6 +98,24 @@ class ReplayTest {
                                 new Command.Land())
                         .outcome())
                 .isEqualTo(new Outcome.Refused("gate", "This is a recording; it cannot be commanded."));
+    }
+
+    @Test
+    void callsItsVehiclesEndedAndNotLostWhenItIsOver() {
+        recordTwoVehicles();
+        awaitState(play(100), ReplayStatus.State.FINISHED);
+
+        TestCloud.await(
+                Duration.ofSeconds(10),
+                () -> cloud.cloud().drones().stream()
+                                .filter(drone -> drone.link().state() == LinkState.ENDED)
+                                .count()
+                        == 2,
+                () -> cloud.cloud().drones().toString());
+        assertThat(cloud.cloud().drones())
+                .allSatisfy(drone -> assertThat(drone.messages())
+                        .extracting(TextMessage::text)
+                        .doesNotContain("Contact lost."));
     }
 
     @Test
