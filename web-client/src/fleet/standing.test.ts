@@ -4,7 +4,8 @@ import { droneFeatures } from '../map/features';
 import { aDrone } from '../testing';
 import { linkWord, standingOf } from './standing';
 
-const replayed = (state: LinkState) => aDrone({ replay: true, armed: true, link: { ...aDrone().link, state } });
+const replayed = (state: LinkState) =>
+  aDrone({ replay: true, armed: true, link: { ...aDrone().link, state } });
 
 describe('standing', () => {
   it('calls a replay that has ended just that, and no lost drone', () => {

@@ -12,6 +12,7 @@ const MISSION: VehicleMission = {
   reached: [0],
   total: 2,
   running: true,
+  state: null,
   notice: null,
 };
 

@@ -20,4 +20,12 @@ public record MissionProgress(
         List<Integer> reached,
         @Nullable String notice) {
     public static final MissionProgress UNKNOWN = new MissionProgress(null, null, null, List.of(), null);
+
+    /** Flown to the end: by the vehicle's own word, or when it gives none by the last item that it said it reached. */
+    public boolean complete() {
+        if (phase != null) {
+            return phase == MissionPhase.COMPLETE;
+        }
+        return items != null && !items.isEmpty() && reached.contains(items.size() - 1);
+    }
 }

@@ -137,6 +137,7 @@ public final class DroneViews {
         String mode = state.mode();
         MissionPhase phase = mission.phase();
         boolean running = Boolean.TRUE.equals(state.armed())
+                && !mission.complete()
                 && (phase == null ? mode != null && MISSION_MODES.contains(mode) : phase == MissionPhase.RUNNING);
         return new DroneView.MissionView(
                 items == null ? null : MissionItemView.of(items),
