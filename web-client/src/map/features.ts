@@ -36,9 +36,14 @@ function droneProperties(drone: Drone, selected: boolean, silence: number | null
     selected,
     opacity: stale ? 0.55 : 1,
     label: drone.replay ? `${drone.name} · replay` : drone.name,
-    age: stale && drone.link.state !== 'ended' ? age(silence) : '',
+    age: ageWords(drone, silence),
     rank: selected ? 0 : 1,
   };
+}
+
+/** How old a silent drone's place is; a recording that was played to its end ages no more. */
+function ageWords(drone: Drone, silence: number | null): string {
+  return drone.link.state === 'suspect' || drone.link.state === 'lost' ? age(silence) : '';
 }
 
 export function trailFeatures(
