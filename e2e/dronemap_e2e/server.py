@@ -60,7 +60,11 @@ class Server:
                 stdout=log,
                 stderr=subprocess.STDOUT,
             )
-        wait_for("the server is up", self._is_up, seconds=180)
+        try:
+            wait_for("the server is up", self._is_up, seconds=180)
+        except BaseException:
+            self.stop()
+            raise
 
     def kill(self) -> None:
         """kill -9: no chance to tidy up."""
