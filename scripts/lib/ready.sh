@@ -51,16 +51,15 @@ wait_until_up() {
     WORK=""
 }
 
-# Ready means that a demo drone can be armed.
+# Ready means that a demo drone can be armed, or is, when only the server was started anew.
 wait_until_flyable() {
-    local deadline=$((SECONDS + FLYABLE_SECONDS)) answer ready
+    local deadline=$((SECONDS + FLYABLE_SECONDS)) answer
     WORK="waiting for the demo fleet"
     step "Waiting until a demo drone can be flown"
     LAST_PROGRESS=""
     while :; do
         answer=$(health)
-        ready=$(json_value ready "$answer")
-        if [[ ${ready:-0} =~ ^[1-9] ]]; then break; fi
+        if [[ $(json_value ready "$answer")$(json_value armed "$answer") == *[1-9]* ]]; then break; fi
         is_running server || fail_from_server_log "The server ended while it waited for the demo fleet."
         is_running sim || fail "$EXIT_START" "The demo fleet ended by itself: $(tail -n 1 "$LOGS/sim.log"). See ./dronemap logs sim"
         ((SECONDS < deadline)) || fail "$EXIT_START" "No demo drone could be armed after $FLYABLE_SECONDS s. See ./dronemap logs and ./dronemap logs sim"
@@ -93,7 +92,7 @@ print_welcome() {
         note "(You choose your own after signing in; then this line goes away.)"
     fi
     if [[ $PUBLIC == true ]]; then note "Open to the network. Certificate (SHA-256): $(fingerprint)"; fi
-    note "Drones: $(json_value live "$answer") live, $(json_value ready "$answer") ready (to be armed, or flying). Vehicles connect to: ${ENDPOINTS//,/ }"
+    note "Drones: $(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value armed "$answer") armed. Vehicles connect to: ${ENDPOINTS//,/ }"
     note "Go on with: ./dronemap status | logs | down | help"
 }
 
@@ -117,7 +116,7 @@ command_status() {
     answer=$(health)
     printf '%-9s %s\n' Server "$(json_value status "$answer" | grep . || echo 'not answering') (process $(pid_of server), $(resident_megabytes) MB)" \
         Page "$(page_address)" Stream "port $STREAM_PORT" Vehicles "${ENDPOINTS//,/ }" \
-        Drones "$(json_value live "$answer") live, $(json_value ready "$answer") ready (to be armed, or flying), $(json_value lost "$answer") lost" \
+        Drones "$(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value armed "$answer") armed, $(json_value lost "$answer") lost" \
         Database "$(json_value database "$answer")"
     if is_running sim; then printf '%-9s %s\n' Demo "$FLEET_COUNT simulated drones (process $(pid_of sim))"; else printf '%-9s none\n' Demo; fi
     free=$(free_megabytes "$DATA")

@@ -144,8 +144,20 @@ command_down() {
         step "Dronemap is not running"
         return
     fi
+    warn_of_armed_drones
     stop_everything
     step "Dronemap is stopped"
+}
+
+# What flies goes on flying without the cloud; whoever stops the cloud should know.
+warn_of_armed_drones() {
+    local armed
+    is_running server || return 0
+    adopt_running_settings
+    armed=$(json_value armed "$(health)")
+    if [[ ${armed:-0} =~ ^[1-9] ]]; then
+        warn "Armed when last heard: $armed. Real drones go on without the cloud, each as its own fail-safe says; simulated ones end here."
+    fi
 }
 
 stop_everything() {

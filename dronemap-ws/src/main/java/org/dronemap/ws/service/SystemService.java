@@ -15,8 +15,8 @@ public final class SystemService {
     private final SettingsView settings;
     private final long startedNanos = System.nanoTime();
 
-    /** How many drones there are of each sort. */
-    public record DroneCounts(long live, long suspect, long lost, long ready) {}
+    /** How many drones there are of each sort: by link, ready to be armed, armed (in contact or not). */
+    public record DroneCounts(long live, long suspect, long lost, long ready, long armed) {}
 
     /** How the server is. */
     public record HealthView(String status, String database, DroneCounts drones, String version, long uptimeSeconds) {}
@@ -41,7 +41,10 @@ public final class SystemService {
                         count(drones, LinkState.LIVE),
                         count(drones, LinkState.SUSPECT),
                         count(drones, LinkState.LOST),
-                        drones.stream().filter(SystemService::isReady).count()),
+                        drones.stream().filter(SystemService::isReady).count(),
+                        drones.stream()
+                                .filter(drone -> Boolean.TRUE.equals(drone.armed()))
+                                .count()),
                 settings.version(),
                 (System.nanoTime() - startedNanos) / 1_000_000_000L);
     }
@@ -58,6 +61,7 @@ public final class SystemService {
     private static boolean isReady(DroneState drone) {
         Position position = drone.position();
         return drone.link().state() == LinkState.LIVE
+                && !Boolean.TRUE.equals(drone.armed())
                 && !Boolean.FALSE.equals(drone.readyToArm())
                 && position != null
                 && position.point() != null;
