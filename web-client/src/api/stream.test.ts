@@ -113,7 +113,7 @@ describe('stream client', () => {
       await timers.advance(retryAt - timers.time);
       last().drop();
     }
-    expect(pauses).toEqual([500, 1000, 2000, 4000, 8000, 8000]);
+    expect(pauses).toEqual([500, 1000, 2000, 3000, 3000, 3000]);
     expect(told.slice(2)).toEqual(['DOWN']);
   });
 

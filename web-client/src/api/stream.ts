@@ -43,7 +43,7 @@ export interface StreamOptions {
 /** The server pings every 5 s; twice that and a little without a word means that the line is dead. */
 export const SILENCE_MILLISECONDS = 12_000;
 const FIRST_RETRY_MILLISECONDS = 500;
-const LONGEST_RETRY_MILLISECONDS = 8_000;
+const LONGEST_RETRY_MILLISECONDS = 3_000;
 
 /** Keeps one stream to the cloud open: reconnects with growing pauses and notices lines that fell silent. */
 export class StreamClient {
