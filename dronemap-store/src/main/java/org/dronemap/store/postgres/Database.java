@@ -10,11 +10,13 @@ import java.time.Duration;
 import java.util.Properties;
 import javax.sql.DataSource;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.own.OwnPostgres;
+import org.dronemap.store.secret.SecretBox;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -80,6 +82,11 @@ public final class Database implements AutoCloseable {
 
     public AccessStore access() {
         return new PostgresAccessStore(pool);
+    }
+
+    /** Keys are sealed with {@code box} on their way in. */
+    public LinkSecurityStore linkSecurity(SecretBox box) {
+        return new PostgresLinkSecurityStore(pool, box);
     }
 
     public Backup backup() {

@@ -46,7 +46,7 @@ class DatabaseTest {
         try (Database first = open(password)) {
             assertThat(first.access().addUser(alice)).isTrue();
             assertThat(text(first, "SELECT string_agg(version, ',') FROM schema_history WHERE version IS NOT NULL"))
-                    .isEqualTo("1");
+                    .matches("1(,\\d+)*");
         }
         try (Database second = open(password)) {
             assertThat(second.access().users()).containsExactly(alice);

@@ -28,7 +28,8 @@ final class SharedDatabase {
     static Database empty() {
         try (Connection connection = DATABASE.dataSource().getConnection();
                 Statement statement = connection.createStatement()) {
-            statement.execute("TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key");
+            statement.execute(
+                    "TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key, link_security");
             return DATABASE;
         } catch (SQLException e) {
             throw new IllegalStateException(e);

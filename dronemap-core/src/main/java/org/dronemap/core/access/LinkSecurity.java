@@ -1,0 +1,31 @@
+package org.dronemap.core.access;
+
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How one drone's link is secured.
+ *
+ * @param key null: none was made
+ * @param nextKey the key that a change began with and that the vehicle may use already; null: no change is open
+ * @param proven the vehicle was heard signing with {@code key}
+ * @param stamp the last number that a signed message of either side carried; only rises, none is used twice
+ */
+public record LinkSecurity(
+        DroneId drone,
+        LinkPolicy policy,
+        @Nullable LinkKey key,
+        @Nullable LinkKey nextKey,
+        boolean proven,
+        long stamp) {
+    public LinkSecurity {
+        if (key == null && (nextKey != null || proven)) {
+            throw new IllegalArgumentException("without a key nothing can follow it or be proven");
+        }
+    }
+
+    /** What holds for a drone that nobody secured. */
+    public static LinkSecurity none(DroneId drone) {
+        return new LinkSecurity(drone, LinkPolicy.OFF, null, null, false, 0);
+    }
+}
