@@ -10,10 +10,12 @@ import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.record.Replays;
 import org.dronemap.proxy.session.SessionTable;
 import org.dronemap.proxy.session.Surroundings;
+import org.dronemap.proxy.signing.Keyrings;
 
 /** The links to vehicles: opens the configured endpoints and keeps them until closed. Any thread. */
 public final class Proxy implements AutoCloseable {
     private final List<EndpointUrl> urls;
+    private final Keyrings keyrings;
     private final SessionTable sessions;
     private final Replays replays;
     private final Links links;
@@ -21,9 +23,10 @@ public final class Proxy implements AutoCloseable {
     /** One endpoint with its counts. */
     public record EndpointStatus(EndpointUrl url, EndpointCounters.Counts counts) {}
 
-    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls) {
+    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings) {
         this.urls = List.copyOf(urls);
-        sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime));
+        this.keyrings = keyrings;
+        sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime, keyrings));
         replays = new Replays(sessions);
         links = new Links(sessions);
     }
@@ -58,6 +61,11 @@ public final class Proxy implements AutoCloseable {
     /** Recordings that play or have played. */
     public Replays replays() {
         return replays;
+    }
+
+    /** The keys of vehicles. */
+    public Keyrings keyrings() {
+        return keyrings;
     }
 
     /** Vehicles on links now. */

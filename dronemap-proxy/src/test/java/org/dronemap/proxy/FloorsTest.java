@@ -24,6 +24,8 @@ class FloorsTest {
             .definedBy("..proxy.mavlink.translate")
             .layer("procedure")
             .definedBy("..proxy.mavlink.procedure")
+            .layer("signing")
+            .definedBy("..proxy.signing")
             .layer("endpoint")
             .definedBy("..proxy.endpoint")
             .whereLayer("door")
@@ -36,6 +38,8 @@ class FloorsTest {
             .mayOnlyBeAccessedByLayers("session")
             .whereLayer("procedure")
             .mayOnlyBeAccessedByLayers("session", "translate")
+            .whereLayer("signing")
+            .mayOnlyBeAccessedByLayers("door", "session")
             .whereLayer("endpoint")
             .mayOnlyBeAccessedByLayers("door", "session");
 

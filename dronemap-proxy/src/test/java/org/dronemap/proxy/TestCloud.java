@@ -54,7 +54,8 @@ public final class TestCloud implements AutoCloseable {
                 lanes,
                 List.of(
                         EndpointUrl.parse("udpserver://127.0.0.1:" + udpPort),
-                        EndpointUrl.parse("tcpserver://127.0.0.1:0")));
+                        EndpointUrl.parse("tcpserver://127.0.0.1:0")),
+                TestKeys.of(cloud, journal));
         try {
             proxy.start();
         } catch (IOException e) {

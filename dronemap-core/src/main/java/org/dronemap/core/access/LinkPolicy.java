@@ -2,7 +2,7 @@ package org.dronemap.core.access;
 
 /** What the cloud asks of the messages that speak for a drone. */
 public enum LinkPolicy {
-    /** Nothing is checked and nothing is signed. */
+    /** Nothing is checked. With a key the cloud signs all the same: the vehicle may insist on it. */
     OFF,
     /** Signed messages must be signed rightly; unsigned ones pass. */
     OPTIONAL,

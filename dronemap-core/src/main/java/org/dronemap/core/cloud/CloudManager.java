@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
@@ -74,9 +75,21 @@ public final class CloudManager {
     }
 
     /** Binds a new session to the drone it speaks for, or to a new one. Blocks only for the registry. */
-    public synchronized DroneLink connect(LinkSession session, Identification identification) {
+    public DroneLink connect(LinkSession session, Identification identification) {
+        return connect(session, identification, null);
+    }
+
+    /** The drone that a session would be bound to by what it says of itself. */
+    public Optional<DroneId> recognise(DroneKey key, Identification identification) {
+        return registry.recognise(key, identification).map(ManagedDrone::id);
+    }
+
+    /** The same for a session that has proven which drone it speaks for, whatever it says of itself. */
+    public synchronized DroneLink connect(
+            LinkSession session, Identification identification, @Nullable DroneId proven) {
+        Optional<ManagedDrone> proof = Optional.ofNullable(proven).flatMap(registry::find);
         Optional<ManagedDrone> recognised =
-                session.replay() ? Optional.empty() : registry.recognise(session.key(), identification);
+                session.replay() ? Optional.empty() : proof.or(() -> registry.recognise(session.key(), identification));
         ManagedDrone drone = recognised.orElseGet(() -> enrol(session, identification));
         drone.lane().execute(() -> {
             drone.attach(session);
@@ -90,6 +103,11 @@ public final class CloudManager {
             remember(drone);
         });
         return new BoundLink(drone, session);
+    }
+
+    /** Tells everybody who looks at a drone a sentence about it; no sign of life. Does not wait. */
+    public void say(DroneId id, Severity severity, String sentence) {
+        registry.find(id).ifPresent(drone -> drone.lane().execute(() -> drone.say(severity, sentence)));
     }
 
     /** False when there is no such drone; returns once the new name is durable. */

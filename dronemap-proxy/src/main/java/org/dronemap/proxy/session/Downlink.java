@@ -1,26 +1,80 @@
 package org.dronemap.proxy.session;
 
+import java.util.ArrayDeque;
+import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.signing.LinkGuard;
+import org.jspecify.annotations.Nullable;
 
-/** The way down to one vehicle, in the MAVLink version that it speaks. Owned by the session's lane. */
+/** The way down to one vehicle, in the MAVLink version that it speaks, signed as its guard says. Owned by the session's lane. */
 final class Downlink {
+    private static final int MOST_HELD = 256;
+
     private final Peer peer;
     private final FrameWriter version1 = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 1);
     private final FrameWriter version2 = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 2);
+    private final ArrayDeque<Message> held = new ArrayDeque<>();
+    private @Nullable LinkGuard guard;
     private boolean speaksVersion1;
 
     Downlink(Peer peer) {
         this.peer = peer;
     }
 
+    /** Nobody but the vehicle can listen: this machine, a line plugged into it, or an encrypted link. */
+    boolean isSafe() {
+        return peer.isLocal() || peer.transport().equals("dtls");
+    }
+
+    /** From now on what goes out is signed by this guard's word. */
+    void guardedBy(LinkGuard newGuard) {
+        guard = newGuard;
+    }
+
     void heardVersion(int version) {
         speaksVersion1 = version == 1;
     }
 
-    void send(Message message) {
-        peer.send((speaksVersion1 ? version1 : version2).frame(message));
+    /** Sends, or keeps in order what must wait for a change of keys; the oldest falls out of a full queue. */
+    void send(Message message, long nowNanos) {
+        if (guard != null && guard.holds(nowNanos)) {
+            if (held.size() == MOST_HELD) {
+                held.removeFirst();
+            }
+            held.addLast(message);
+            return;
+        }
+        release();
+        peer.send(frame(message));
+    }
+
+    /** Lets go what was held when the wait is over. */
+    void tick(long nowNanos) {
+        if (!held.isEmpty() && (guard == null || !guard.holds(nowNanos))) {
+            release();
+        }
+    }
+
+    private void release() {
+        while (!held.isEmpty()) {
+            peer.send(frame(held.removeFirst()));
+        }
+    }
+
+    /** Sends at once what nobody but the vehicle may see: no tap, no log. */
+    void sendSecret(Message message) {
+        peer.send(frame(message));
+    }
+
+    private byte[] frame(Message message) {
+        FrameSigner signer = guard == null || speaksVersion1 ? null : guard.signer(message);
+        if (signer != null) {
+            return version2.frame(message, signer);
+        }
+        boolean fits = speaksVersion1 && message.messageId() < 256;
+        return (fits ? version1 : version2).frame(message);
     }
 }

@@ -3,9 +3,10 @@ package org.dronemap.proxy.session;
 import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.proxy.signing.Keyrings;
 
-/** What every session needs: the cloud, its lanes, and monotonic time in ns. */
-public record Surroundings(CloudManager cloud, Lanes lanes, LongSupplier nanoTime) {
+/** What every session needs: the cloud, its lanes, monotonic time in ns, and the keys of vehicles. */
+public record Surroundings(CloudManager cloud, Lanes lanes, LongSupplier nanoTime, Keyrings keyrings) {
     long now() {
         return nanoTime.getAsLong();
     }

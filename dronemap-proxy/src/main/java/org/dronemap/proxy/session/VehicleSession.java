@@ -13,11 +13,13 @@ import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.Identification;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.proxy.mavlink.procedure.MessageRates;
 import org.dronemap.proxy.mavlink.procedure.Observer;
 import org.dronemap.proxy.mavlink.procedure.RoundTrip;
@@ -28,6 +30,8 @@ import org.dronemap.proxy.mavlink.translate.Cockpit;
 import org.dronemap.proxy.mavlink.translate.Identity;
 import org.dronemap.proxy.mavlink.translate.Telemetry;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
+import org.dronemap.proxy.signing.Admission;
+import org.dronemap.proxy.signing.LinkGuard;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -54,6 +58,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private final Surroundings surroundings;
     private final LinkLabel label;
     private final Downlink downlink;
+    private final LinkGuard guard;
     private final Runnable onEnd;
     private final Mailbox mailbox;
     private final int componentId;
@@ -86,6 +91,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         this.label = label;
         this.downlink = downlink;
         this.onEnd = onEnd;
+        guard = surroundings.keyrings().guard(label.signingLinkId(), downlink.isSafe());
+        downlink.guardedBy(guard);
         Heartbeat heartbeat = Heartbeat.decode(first);
         componentId = first.componentId();
         target = new Target(first.systemId(), componentId, this::send);
@@ -124,13 +131,29 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     private void take(Frame frame) {
         long now = surroundings.now();
-        if (frame.componentId() != componentId) {
+        Admission admission = admit(frame, now);
+        if (admission == Admission.REFUSED) {
+            return;
+        }
+        if (frame.componentId() != componentId || admission == Admission.ASIDE) {
             // Other components speak for themselves; their sentences are shown while the autopilot lives.
             if (now - lastHeardNanos < 2 * SECOND_NANOS) {
                 telemetry.overheard(frame, now);
             }
             return;
         }
+        hear(frame, now);
+    }
+
+    private Admission admit(Frame frame, long now) {
+        Admission admission = label.replay() ? Admission.ADMITTED : guard.judge(frame, now);
+        if (guard.contradicts()) {
+            loseDrone();
+        }
+        return admission;
+    }
+
+    private void hear(Frame frame, long now) {
         lastHeardNanos = now;
         downlink.heardVersion(frame.version());
         DroneLink bound = link;
@@ -139,7 +162,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
                 end();
                 return;
             }
-            link = null;
+            loseDrone();
             bound = null;
         }
         if (bound != null && frame.verified()) {
@@ -157,12 +180,22 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         }
     }
 
+    private void loseDrone() {
+        guard.unbound();
+        link = null;
+    }
+
     @Override
     public void tick() {
         long now = surroundings.now();
         if (moving) {
             return;
         }
+        SetupSigning key = guard.tick(target.systemId(), componentId, now);
+        if (key != null) {
+            downlink.sendSecret(key);
+        }
+        downlink.tick(now);
         telemetry.tick(now);
         errands.tick(now);
         if (!label.replay()) {
@@ -177,7 +210,9 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         }
         if (link == null && !ended) {
             bindWhenKnown(now);
-        } else if (now - lastHeardNanos > GIVEN_UP_NANOS && errands.isEmpty()) {
+        }
+        // Also one that was never bound, because it speaks in the name of a drone whose key it does not have.
+        if (!moving && now - lastHeardNanos > GIVEN_UP_NANOS && errands.isEmpty()) {
             end();
         }
     }
@@ -219,11 +254,15 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             return;
         }
         notBindBeforeNanos = now + SECOND_NANOS;
+        Identification identification = Identity.of(autopilot, status.type(), status.version());
+        if (!label.replay() && !guard.mayBind(surroundings.cloud().recognise(label.key(), identification))) {
+            return;
+        }
         LinkSession session = new LinkSession(
                 label.key(), label.transport(), label.replay(), autopilot.vehicle() + " " + target.systemId(), this);
-        DroneLink bound =
-                surroundings.cloud().connect(session, Identity.of(autopilot, status.type(), status.version()));
-        moveTo(bound);
+        moveTo(surroundings
+                .cloud()
+                .connect(session, identification, guard.signer().orElse(null)));
     }
 
     /** The last thing that happens on the old lane. */
@@ -248,6 +287,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private void arrive(DroneLink bound) {
         moving = false;
         link = bound;
+        guard.bound(bound.id(), target.systemId());
         if (vanished) {
             bound.disconnect();
             end();
@@ -264,6 +304,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private void tell(DroneEvent event) {
         if (event instanceof DroneEvent.TextHeard text) {
             errands.said(text.severity(), text.text(), surroundings.now());
+            guard.said(text.text());
         }
         DroneLink bound = link;
         if (bound != null) {
@@ -281,7 +322,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     private void send(org.dronemap.mavlink.Message message) {
         if (!label.replay()) {
-            downlink.send(message);
+            downlink.send(message, surroundings.now());
         }
     }
 
@@ -308,6 +349,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private void end() {
         if (!ended) {
             ended = true;
+            guard.leave();
             lane.removeTicker(this);
             onEnd.run();
         }

@@ -1,0 +1,11 @@
+package org.dronemap.proxy.signing;
+
+/** What is done to the key on a vehicle. */
+public enum ChangeKind {
+    /** The vehicle gets the key that was made for it. */
+    INSTALL,
+    /** The vehicle changes over to a new key. */
+    ROTATE,
+    /** The vehicle gives its key up and signs no more. */
+    REVOKE
+}

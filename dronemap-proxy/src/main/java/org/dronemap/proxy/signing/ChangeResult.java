@@ -1,0 +1,13 @@
+package org.dronemap.proxy.signing;
+
+/** How a change of the key on a vehicle ended. */
+public sealed interface ChangeResult {
+    /** The vehicle was heard to do as it should. */
+    record Done() implements ChangeResult {}
+
+    /** The vehicle goes on as before, and so does the cloud. */
+    record Failed(String why) implements ChangeResult {}
+
+    /** Nobody knows: both keys are accepted until the vehicle is heard. */
+    record Unknown(String why) implements ChangeResult {}
+}

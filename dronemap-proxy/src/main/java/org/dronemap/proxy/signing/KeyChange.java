@@ -1,0 +1,92 @@
+package org.dronemap.proxy.signing;
+
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Brings a key onto a vehicle, or takes it off, and sees that it came about: asks several times and holds back what else
+ * would go out while it is open which key the vehicle reads with. No I/O; times are monotonic ns. Guarded by its keyring.
+ */
+final class KeyChange {
+    private static final long SECOND_NANOS = 1_000_000_000L;
+    private static final int TRIES = 5;
+    private static final long BETWEEN_TRIES_NANOS = 2 * SECOND_NANOS;
+    private static final long HOLD_NANOS = 1_500_000_000L;
+    private static final long PATIENCE_NANOS = 3 * SECOND_NANOS;
+    /** What the vehicle sent before it read our request has arrived by then. */
+    private static final long IN_FLIGHT_NANOS = SECOND_NANOS;
+
+    private static final Pattern REFUSAL = Pattern.compile(
+            "(?i)(error|fail|won't|denied|refuse|not allowed).*sign|sign.*(fail|denied|refuse|not allowed)");
+
+    private final ChangeKind kind;
+    private int tries;
+    private long lastTryNanos;
+    private boolean heardOldSince;
+    private @Nullable ChangeResult result;
+
+    /** Which key a valid frame was signed with. */
+    enum Use {
+        OLD,
+        NEW,
+        NONE
+    }
+
+    KeyChange(ChangeKind kind) {
+        this.kind = kind;
+    }
+
+    ChangeKind kind() {
+        return kind;
+    }
+
+    /** True when the vehicle is to be asked (again) now; the caller sends, once. */
+    boolean due(long nowNanos) {
+        if (result != null || (tries > 0 && nowNanos - lastTryNanos < BETWEEN_TRIES_NANOS) || tries == TRIES) {
+            conclude(nowNanos);
+            return false;
+        }
+        tries++;
+        lastTryNanos = nowNanos;
+        heardOldSince = false;
+        return true;
+    }
+
+    private void conclude(long nowNanos) {
+        if (result != null || tries < TRIES || nowNanos - lastTryNanos < PATIENCE_NANOS) {
+            return;
+        }
+        result = heardOldSince
+                ? new ChangeResult.Failed("The vehicle was asked " + TRIES + " times and goes on as before.")
+                : new ChangeResult.Unknown("The vehicle was asked " + TRIES + " times and was not heard since.");
+    }
+
+    /** A frame of the vehicle that is beyond doubt, and how it was signed. */
+    void heard(Use use, long nowNanos) {
+        if (result != null || tries == 0) {
+            return;
+        }
+        if (use == (kind == ChangeKind.REVOKE ? Use.NONE : Use.NEW)) {
+            result = new ChangeResult.Done();
+        } else if (nowNanos - lastTryNanos > IN_FLIGHT_NANOS) {
+            heardOldSince = true;
+        }
+    }
+
+    /** The vehicle says something; a complaint about signing is its answer. */
+    void said(String text) {
+        if (result == null && tries > 0 && REFUSAL.matcher(text).find()) {
+            result = new ChangeResult.Failed("The vehicle says: " + text);
+        }
+    }
+
+    /** True while what goes out could be signed with the wrong key. */
+    boolean holds(long nowNanos) {
+        return result == null && kind != ChangeKind.INSTALL && tries > 0 && nowNanos - lastTryNanos < HOLD_NANOS;
+    }
+
+    @Nullable
+    ChangeResult result() {
+        return result;
+    }
+}

@@ -1,0 +1,310 @@
+package org.dronemap.proxy.signing;
+
+import java.time.InstantSource;
+import java.util.HashSet;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameSigner;
+import org.dronemap.mavlink.message.RadioStatus;
+import org.dronemap.mavlink.signing.SigningClock;
+import org.dronemap.mavlink.signing.Verdict;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The keys of one drone: judges what comes in its name on any link, signs what goes to it, and changes keys. Thread-safe:
+ * every method holds the object's lock, and none of them waits for anything.
+ */
+final class Keyring {
+    private static final long GRACE_NANOS = 30_000_000_000L;
+    private static final long STAMP_NANOS = 50_000_000_000L;
+    private static final long MINUTE = 60 * SigningClock.TICKS_PER_SECOND;
+    private static final int RADIO = 166;
+
+    private final DroneId drone;
+    private final Keeper keeper;
+    private final SigningClock clock;
+    private final Refusals refusals = new Refusals();
+    private final Set<LinkGuard> links = new HashSet<>();
+    private int systemId;
+    private LinkPolicy policy;
+    private @Nullable HeldKey current;
+    private @Nullable HeldKey next;
+    private @Nullable HeldKey previous;
+    private long previousUntilNanos;
+    private boolean proven;
+    private @Nullable KeyChange change;
+    private boolean changeConfirmed;
+    private CompletableFuture<ChangeResult> changeEnd = new CompletableFuture<>();
+    private long stampedNanos;
+
+    /** What a keyring tells; none of these may wait. {@code keep} runs its second argument when that is durable. */
+    record Keeper(BiConsumer<LinkSecurity, Runnable> keep, Consumer<LinkSecurity> stamp, Consumer<String> warn) {}
+
+    /** A key for the vehicle, or null to take its key away, and the time that its signatures begin with. */
+    record Request(@Nullable LinkKey key, long timestamp) {}
+
+    Keyring(LinkSecurity security, int systemId, InstantSource wall, Keeper keeper) {
+        this.drone = security.drone();
+        this.systemId = systemId;
+        this.keeper = keeper;
+        // Ahead of the clock when stopped: up to a minute of it may not have been stored.
+        boolean ahead = security.stamp() > SigningClock.ticks(wall.instant());
+        clock = new SigningClock(wall, ahead ? security.stamp() + MINUTE : security.stamp());
+        policy = security.policy();
+        current = held(security.key());
+        next = held(security.nextKey());
+        proven = security.proven();
+    }
+
+    private @Nullable HeldKey held(@Nullable LinkKey key) {
+        return key == null ? null : new HeldKey(key, clock);
+    }
+
+    DroneId drone() {
+        return drone;
+    }
+
+    synchronized LinkSecurity security() {
+        return new LinkSecurity(drone, policy, keyOf(current), keyOf(next), proven, clock.now());
+    }
+
+    private static @Nullable LinkKey keyOf(@Nullable HeldKey held) {
+        return held == null ? null : held.key();
+    }
+
+    synchronized LinkSecurityStatus status() {
+        LinkSecurity now = security();
+        return new LinkSecurityStatus(
+                policy,
+                now.key() == null ? null : now.key().fingerprint(),
+                proven,
+                now.nextKey() == null ? null : now.nextKey().fingerprint(),
+                change == null ? null : change.kind(),
+                refusals.counts(),
+                links.isEmpty() ? null : (Boolean) hasSafeLink());
+    }
+
+    synchronized boolean isRequired() {
+        return policy == LinkPolicy.REQUIRED;
+    }
+
+    /** One of the keys made this frame's signature, whenever that was. */
+    synchronized boolean signed(Frame frame) {
+        return frame.systemId() == systemId
+                && ((current != null && current.signed(frame)) || (next != null && next.signed(frame)));
+    }
+
+    /** What becomes of a frame that came in this drone's name. */
+    synchronized Admission admit(Frame frame, long nowNanos) {
+        Verdict verdict = judge(frame, nowNanos);
+        if (verdict.isValid()) {
+            refusals.valid();
+            return Admission.PROVEN;
+        }
+        boolean open = policy == LinkPolicy.OFF
+                || (policy == LinkPolicy.OPTIONAL && (verdict == Verdict.UNSIGNED || !proven))
+                || (verdict == Verdict.UNSIGNED && change != null && change.kind() == ChangeKind.REVOKE);
+        if (open) {
+            return Admission.ADMITTED;
+        }
+        if (verdict == Verdict.UNSIGNED && (frame.messageId() == RadioStatus.ID || frame.messageId() == RADIO)) {
+            return Admission.ASIDE;
+        }
+        refusals.refused(verdict, nowNanos).ifPresent(keeper.warn());
+        return Admission.REFUSED;
+    }
+
+    private Verdict judge(Frame frame, long nowNanos) {
+        if (!frame.signed()) {
+            tellChange(frame, KeyChange.Use.NONE, nowNanos);
+            return Verdict.UNSIGNED;
+        }
+        Verdict verdict = verdict(current, frame);
+        KeyChange.Use use = KeyChange.Use.OLD;
+        if (verdict.isValid()) {
+            use = change != null && change.kind() == ChangeKind.INSTALL ? KeyChange.Use.NEW : use;
+            prove();
+        } else if (verdict == Verdict.BAD_SIGNATURE) {
+            verdict = verdict(next, frame);
+            if (verdict.isValid()) {
+                use = KeyChange.Use.NEW;
+                adopt(nowNanos);
+            } else if (verdict == Verdict.BAD_SIGNATURE && nowNanos - previousUntilNanos < 0) {
+                verdict = verdict(previous, frame);
+            }
+        }
+        if (verdict.isValid()) {
+            tellChange(frame, use, nowNanos);
+        }
+        return verdict;
+    }
+
+    private void tellChange(Frame frame, KeyChange.Use use, long nowNanos) {
+        if (change != null && frame.verified()) {
+            change.heard(use, nowNanos);
+            settle();
+        }
+    }
+
+    private static Verdict verdict(@Nullable HeldKey held, Frame frame) {
+        return held == null ? Verdict.BAD_SIGNATURE : held.judge(frame);
+    }
+
+    private void prove() {
+        if (!proven) {
+            proven = true;
+            keep();
+        }
+    }
+
+    /** The vehicle signs with the next key: that is the key now; what it sent before may still be on its way. */
+    private void adopt(long nowNanos) {
+        previous = current;
+        previousUntilNanos = nowNanos + GRACE_NANOS;
+        current = next;
+        next = null;
+        proven = true;
+        keep();
+    }
+
+    private void keep() {
+        keeper.keep().accept(security(), () -> {});
+    }
+
+    /** Signs what goes out; null without a key. */
+    synchronized @Nullable FrameSigner signer(int linkId) {
+        if (current == null) {
+            return null;
+        }
+        FrameSigner signer = current.signer(linkId);
+        return frame -> {
+            synchronized (this) {
+                signer.sign(frame);
+            }
+        };
+    }
+
+    synchronized boolean holds(long nowNanos) {
+        return change != null && change.holds(nowNanos);
+    }
+
+    synchronized void said(String text) {
+        if (change != null) {
+            change.said(text);
+            settle();
+        }
+    }
+
+    /** What is to be sent to the vehicle now, over this link; null: nothing. */
+    synchronized @Nullable Request tick(LinkGuard link, long nowNanos) {
+        links.add(link);
+        if (current != null && (stampedNanos == 0 || nowNanos - stampedNanos > STAMP_NANOS)) {
+            stampedNanos = nowNanos;
+            keeper.stamp().accept(security());
+        }
+        KeyChange now = change;
+        if (now == null || !(link.isSafe() || changeConfirmed)) {
+            return null;
+        }
+        boolean due = now.due(nowNanos);
+        settle();
+        if (!due) {
+            return null;
+        }
+        LinkKey wanted = keyOf(now.kind() == ChangeKind.ROTATE ? next : current);
+        return now.kind() == ChangeKind.REVOKE || wanted == null
+                ? new Request(null, 0)
+                : new Request(wanted, clock.next());
+    }
+
+    synchronized void lose(LinkGuard link) {
+        links.remove(link);
+    }
+
+    private boolean hasSafeLink() {
+        return links.stream().anyMatch(LinkGuard::isSafe);
+    }
+
+    synchronized void bound(int newSystemId) {
+        systemId = newSystemId;
+    }
+
+    synchronized void setPolicy(LinkPolicy wanted) {
+        policy = wanted;
+    }
+
+    /** A key that no vehicle has yet; false when the present one is in use. */
+    synchronized boolean put(LinkKey key) {
+        if (proven || change != null) {
+            return false;
+        }
+        current = held(key);
+        next = null;
+        if (policy == LinkPolicy.OFF) {
+            policy = LinkPolicy.OPTIONAL;
+        }
+        return true;
+    }
+
+    /** Forgets every key and asks for none. */
+    synchronized void clear() {
+        current = null;
+        next = null;
+        previous = null;
+        proven = false;
+        policy = LinkPolicy.OFF;
+    }
+
+    /** Why a change cannot begin now; null: it can. */
+    synchronized @Nullable String obstacle(ChangeKind kind, boolean confirmed) {
+        if (change != null) {
+            return "The key of this drone is being changed already.";
+        }
+        if (current == null) {
+            return "There is no key for this drone; make one first.";
+        }
+        if (kind == ChangeKind.ROTATE && !proven) {
+            return "The vehicle was never heard using its key; install that first.";
+        }
+        if (links.isEmpty()) {
+            return "The drone has no link now.";
+        }
+        if (kind != ChangeKind.REVOKE && !confirmed && !hasSafeLink()) {
+            return "The link could be listened to, and who hears the key can command the drone. Use a serial line, DTLS"
+                    + " or a connection on this machine, or confirm that this link is safe.";
+        }
+        return null;
+    }
+
+    /** Begins once {@code newKey} is durable; it is null but for a rotation. */
+    synchronized CompletableFuture<ChangeResult> begin(ChangeKind kind, @Nullable LinkKey newKey, boolean confirmed) {
+        next = newKey == null ? next : held(newKey);
+        change = new KeyChange(kind);
+        changeConfirmed = confirmed || kind == ChangeKind.REVOKE;
+        changeEnd = new CompletableFuture<>();
+        return changeEnd;
+    }
+
+    private void settle() {
+        ChangeResult result = change == null ? null : change.result();
+        if (change == null || result == null) {
+            return;
+        }
+        ChangeKind kind = change.kind();
+        change = null;
+        if (result instanceof ChangeResult.Done && kind == ChangeKind.REVOKE) {
+            clear();
+        } else if (result instanceof ChangeResult.Failed && kind == ChangeKind.ROTATE) {
+            next = null;
+        }
+        CompletableFuture<ChangeResult> end = changeEnd;
+        keeper.keep().accept(security(), () -> end.complete(result));
+    }
+}

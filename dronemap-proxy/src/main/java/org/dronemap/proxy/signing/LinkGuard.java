@@ -1,0 +1,152 @@
+package org.dronemap.proxy.signing;
+
+import java.util.Optional;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameSigner;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.SetupSigning;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Stands between one vehicle's link and everything else: judges each frame that comes before anybody acts on it, and says
+ * how what goes out is signed. Owned by the session's lane.
+ */
+public final class LinkGuard {
+    private static final long BETWEEN_SEARCHES_NANOS = 100_000_000L;
+
+    private final Keyrings keyrings;
+    private final int linkId;
+    private final boolean safe;
+    private @Nullable DroneId bound;
+    private @Nullable Keyring claimed;
+    private boolean proven;
+    private long lastSearchNanos;
+    private boolean searched;
+
+    LinkGuard(Keyrings keyrings, int linkId, boolean safe) {
+        this.keyrings = keyrings;
+        this.linkId = linkId;
+        this.safe = safe;
+    }
+
+    /** A key may be sent here without anybody hearing it. */
+    boolean isSafe() {
+        return safe;
+    }
+
+    public Admission judge(Frame frame, long nowNanos) {
+        if (frame.messageId() == SetupSigning.ID) {
+            return Admission.REFUSED;
+        }
+        if (!proven) {
+            search(frame, nowNanos);
+        }
+        Keyring ring = keyring();
+        if (ring == null) {
+            return Admission.ADMITTED;
+        }
+        Admission admission = ring.admit(frame, nowNanos);
+        proven |= admission == Admission.PROVEN;
+        return admission;
+    }
+
+    /** Whose key signs here; at most ten looks a second, so that noise does not keep us busy. */
+    private void search(Frame frame, long nowNanos) {
+        if (!frame.signed() || (searched && nowNanos - lastSearchNanos < BETWEEN_SEARCHES_NANOS)) {
+            return;
+        }
+        searched = true;
+        lastSearchNanos = nowNanos;
+        Keyring found = keyrings.signerOf(frame);
+        if (found != null) {
+            claimed = found;
+        }
+    }
+
+    /** The key of another drone than the one that it is bound to signs here: it must be bound anew. */
+    public boolean contradicts() {
+        return bound != null
+                && claimed != null
+                && !claimed.drone().equals(bound)
+                && keyrings.find(claimed.drone()) == claimed;
+    }
+
+    private @Nullable Keyring keyring() {
+        return bound == null ? claimed : keyrings.find(bound);
+    }
+
+    /** The drone whose key has validly signed what came here: proof of who it is. */
+    public Optional<DroneId> signer() {
+        Keyring ring = keyring();
+        return proven && ring != null ? Optional.of(ring.drone()) : Optional.empty();
+    }
+
+    /** False while this link speaks in the name of a drone that must sign, and has not. */
+    public boolean mayBind(Optional<DroneId> recognised) {
+        if (claimed == null) {
+            claimed = recognised.map(keyrings::find).orElse(null);
+        }
+        return claimed == null || proven || !claimed.isRequired();
+    }
+
+    public void bound(DroneId drone, int systemId) {
+        bound = drone;
+        Keyring ring = keyrings.find(drone);
+        if (ring != null && proven) {
+            ring.bound(systemId);
+        }
+    }
+
+    public void unbound() {
+        leave();
+        bound = null;
+    }
+
+    /** Signs a message that goes out; null: it goes unsigned. Before the vehicle has proven itself only heartbeats are. */
+    public @Nullable FrameSigner signer(Message message) {
+        Keyring ring = keyring();
+        boolean may = bound != null || proven || message.messageId() == Heartbeat.ID;
+        return ring == null || !may ? null : ring.signer(linkId);
+    }
+
+    /** True while nobody knows which key the vehicle reads with: what goes out waits. */
+    public boolean holds(long nowNanos) {
+        Keyring ring = bound == null ? null : keyring();
+        return ring != null && ring.holds(nowNanos);
+    }
+
+    /** The vehicle's own words may be its answer to a new key. */
+    public void said(String text) {
+        Keyring ring = bound == null ? null : keyring();
+        if (ring != null) {
+            ring.said(text);
+        }
+    }
+
+    /** A key to be sent to the vehicle now and never to be shown to anybody else; null: none. */
+    public @Nullable SetupSigning tick(int systemId, int componentId, long nowNanos) {
+        Keyring ring = bound == null ? null : keyring();
+        Keyring.Request request = ring == null ? null : ring.tick(this, nowNanos);
+        if (request == null) {
+            return null;
+        }
+        byte[] key =
+                request.key() == null ? new byte[LinkKey.BYTES] : request.key().secret();
+        int[] secret = new int[key.length];
+        for (int i = 0; i < secret.length; i++) {
+            secret[i] = key[i] & 0xFF;
+        }
+        return new SetupSigning(systemId, componentId, secret, request.timestamp());
+    }
+
+    /** The link has ended. */
+    public void leave() {
+        Keyring ring = bound == null ? null : keyring();
+        if (ring != null) {
+            ring.lose(this);
+        }
+    }
+}

@@ -1,0 +1,22 @@
+package org.dronemap.proxy.signing;
+
+import org.dronemap.core.access.LinkPolicy;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How one drone's link is secured now; no secret is in it.
+ *
+ * @param fingerprint of the key; null: there is none
+ * @param proven the vehicle was heard using the key
+ * @param nextFingerprint of a key that is being changed over to
+ * @param change what is under way
+ * @param safeLink a key may be sent over the present link; null: the drone has no link
+ */
+public record LinkSecurityStatus(
+        LinkPolicy policy,
+        @Nullable String fingerprint,
+        boolean proven,
+        @Nullable String nextFingerprint,
+        @Nullable ChangeKind change,
+        FrameCounts counts,
+        @Nullable Boolean safeLink) {}

@@ -1,0 +1,269 @@
+package org.dronemap.proxy.signing;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.RadioStatus;
+import org.dronemap.mavlink.signing.SigningClock;
+import org.junit.jupiter.api.Test;
+
+class KeyringTest {
+    private static final DroneId DRONE = new DroneId("d7k2m9q4xa");
+    private static final LinkKey KEY = SigningVehicle.key(1);
+    private static final LinkKey NEXT = SigningVehicle.key(100);
+    private static final LinkKey FOREIGN = SigningVehicle.key(200);
+    private static final long SECOND = 1_000_000_000L;
+
+    private Instant wall = Instant.parse("2026-03-01T12:00:00Z");
+    private long now = 1_000 * SECOND;
+    private final List<String> warnings = new ArrayList<>();
+    private final List<LinkSecurity> kept = new ArrayList<>();
+    private final List<Long> stamps = new ArrayList<>();
+    private final SigningVehicle vehicle = new SigningVehicle(() -> wall);
+    private final LinkGuard safe = new LinkGuard(null, 0, true);
+    private final LinkGuard open = new LinkGuard(null, 0, false);
+
+    private Keyring ring(LinkPolicy policy, boolean proven) {
+        return ring(new LinkSecurity(DRONE, policy, KEY, null, proven, 0));
+    }
+
+    private Keyring ring(LinkSecurity security) {
+        return new Keyring(
+                security,
+                SigningVehicle.SYSTEM_ID,
+                () -> wall,
+                new Keyring.Keeper(
+                        (now, after) -> {
+                            kept.add(now);
+                            after.run();
+                        },
+                        now -> stamps.add(now.stamp()),
+                        warnings::add));
+    }
+
+    private void pass(double seconds) {
+        now += (long) (seconds * SECOND);
+        wall = wall.plusNanos((long) (seconds * SECOND));
+    }
+
+    private Admission hear(Keyring ring, Frame frame) {
+        return ring.admit(frame, now);
+    }
+
+    @Test
+    void aRequiredDroneIsSpokenForByItsKeyOnly() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Frame good = vehicle.signed(KEY);
+
+        assertThat(hear(ring, good)).isEqualTo(Admission.PROVEN);
+        assertThat(hear(ring, good)).isEqualTo(Admission.REFUSED);
+        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(Admission.REFUSED);
+        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(Admission.REFUSED);
+        Frame late = vehicle.signed(KEY, 9);
+        pass(61);
+        assertThat(hear(ring, late)).isEqualTo(Admission.REFUSED);
+        assertThat(ring.status().counts()).isEqualTo(new FrameCounts(1, 1, 1, 1, 1, 0));
+    }
+
+    @Test
+    void eachKindOfRefusalIsToldOnceUntilItWasQuietForTenMinutes() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        for (int i = 0; i < 50; i++) {
+            hear(ring, vehicle.unsigned());
+            pass(1);
+        }
+        assertThat(warnings)
+                .containsExactly("Unsigned messages came in this drone's name; they are refused and counted.");
+
+        pass(601);
+        hear(ring, vehicle.unsigned());
+        hear(ring, vehicle.signed(FOREIGN));
+        assertThat(warnings).hasSize(3);
+    }
+
+    @Test
+    void aRadiosReportPassesUnsignedButProvesNothing() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        Frame report = vehicle.unsigned(new RadioStatus(100, 100, 80, 10, 10, 0, 0));
+
+        assertThat(hear(ring, report)).isEqualTo(Admission.ASIDE);
+        assertThat(ring.status().counts().refused()).isZero();
+    }
+
+    @Test
+    void anOptionalDroneMaySpeakUnsignedButNotSignWrongly() {
+        Keyring ring = ring(LinkPolicy.OPTIONAL, true);
+
+        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(Admission.ADMITTED);
+        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(Admission.REFUSED);
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
+    }
+
+    @Test
+    void aKeyThatWasOnlyMadeLocksNobodyOut() {
+        Keyring ring = ring(LinkPolicy.OPTIONAL, false);
+
+        assertThat(hear(ring, vehicle.signed(FOREIGN))).isEqualTo(Admission.ADMITTED);
+        assertThat(ring.security().proven()).isFalse();
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
+        assertThat(kept).last().extracting(LinkSecurity::proven).isEqualTo(true);
+    }
+
+    @Test
+    void aRotationHoldsWhatGoesOutAndLosesNothingThatComesIn() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+
+        Keyring.Request request = ring.tick(safe, now);
+        assertThat(request).isNotNull();
+        assertThat(request.key()).isEqualTo(NEXT);
+        assertThat(ring.holds(now)).isTrue();
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
+        Frame inFlight = vehicle.signed(KEY);
+        pass(0.2);
+        assertThat(end).isNotDone();
+
+        assertThat(hear(ring, vehicle.signed(NEXT))).isEqualTo(Admission.PROVEN);
+        assertThat(end).isCompletedWithValue(new ChangeResult.Done());
+        assertThat(ring.holds(now)).isFalse();
+        assertThat(hear(ring, inFlight)).isEqualTo(Admission.PROVEN);
+        assertThat(kept).last().satisfies(security -> {
+            assertThat(security.key()).isEqualTo(NEXT);
+            assertThat(security.nextKey()).isNull();
+        });
+
+        pass(31);
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.REFUSED);
+    }
+
+    @Test
+    void theOldKeyStaysWhenTheVehicleGoesOnWithIt() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+        int asked = 0;
+        for (int i = 0; i < 200 && !end.isDone(); i++) {
+            asked += ring.tick(safe, now) == null ? 0 : 1;
+            hear(ring, vehicle.signed(KEY));
+            pass(0.1);
+        }
+
+        assertThat(asked).isEqualTo(5);
+        assertThat(end.join()).isInstanceOf(ChangeResult.Failed.class);
+        assertThat(ring.security().key()).isEqualTo(KEY);
+        assertThat(ring.security().nextKey()).isNull();
+        assertThat(hear(ring, vehicle.signed(KEY))).isEqualTo(Admission.PROVEN);
+        assertThat(hear(ring, vehicle.signed(NEXT))).isEqualTo(Admission.REFUSED);
+    }
+
+    @Test
+    void whenTheVehicleFallsSilentBothKeysStayUntilItIsHeard() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+        for (int i = 0; i < 200 && !end.isDone(); i++) {
+            ring.tick(safe, now);
+            pass(0.1);
+        }
+        assertThat(end.join()).isInstanceOf(ChangeResult.Unknown.class);
+
+        Keyring restarted = ring(kept.get(kept.size() - 1));
+        assertThat(hear(restarted, vehicle.signed(NEXT))).isEqualTo(Admission.PROVEN);
+        assertThat(restarted.security().key()).isEqualTo(NEXT);
+        assertThat(restarted.security().nextKey()).isNull();
+    }
+
+    @Test
+    void theVehiclesOwnRefusalEndsTheRotationAtOnce() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.ROTATE, NEXT, false);
+        ring.tick(safe, now);
+        ring.said("EKF3 IMU0 is using GPS");
+        assertThat(end).isNotDone();
+        ring.said("ERROR: Won't setup signing when armed");
+
+        assertThat(end.join())
+                .isEqualTo(new ChangeResult.Failed("The vehicle says: ERROR: Won't setup signing when armed"));
+        assertThat(ring.holds(now)).isFalse();
+        assertThat(ring.security().key()).isEqualTo(KEY);
+    }
+
+    @Test
+    void aKeyGoesOverNoLinkThatOthersMayHear() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        ring.tick(open, now);
+        assertThat(ring.obstacle(ChangeKind.ROTATE, false)).contains("could be listened to");
+        assertThat(ring.obstacle(ChangeKind.ROTATE, true)).isNull();
+        ring.tick(safe, now);
+        assertThat(ring.obstacle(ChangeKind.ROTATE, false)).isNull();
+
+        ring.begin(ChangeKind.ROTATE, NEXT, false);
+        assertThat(ring.tick(open, now)).isNull();
+        assertThat(ring.tick(safe, now)).isNotNull();
+    }
+
+    @Test
+    void installingEndsWhenTheVehicleIsHeardToSign() {
+        Keyring ring = ring(LinkPolicy.OPTIONAL, false);
+        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.INSTALL, null, false);
+        assertThat(ring.tick(safe, now)).extracting(Keyring.Request::key).isEqualTo(KEY);
+        assertThat(ring.holds(now)).isFalse();
+        hear(ring, vehicle.unsigned());
+        assertThat(end).isNotDone();
+        hear(ring, vehicle.signed(KEY));
+
+        assertThat(end).isCompletedWithValue(new ChangeResult.Done());
+        assertThat(ring.security().proven()).isTrue();
+    }
+
+    @Test
+    void revokingEndsWhenTheVehicleIsHeardUnsigned() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        CompletableFuture<ChangeResult> end = ring.begin(ChangeKind.REVOKE, null, false);
+        assertThat(ring.tick(open, now)).extracting(Keyring.Request::key).isNull();
+        hear(ring, vehicle.signed(KEY));
+        assertThat(end).isNotDone();
+
+        assertThat(hear(ring, vehicle.unsigned())).isEqualTo(Admission.ADMITTED);
+        assertThat(end).isCompletedWithValue(new ChangeResult.Done());
+        assertThat(ring.security())
+                .isEqualTo(new LinkSecurity(
+                        DRONE,
+                        LinkPolicy.OFF,
+                        null,
+                        null,
+                        false,
+                        ring.security().stamp()));
+        assertThat(ring.signer(0)).isNull();
+    }
+
+    @Test
+    void theTimeOfSignaturesIsStoredEveryMinuteAndNeverGoesBack() {
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+        for (int second = 0; second < 300; second++) {
+            ring.tick(safe, now);
+            pass(1);
+        }
+        assertThat(stamps).hasSizeBetween(5, 7).isSorted();
+
+        wall = wall.minusSeconds(7_200);
+        long last = stamps.get(stamps.size() - 1);
+        Keyring behind = ring(new LinkSecurity(DRONE, LinkPolicy.REQUIRED, KEY, null, true, last));
+        assertThat(behind.security().stamp()).isGreaterThanOrEqualTo(last + 60 * SigningClock.TICKS_PER_SECOND);
+    }
+
+    @Test
+    void nothingTellsASecret() {
+        String secret = java.util.HexFormat.of().formatHex(KEY.secret());
+        Keyring ring = ring(LinkPolicy.REQUIRED, true);
+
+        assertThat(ring.security().toString() + ring.status() + ring.tick(safe, now) + KEY)
+                .doesNotContainIgnoringCase(secret.substring(0, 8));
+    }
+}
