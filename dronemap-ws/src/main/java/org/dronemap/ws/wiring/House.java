@@ -5,6 +5,7 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.ws.service.BackupService;
+import org.dronemap.ws.service.LinkSecurityControl;
 import org.dronemap.ws.service.Recordings;
 
 /** Everything behind the faces, built and running. */
@@ -14,4 +15,5 @@ public record House(
         MissionStore missions,
         Recordings recordings,
         BooleanSupplier databaseUp,
-        BackupService.BackupWriter backups) {}
+        BackupService.BackupWriter backups,
+        LinkSecurityControl linkSecurity) {}

@@ -5,16 +5,23 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
+import java.time.InstantSource;
 import java.util.List;
+import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.Severity;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.signing.Keyrings;
 import org.dronemap.store.postgres.BackupSummary;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
+import org.dronemap.store.secret.SecretBox;
+import org.dronemap.store.secret.ServerSecret;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -57,7 +64,7 @@ final class HouseBuilder {
                 clock,
                 new CloudManager.Keeping(database.drones(), database.commands(), journal),
                 new DroneIds());
-        Proxy links = new Proxy(cloud, lanes, endpoints);
+        Proxy links = new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal));
         closing.add("the links", links);
         proxy = links;
         return new House(
@@ -66,7 +73,34 @@ final class HouseBuilder {
                 database.missions(),
                 new ProxyRecordings(links.replays()),
                 () -> database.health().isUp(),
-                file -> writeBackup(database, file));
+                file -> writeBackup(database, file),
+                new ProxyLinkSecurity(links.keyrings()));
+    }
+
+    private Keyrings keyrings(CloudManager cloud, Database database, Journal journal) {
+        SecretBox box = ServerSecret.box(
+                settings.linkSecret() == null ? null : settings.linkSecret().text(),
+                settings.dataDirectory().resolve("link-secret"));
+        Keyrings keyrings = new Keyrings(
+                new Keyrings.Keeping(
+                        database.linkSecurity(box),
+                        journal,
+                        drone -> cloud.drone(drone)
+                                .map(state -> state.link().key().systemId())
+                                .orElse(-1),
+                        (drone, sentence) -> cloud.say(drone, Severity.WARNING, sentence)),
+                InstantSource.system());
+        closing.add("the keys", keyrings);
+        cloud.addListener(new ForgottenDrones(keyrings));
+        return keyrings;
+    }
+
+    /** A drone that is removed takes its keys along. */
+    private record ForgottenDrones(Keyrings keyrings) implements CloudListener {
+        @Override
+        public void droneRemoved(DroneId id) {
+            keyrings.removed(id);
+        }
     }
 
     private static void writeBackup(Database database, Path file) throws IOException {

@@ -9,6 +9,7 @@ import org.dronemap.ws.rest.BodyLimitFilter;
 import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
+import org.dronemap.ws.rest.LinkSecurityController;
 import org.dronemap.ws.rest.MissionController;
 import org.dronemap.ws.rest.ProblemAdvice;
 import org.dronemap.ws.rest.ReplayController;
@@ -40,6 +41,7 @@ import tools.jackson.databind.DeserializationFeature;
     CommandController.class,
     MissionController.class,
     BackupController.class,
+    LinkSecurityController.class,
     ReplayController.class,
     SystemController.class,
     StreamTicketController.class,

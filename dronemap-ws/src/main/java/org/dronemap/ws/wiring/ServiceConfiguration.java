@@ -14,6 +14,7 @@ import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.LinkSecurityService;
 import org.dronemap.ws.service.MissionService;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.ReplayService;
@@ -104,6 +105,11 @@ public class ServiceConfiguration {
                 house.databaseUp(),
                 new SystemService.SettingsView(
                         stream.number(), settings.tileAddress(), Version.current(), settings.publicMode()));
+    }
+
+    @Bean
+    LinkSecurityService linkSecurityService(House house, DroneService drones) {
+        return new LinkSecurityService(house.linkSecurity(), drones);
     }
 
     @Bean

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param databaseUrl null: the server runs its own database in the data directory
  * @param tls null: plain HTTP and WebSocket
  * @param tileAddress null: only the base map that ships
+ * @param linkSecret seals the keys of vehicles; null: it lies in a file of the data directory
  */
 public record Settings(
         Path dataDirectory,
@@ -27,10 +28,19 @@ public record Settings(
         boolean publicMode,
         @Nullable Tls tls,
         @Nullable String tileAddress,
-        Watchdog watchdog) {
+        Watchdog watchdog,
+        @Nullable Hidden linkSecret) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
     private static final int DEFAULT_STREAM_PORT = 8081;
+
+    /** A secret that no log shows. */
+    public record Hidden(String text) {
+        @Override
+        public String toString() {
+            return "[hidden]";
+        }
+    }
 
     /** PEM files of the certificate chain and its private key. */
     public record Tls(Path certificate, Path key) {}
@@ -65,12 +75,22 @@ public record Settings(
                 publicMode,
                 tls,
                 tile,
-                watchdog(environment));
+                watchdog(environment),
+                hidden(environment, "DRONEMAP_LINK_SECRET"));
     }
 
     private static @Nullable String text(Map<String, String> environment, String name) {
         String value = environment.get(name);
         return value == null || value.isBlank() ? null : value.strip();
+    }
+
+    private static @Nullable Hidden hidden(Map<String, String> environment, String name) {
+        String value = text(environment, name);
+        if (value != null && !value.matches("[0-9a-fA-F]{64}")) {
+            throw new SetupException(name + " must be 64 hexadecimal digits; this one has " + value.length()
+                    + " characters or others than those.");
+        }
+        return value == null ? null : new Hidden(value);
     }
 
     private static int port(Map<String, String> environment, String name, int otherwise) {

@@ -52,7 +52,8 @@ public final class TestHouse implements AutoCloseable {
                 new MemoryMissionStore(),
                 new CountingRecordings(),
                 () -> true,
-                file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)));
+                file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
+                new RecordedLinkSecurity());
         Settings settings = new Settings(
                 data,
                 "127.0.0.1",
@@ -63,7 +64,8 @@ public final class TestHouse implements AutoCloseable {
                 publicMode,
                 null,
                 "https://tiles.example/{z}/{x}/{y}",
-                PATIENT);
+                PATIENT,
+                null);
         faces = FacesServer.start(settings, house);
     }
 

@@ -1,0 +1,28 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import org.jspecify.annotations.Nullable;
+
+/** How a drone's link is secured, for clients; no secret is in it. */
+@Schema(description = "How a drone's link is secured; a key shows its fingerprint only.")
+public record LinkSecurityView(
+        @Schema(description = "off, optional or required") String policy,
+        @Nullable Key key,
+        @Schema(description = "Fingerprint of the key that is being changed over to")
+        @Nullable
+        String nextKey,
+        @Schema(description = "install, rotate or revoke while that is under way")
+        @Nullable
+        String changing,
+        @Schema(description = "Whether a key may be sent over the present link; null: there is none")
+        @Nullable
+        Boolean safeLink,
+        Messages messages) {
+
+    /** {@code inUse}: the vehicle was heard signing with it. */
+    public record Key(String fingerprint, boolean inUse) {}
+
+    /** Counts since the server's start. */
+    public record Messages(
+            long valid, long unsigned, long badSignature, long replayed, long tooOld, long tooManyStreams) {}
+}

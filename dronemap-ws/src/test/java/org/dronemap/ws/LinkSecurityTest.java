@@ -1,0 +1,136 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class LinkSecurityTest {
+    private static final String GIVEN = "0123456789abcdef0123456789ABCDEF0123456789abcdef0123456789abcdef";
+
+    private TestHouse house;
+    private Http administrator;
+    private String drone;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        drone = "/api/v1/drones/" + ScriptedVehicle.connect(house.cloud(), 15401).id();
+        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    private static Http.Answer put(Http http, String path, String body) {
+        return http.send(
+                path,
+                builder -> builder.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    @Test
+    void everybodyMayLookAtCountsAndPolicy() {
+        Http.Answer answer = new Http(house, house.key(Role.VIEWER)).get(drone + "/link-security");
+
+        assertThat(answer.status()).isEqualTo(200);
+        assertThat(answer.text("policy")).isEqualTo("off");
+        assertThat(answer.json().path("key").isNull()).isTrue();
+        assertThat(answer.json().path("messages").path("badSignature").asInt()).isEqualTo(3);
+    }
+
+    @Test
+    void onlyAnAdministratorTouchesKeysAndPolicy() {
+        Http operator = new Http(house, house.key(Role.OPERATOR));
+
+        assertThat(operator.post(drone + "/link-key", "{}").status()).isEqualTo(403);
+        assertThat(operator.post(drone + "/link-key/install", "{}").status()).isEqualTo(403);
+        assertThat(operator.post(drone + "/link-key/rotate", "{}").status()).isEqualTo(403);
+        assertThat(operator.send(drone + "/link-key", HttpRequest.Builder::DELETE).status())
+                .isEqualTo(403);
+        assertThat(put(operator, drone + "/link-security", "{\"policy\":\"off\"}").status())
+                .isEqualTo(403);
+    }
+
+    @Test
+    void aMadeKeyIsShownOnce() {
+        Http.Answer made = administrator.post(drone + "/link-key", "{}");
+
+        assertThat(made.status()).isEqualTo(201);
+        assertThat(made.text("key")).matches("[0-9a-f]{64}");
+        assertThat(made.raw().headers().firstValue("Cache-Control")).contains("no-store");
+        Http.Answer later = administrator.get(drone + "/link-security");
+        assertThat(later.json().path("key").path("fingerprint").asString()).isEqualTo(made.text("fingerprint"));
+        assertThat(later.raw().body()).doesNotContain(made.text("key"));
+        assertThat(administrator.post(drone + "/link-key", "{}").status()).isEqualTo(409);
+    }
+
+    @Test
+    void aKeyCanBeBroughtAlong() {
+        assertThat(administrator
+                        .post(drone + "/link-key", "{\"key\":\"" + GIVEN + "\"}")
+                        .text("key"))
+                .isEqualToIgnoringCase(GIVEN);
+    }
+
+    @Test
+    void aBadKeyIsRefusedWithoutRepeatingIt() {
+        for (String bad : new String[] {"abc123secret", "0".repeat(64), GIVEN + "0"}) {
+            Http.Answer answer = administrator.post(drone + "/link-key", "{\"key\":\"" + bad + "\"}");
+            assertThat(answer.status()).isEqualTo(422);
+            assertThat(answer.text("field")).isEqualTo("key");
+            assertThat(answer.raw().body()).doesNotContain(bad);
+        }
+    }
+
+    @Test
+    void aChangeThatFailsSaysWhyAndAConfirmedOneGoesOn() {
+        administrator.post(drone + "/link-key", "{}");
+        Http.Answer refused = administrator.post(drone + "/link-key/rotate", "{}");
+        assertThat(refused.status()).isEqualTo(409);
+        assertThat(refused.text("detail")).contains("could be listened to");
+
+        assertThat(administrator
+                        .post(drone + "/link-key/rotate", "{\"confirm\":true}")
+                        .status())
+                .isEqualTo(200);
+    }
+
+    @Test
+    void thePolicyIsOneOfThree() {
+        assertThat(put(administrator, drone + "/link-security", "{\"policy\":\"required\"}")
+                        .text("policy"))
+                .isEqualTo("required");
+        Http.Answer wrong = put(administrator, drone + "/link-security", "{\"policy\":\"sometimes\"}");
+        assertThat(wrong.status()).isEqualTo(422);
+        assertThat(wrong.text("allowed")).isEqualTo("off, optional or required");
+        assertThat(put(administrator, drone + "/link-security", "{}").status()).isEqualTo(422);
+    }
+
+    @Test
+    void aKeyCanBeForgottenHereOnly() {
+        administrator.post(drone + "/link-key", "{}");
+        Http.Answer gone = administrator.send(drone + "/link-key?vehicle=false", HttpRequest.Builder::DELETE);
+
+        assertThat(gone.status()).isEqualTo(200);
+        assertThat(gone.json().path("key").isNull()).isTrue();
+    }
+
+    @Test
+    void anUnknownDroneHasNoLink() {
+        assertThat(administrator.get("/api/v1/drones/nobody/link-security").status())
+                .isEqualTo(404);
+        assertThat(administrator.post("/api/v1/drones/nobody/link-key", "{}").status())
+                .isEqualTo(404);
+    }
+}
