@@ -60,7 +60,8 @@ final class FleetBuilder {
                 options.mavlink1() ? 1 : 2,
                 options.rateHertz(),
                 options.stickLow() ? 1000 : 1500,
-                epochMicros);
+                epochMicros,
+                options.usb());
         return new SimulatedVehicle(settings, kind(index), craft, link);
     }
 

@@ -18,7 +18,8 @@ record Options(
         int controlPort,
         double readyAfterSeconds,
         boolean mavlink1,
-        boolean stickLow) {
+        boolean stickLow,
+        boolean usb) {
 
     static final String HELP = """
             Simulated multicopters that speak MAVLink over real sockets.
@@ -35,6 +36,7 @@ record Options(
               --ready-after SECONDS    until the position estimate stands, 0 to 600 (default 5; a real one takes 41)
               --stick low|mid          throttle stick of the remote control (default mid)
               --mavlink1               speak MAVLink 1
+              --usb                    the link is the first channel: unsigned messages pass in spite of a signing key
               --help                   this text
             """;
 
@@ -51,6 +53,7 @@ record Options(
                 0,
                 0,
                 5,
+                false,
                 false,
                 false);
     }
@@ -76,7 +79,8 @@ record Options(
                 (int) reader.integer("--control", d.controlPort, 0, 65_535),
                 reader.number("--ready-after", d.readyAfterSeconds, 0, 600),
                 reader.flag("--mavlink1"),
-                reader.choice("--stick", "mid", List.of("low", "mid")).equals("low"));
+                reader.choice("--stick", "mid", List.of("low", "mid")).equals("low"),
+                reader.flag("--usb"));
         reader.finish();
         return options;
     }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
+import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandAck;
@@ -79,6 +80,10 @@ final class Bench {
 
     void send(Message message) {
         toVehicle.read(ByteBuffer.wrap(ground.frame(message)), vehicle::receive);
+    }
+
+    void send(Message message, FrameSigner signer) {
+        toVehicle.read(ByteBuffer.wrap(ground.frame(message, signer)), vehicle::receive);
     }
 
     /** The result; -1 when none came. */

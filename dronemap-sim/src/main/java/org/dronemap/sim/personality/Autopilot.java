@@ -39,6 +39,9 @@ public interface Autopilot {
 
     Parameters parameters();
 
+    /** A new signing key is taken in flight as well. */
+    boolean takesKeysWhenArmed();
+
     /** Integer parameters travel as their bits in the float. */
     boolean parametersAsBits();
 

@@ -1,6 +1,7 @@
 package org.dronemap.sim.personality;
 
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
 import java.util.function.Consumer;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
@@ -8,6 +9,7 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemReached;
+import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.message.Timesync;
 import org.dronemap.sim.flight.Craft;
@@ -30,6 +32,7 @@ public final class SimulatedVehicle {
     private final Craft craft;
     private final FrameWriter writer;
     private final Consumer<byte[]> link;
+    private final VehicleSigning signing;
     private Autopilot autopilot;
     private Desk desk;
     private long now;
@@ -46,6 +49,8 @@ public final class SimulatedVehicle {
         this.craft = craft;
         this.link = link;
         this.writer = new FrameWriter(settings.systemId(), COMPONENT, settings.mavlinkVersion());
+        this.signing =
+                new VehicleSigning(settings.usb(), () -> Instant.ofEpochMilli(settings.epochMicros() / 1000 + now));
         this.nextBeat = settings.systemId() * 37L % BEAT_MILLIS;
         this.autopilot = makeAutopilot();
         this.desk = new Desk(autopilot, settings, 0, this::send, this::hear);
@@ -90,7 +95,7 @@ public final class SimulatedVehicle {
 
     private void send(Message message) {
         if (!isSilent()) {
-            link.accept(writer.frame(message));
+            link.accept(signing.frame(writer, message));
         }
     }
 
@@ -107,7 +112,11 @@ public final class SimulatedVehicle {
     }
 
     public void receive(Frame frame) {
-        if (deaf || isSilent()) {
+        if (deaf || isSilent() || !signing.accepts(frame)) {
+            return;
+        }
+        if (frame.messageId() == SetupSigning.ID) {
+            setUpSigning(SetupSigning.decode(frame));
             return;
         }
         if (frame.messageId() == Heartbeat.ID) {
@@ -117,6 +126,17 @@ public final class SimulatedVehicle {
         if (desk.receive(frame, now)) {
             reboot();
         }
+    }
+
+    private void setUpSigning(SetupSigning setup) {
+        if (setup.targetSystem() != settings.systemId()) {
+            return;
+        }
+        if (craft.armed() && !autopilot.takesKeysWhenArmed()) {
+            say(Severity.WARNING, "ERROR: Won't setup signing when armed");
+            return;
+        }
+        signing.setUp(setup);
     }
 
     /** Switches off and on again: parameters, mission and battery stay, everything else is found anew. */
@@ -166,6 +186,10 @@ public final class SimulatedVehicle {
 
     public Autopilot autopilot() {
         return autopilot;
+    }
+
+    public VehicleSigning signing() {
+        return signing;
     }
 
     public Craft craft() {

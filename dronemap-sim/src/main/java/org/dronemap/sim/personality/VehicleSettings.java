@@ -2,9 +2,11 @@ package org.dronemap.sim.personality;
 
 /**
  * What one vehicle is started with. {@code streamHertz} flows before anybody asks (negative: as its autopilot does it);
- * {@code stick} is the throttle stick of its remote control, 1000 to 2000; {@code epochMicros} UTC at clock zero.
+ * {@code stick} is the throttle stick of its remote control, 1000 to 2000; {@code epochMicros} UTC at clock zero;
+ * {@code usb}: its link is the first channel, on which unsigned messages always pass.
  */
-public record VehicleSettings(int systemId, int mavlinkVersion, double streamHertz, int stick, long epochMicros) {
+public record VehicleSettings(
+        int systemId, int mavlinkVersion, double streamHertz, int stick, long epochMicros, boolean usb) {
     public VehicleSettings {
         if (systemId < 1 || systemId > 255) {
             throw new IllegalArgumentException("system id " + systemId + " is not within 1 to 255");

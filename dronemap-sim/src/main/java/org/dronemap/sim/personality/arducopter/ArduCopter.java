@@ -261,6 +261,11 @@ public final class ArduCopter implements Autopilot {
     }
 
     @Override
+    public boolean takesKeysWhenArmed() {
+        return false;
+    }
+
+    @Override
     public boolean parametersAsBits() {
         return false;
     }

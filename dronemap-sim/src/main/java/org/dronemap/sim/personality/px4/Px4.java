@@ -234,6 +234,11 @@ public final class Px4 implements Autopilot {
     }
 
     @Override
+    public boolean takesKeysWhenArmed() {
+        return true;
+    }
+
+    @Override
     public boolean parametersAsBits() {
         return true;
     }
