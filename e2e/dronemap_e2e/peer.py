@@ -95,9 +95,13 @@ class Peer:
         self._thread.join()
         self._socket.close()
 
+    def turn(self) -> None:
+        """Called again and again on the peer's thread; kinds of peers do more here."""
+
     def _run(self) -> None:
         next_beat = 0.0
         while not self._closed:
+            self.turn()
             if time.monotonic() >= next_beat:
                 self.beat()
                 next_beat = time.monotonic() + 0.5
