@@ -4,8 +4,11 @@ import type {
   Command,
   CommandRequest,
   Drone,
+  LinkPolicy,
+  LinkSecurity,
   MissionItem,
   NewAccessKey,
+  NewLinkKey,
   NewUser,
   ProblemBody,
   Role,
@@ -57,6 +60,31 @@ export class RestClient {
 
   deleteDrone(id: string): Promise<void> {
     return this.#call('DELETE', `/drones/${encodeURIComponent(id)}`);
+  }
+
+  linkSecurity(id: string): Promise<LinkSecurity> {
+    return this.#call('GET', `/drones/${encodeURIComponent(id)}/link-security`);
+  }
+
+  setLinkPolicy(id: string, policy: LinkPolicy): Promise<LinkSecurity> {
+    return this.#call('PUT', `/drones/${encodeURIComponent(id)}/link-security`, { policy });
+  }
+
+  makeLinkKey(id: string): Promise<NewLinkKey> {
+    return this.#call('POST', `/drones/${encodeURIComponent(id)}/link-key`, {});
+  }
+
+  /** `confirm`: the user vouches that nobody listens on the link. */
+  installLinkKey(id: string, confirm: boolean): Promise<LinkSecurity> {
+    return this.#call('POST', `/drones/${encodeURIComponent(id)}/link-key/install`, { confirm });
+  }
+
+  rotateLinkKey(id: string, confirm: boolean): Promise<LinkSecurity> {
+    return this.#call('POST', `/drones/${encodeURIComponent(id)}/link-key/rotate`, { confirm });
+  }
+
+  revokeLinkKey(id: string): Promise<LinkSecurity> {
+    return this.#call('DELETE', `/drones/${encodeURIComponent(id)}/link-key`);
   }
 
   sendCommand(drone: string, request: CommandRequest & { id: string }): Promise<Command> {
