@@ -23,7 +23,8 @@ class LinkSecurityTest {
     @BeforeEach
     void open(@TempDir Path data) {
         house = new TestHouse(data, false);
-        drone = "/api/v1/drones/" + ScriptedVehicle.connect(house.cloud(), 15401).id();
+        drone = "/api/v1/drones/"
+                + ScriptedVehicle.connect(house.cloud(), 15401).id();
         administrator = new Http(house, house.key(Role.ADMINISTRATOR));
     }
 
@@ -56,9 +57,11 @@ class LinkSecurityTest {
         assertThat(operator.post(drone + "/link-key", "{}").status()).isEqualTo(403);
         assertThat(operator.post(drone + "/link-key/install", "{}").status()).isEqualTo(403);
         assertThat(operator.post(drone + "/link-key/rotate", "{}").status()).isEqualTo(403);
-        assertThat(operator.send(drone + "/link-key", HttpRequest.Builder::DELETE).status())
+        assertThat(operator.send(drone + "/link-key", HttpRequest.Builder::DELETE)
+                        .status())
                 .isEqualTo(403);
-        assertThat(put(operator, drone + "/link-security", "{\"policy\":\"off\"}").status())
+        assertThat(put(operator, drone + "/link-security", "{\"policy\":\"off\"}")
+                        .status())
                 .isEqualTo(403);
     }
 

@@ -211,7 +211,11 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         if (link == null && !ended) {
             bindWhenKnown(now);
         }
-        // Also one that was never bound, because it speaks in the name of a drone whose key it does not have.
+        endWhenGivenUp(now);
+    }
+
+    /** Also one that was never bound, because it speaks in the name of a drone whose key it does not have. */
+    private void endWhenGivenUp(long now) {
         if (!moving && now - lastHeardNanos > GIVEN_UP_NANOS && errands.isEmpty()) {
             end();
         }

@@ -3,8 +3,10 @@ package org.dronemap.proxy.signing;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
 import java.util.function.ToIntFunction;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
@@ -20,6 +22,8 @@ import org.slf4j.LoggerFactory;
 /** The keyrings of all drones, and what administrators do with them. Any thread; changes wait for the store. */
 public final class Keyrings implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Keyrings.class);
+
+    private static final int LONGEST_WRITE_SECONDS = 10;
 
     private final Keeping keeping;
     private final InstantSource wall;
@@ -106,9 +110,30 @@ public final class Keyrings implements AutoCloseable {
                     "The vehicle was never heard to sign with its key; install one first, or nothing"
                             + " that it says would be accepted.");
         }
+        LinkPolicy before = ring.security().policy();
         ring.setPolicy(policy);
-        keeping.store().save(ring.security());
+        try {
+            save(ring.security());
+        } catch (CompletionException e) {
+            ring.setPolicy(before);
+            throw e;
+        }
         return new ChangeResult.Done();
+    }
+
+    /** Returns when it is durable. Through the journal, since the drone itself may still be on its way there. */
+    private void save(LinkSecurity security) {
+        CompletableFuture<Void> kept = new CompletableFuture<>();
+        keeping.journal()
+                .write(
+                        "the link security of " + security.drone(),
+                        () -> {
+                            keeping.store().save(security);
+                            kept.complete(null);
+                        },
+                        () -> kept.completeExceptionally(
+                                new IllegalStateException("The link security could not be written.")));
+        kept.orTimeout(LONGEST_WRITE_SECONDS, TimeUnit.SECONDS).join();
     }
 
     /** False when the vehicle uses a key already. The key is durable when this returns. */
@@ -117,7 +142,7 @@ public final class Keyrings implements AutoCloseable {
         if (!ring.put(key)) {
             return false;
         }
-        keeping.store().save(ring.security());
+        save(ring.security());
         return true;
     }
 
@@ -125,7 +150,7 @@ public final class Keyrings implements AutoCloseable {
     public synchronized void forget(DroneId drone) {
         Keyring ring = ring(drone);
         ring.clear();
-        keeping.store().save(ring.security());
+        save(ring.security());
     }
 
     /** Begins a change on the vehicle; {@code newKey} is for a rotation. */
@@ -139,7 +164,7 @@ public final class Keyrings implements AutoCloseable {
         if (newKey != null) {
             // Before the vehicle can have it: a key that only the vehicle knows would lock us out.
             LinkSecurity now = ring.security();
-            keeping.store().save(new LinkSecurity(drone, now.policy(), now.key(), newKey, now.proven(), now.stamp()));
+            save(new LinkSecurity(drone, now.policy(), now.key(), newKey, now.proven(), now.stamp()));
         }
         LOG.info("The link key of {} is being changed ({})", drone, kind);
         return ring.begin(kind, newKey, confirmed);

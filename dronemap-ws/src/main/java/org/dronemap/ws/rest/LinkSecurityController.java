@@ -40,8 +40,7 @@ public class LinkSecurityController {
 
     @PutMapping("/link-security")
     @Operation(summary = "Set the policy: off, optional or required (administrator)")
-    public LinkSecurityView policy(
-            @PathVariable String id, @RequestBody LinkSecurityService.PolicyRequest request) {
+    public LinkSecurityView policy(@PathVariable String id, @RequestBody LinkSecurityService.PolicyRequest request) {
         return links.setPolicy(current.principal(), id, request);
     }
 

@@ -8,15 +8,16 @@ import org.jspecify.annotations.Nullable;
 public record LinkSecurityView(
         @Schema(description = "off, optional or required") String policy,
         @Nullable Key key,
-        @Schema(description = "Fingerprint of the key that is being changed over to")
-        @Nullable
+
+        @Schema(description = "Fingerprint of the key that is being changed over to") @Nullable
         String nextKey,
-        @Schema(description = "install, rotate or revoke while that is under way")
-        @Nullable
+
+        @Schema(description = "install, rotate or revoke while that is under way") @Nullable
         String changing,
-        @Schema(description = "Whether a key may be sent over the present link; null: there is none")
-        @Nullable
+
+        @Schema(description = "Whether a key may be sent over the present link; null: there is none") @Nullable
         Boolean safeLink,
+
         Messages messages) {
 
     /** {@code inUse}: the vehicle was heard signing with it. */

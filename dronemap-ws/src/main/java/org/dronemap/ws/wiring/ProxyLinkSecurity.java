@@ -50,12 +50,11 @@ record ProxyLinkSecurity(Keyrings keyrings) implements LinkSecurityControl {
     @Override
     public CompletableFuture<Optional<String>> change(
             DroneId drone, Change change, @Nullable LinkKey newKey, boolean confirmed) {
-        ChangeKind kind =
-                switch (change) {
-                    case INSTALL -> ChangeKind.INSTALL;
-                    case ROTATE -> ChangeKind.ROTATE;
-                    case REVOKE -> ChangeKind.REVOKE;
-                };
+        ChangeKind kind = switch (change) {
+            case INSTALL -> ChangeKind.INSTALL;
+            case ROTATE -> ChangeKind.ROTATE;
+            case REVOKE -> ChangeKind.REVOKE;
+        };
         return keyrings.change(drone, kind, newKey, confirmed).thenApply(ProxyLinkSecurity::why);
     }
 
