@@ -32,6 +32,7 @@ describe('the mission of the vehicle', () => {
 
     const lines = screen.getAllByRole('listitem');
     expect(lines.map((line) => line.getAttribute('aria-current'))).toEqual([null, 'step']);
+    expect(lines.map((line) => line.textContent?.trim().slice(0, 1))).toEqual(['1', '2']);
     expect(screen.getByText('Mission is running: item 2 of 2, 1 reached.')).toBeDefined();
   });
 });

@@ -102,6 +102,7 @@ describe('mission section', () => {
     const start = screen.getByRole('button', { name: 'Start mission' });
     expect(start.getAttribute('aria-disabled')).toBe('true');
     expect(screen.getByText('It is running.')).toBeDefined();
+    expect(screen.queryByLabelText('If the cloud is lost')).toBeNull();
     await fireEvent.click(start);
     expect(send).not.toHaveBeenCalled();
   });
