@@ -112,6 +112,10 @@ export class FlightMap {
     );
   }
 
+  shows(place: Coordinates): boolean {
+    return this.#map.getBounds().contains([place.longitude, place.latitude]);
+  }
+
   pixelOf(place: Coordinates): { x: number; y: number } {
     return this.#map.project([place.longitude, place.latitude]);
   }
