@@ -40,5 +40,7 @@ export class Desk {
 
   aim(droneId: string, place: Coordinates): void {
     this.target = { droneId, latitude: place.latitude, longitude: place.longitude };
+    // On the phone the card beside the place needs the map's room.
+    this.sheet = 'low';
   }
 }
