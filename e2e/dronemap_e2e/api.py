@@ -4,6 +4,8 @@ from typing import Any
 
 import requests
 
+from .waiting import wait_for
+
 Json = dict[str, Any]
 
 
@@ -28,6 +30,25 @@ class Api:
         return self._session.post(
             self.base + path, data=data, headers={"Content-Type": "application/octet-stream"}, timeout=120
         )
+
+    def post_text(self, path: str, text: str) -> requests.Response:
+        return self._session.post(
+            self.base + path, data=text.encode(), headers={"Content-Type": "text/plain"}, timeout=70
+        )
+
+    def text(self, path: str) -> str:
+        answer = self.call("GET", path)
+        assert answer.ok, answer.text
+        return answer.text
+
+    def ended(self, command: str, seconds: float) -> Json:
+        """The command's record once it has its outcome."""
+
+        def look() -> Json | None:
+            record = self.get(f"/commands/{command}")
+            return record if record["outcome"] else None
+
+        return wait_for(f"command {command} has ended", look, seconds)
 
     def drones(self) -> list[Json]:
         drones: list[Json] = self.get("/drones")["drones"]

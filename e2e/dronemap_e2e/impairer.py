@@ -7,6 +7,7 @@ import selectors
 import socket
 import threading
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 LOOPBACK = "127.0.0.1"
@@ -34,6 +35,8 @@ class Impairer:
         self.weather = weather
         self.carried = 0
         self.lost = 0
+        # Hears every datagram of every vehicle before the weather does anything to it.
+        self.overhear: Callable[[bytes], None] = lambda data: None
         self._server = (LOOPBACK, server_port)
         self._random = random.Random(seed)
         self._front = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -53,6 +56,11 @@ class Impairer:
         """The port that the server knows a vehicle by."""
         port: int = self._backs[(LOOPBACK, vehicle_port)].getsockname()[1]
         return port
+
+    def say(self, data: bytes) -> None:
+        """Straight to every vehicle, as somebody who is plugged in there."""
+        for vehicle in list(self._backs):
+            self._front.sendto(data, vehicle)
 
     def close(self) -> None:
         self._closed = True
@@ -76,6 +84,7 @@ class Impairer:
         except ConnectionError:
             return
         if vehicle is None:
+            self.overhear(data)
             self._carry(self._back(sender), self._server, data)
         else:
             self._carry(self._front, vehicle, data)

@@ -1,9 +1,12 @@
 """Simulated vehicles as a process of their own."""
 
+import socket
 import subprocess
 from pathlib import Path
 
+from .ports import free_port
 from .server import ROOT
+from .waiting import wait_for
 
 SIMULATOR_JAR = ROOT / "dronemap-sim" / "target" / "dronemap-sim.jar"
 
@@ -13,9 +16,11 @@ class Simulator:
 
     def __init__(self, log: Path, connect: str, *arguments: str) -> None:
         assert SIMULATOR_JAR.exists(), f"{SIMULATOR_JAR} is missing: build first (./dronemap test does)"
+        self._control = free_port()
+        options = ["--connect", connect, "--control", str(self._control), *arguments]
         with log.open("ab") as output:
             self._process = subprocess.Popen(
-                ["java", "-Xmx256m", "-jar", str(SIMULATOR_JAR), "--connect", connect, *arguments],
+                ["java", "-Xmx256m", "-jar", str(SIMULATOR_JAR), *options],
                 stdout=output,
                 stderr=subprocess.STDOUT,
             )
@@ -23,6 +28,21 @@ class Simulator:
     @property
     def pid(self) -> int:
         return self._process.pid
+
+    def fault(self, words: str) -> None:
+        """Orders a fault: "7 alter RTL_ALT", "all silent 10s" …"""
+        port = wait_for("the control port is open", self._connect, 20)
+        with port, port.makefile("rw", encoding="utf-8", newline="\n") as line:
+            line.write(f"fault {words}\n")
+            line.flush()
+            answer = line.readline()
+        assert answer.startswith("ok"), answer
+
+    def _connect(self) -> socket.socket | None:
+        try:
+            return socket.create_connection(("127.0.0.1", self._control), timeout=5)
+        except ConnectionRefusedError:
+            return None
 
     def stop(self) -> None:
         self._process.kill()

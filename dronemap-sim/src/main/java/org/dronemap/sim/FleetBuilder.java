@@ -61,7 +61,8 @@ final class FleetBuilder {
                 options.rateHertz(),
                 options.stickLow() ? 1000 : 1500,
                 epochMicros,
-                options.usb());
+                options.usb(),
+                options.parameters());
         return new SimulatedVehicle(settings, kind(index), craft, link);
     }
 

@@ -19,7 +19,8 @@ record Options(
         double readyAfterSeconds,
         boolean mavlink1,
         boolean stickLow,
-        boolean usb) {
+        boolean usb,
+        int parameters) {
 
     static final String HELP = """
             Simulated multicopters that speak MAVLink over real sockets.
@@ -35,6 +36,7 @@ record Options(
               --control PORT           faults on order at this loopback port, 0 for none (default 0); say "help" there
               --ready-after SECONDS    until the position estimate stands, 0 to 600 (default 5; a real one takes 41)
               --stick low|mid          throttle stick of the remote control (default mid)
+              --parameters N           fills the table of parameters up to so many, 0 to 5000 (default 0)
               --mavlink1               speak MAVLink 1
               --usb                    the link is the first channel: unsigned messages pass in spite of a signing key
               --help                   this text
@@ -55,7 +57,8 @@ record Options(
                 5,
                 false,
                 false,
-                false);
+                false,
+                0);
     }
 
     /**
@@ -80,7 +83,8 @@ record Options(
                 reader.number("--ready-after", d.readyAfterSeconds, 0, 600),
                 reader.flag("--mavlink1"),
                 reader.choice("--stick", "mid", List.of("low", "mid")).equals("low"),
-                reader.flag("--usb"));
+                reader.flag("--usb"),
+                (int) reader.integer("--parameters", d.parameters, 0, 5_000));
         reader.finish();
         return options;
     }

@@ -18,6 +18,7 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.jspecify.annotations.Nullable;
@@ -72,6 +73,11 @@ public final class CloudManager {
 
     public Optional<DroneState> drone(DroneId id) {
         return registry.find(id).map(managed -> managed.drone().state());
+    }
+
+    /** What a drone keeps on board beside its mission, as last heard; UNKNOWN when there is no such drone. */
+    public OnBoard onBoard(DroneId id) {
+        return registry.find(id).map(managed -> managed.drone().onBoard()).orElse(OnBoard.UNKNOWN);
     }
 
     /** Binds a new session to the drone it speaks for, or to a new one. Blocks only for the registry. */

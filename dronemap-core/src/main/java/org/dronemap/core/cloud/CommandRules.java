@@ -57,7 +57,16 @@ public final class CommandRules {
                 armed ? (needsAir(drone) && !drone.airborne() ? "Take off first." : null) : "Arm first.";
             case START_MISSION ->
                 hasMission(drone.mission()) ? (armed ? null : "Arm first.") : "Upload a mission first.";
-            case SET_MODE, UPLOAD_MISSION, CLEAR_MISSION, TAKE_PICTURE, SET_RELAY -> null;
+            case SET_MODE,
+                    UPLOAD_MISSION,
+                    CLEAR_MISSION,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    READ_LOGS,
+                    FENCE,
+                    RALLY_POINTS -> null;
         };
     }
 

@@ -19,10 +19,12 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
 /** The facts of one drone as they come in. Owned by the drone's lane; {@link #state()} may be read from anywhere. */
@@ -52,6 +54,7 @@ final class Drone {
     private @Nullable Home home;
     private long version;
     private volatile DroneState state;
+    private volatile OnBoard onBoard = OnBoard.UNKNOWN;
 
     Drone(DroneRecord record, boolean replay, MissionTracker mission, Clock clock) {
         this.clock = clock;
@@ -68,6 +71,11 @@ final class Drone {
 
     DroneState state() {
         return state;
+    }
+
+    /** What the vehicle keeps on board beside its mission. Any thread. */
+    OnBoard onBoard() {
+        return onBoard;
     }
 
     DroneRecord record() {
@@ -155,9 +163,27 @@ final class Drone {
             phase = e.phase();
         } else if (event instanceof DroneEvent.HomeHeard e) {
             home = e.home();
+        } else if (event instanceof DroneEvent.OnBoardHeard e) {
+            onBoard = applied(e);
         } else {
             mission.apply(event).ifPresent(sentence -> addText(Severity.WARNING, sentence));
         }
+    }
+
+    private OnBoard applied(DroneEvent.OnBoardHeard event) {
+        if (event instanceof DroneEvent.ParametersRead e) {
+            return onBoard.withParameters(ParameterSet.of(e.parameters(), clock.instant()));
+        }
+        if (event instanceof DroneEvent.ParameterHeard e) {
+            return onBoard.withParameters(onBoard.parameters().with(e.parameter()));
+        }
+        if (event instanceof DroneEvent.LogsRead e) {
+            return onBoard.withLogs(e.logs());
+        }
+        if (event instanceof DroneEvent.FenceRead e) {
+            return onBoard.withFence(e.zones());
+        }
+        return event instanceof DroneEvent.RallyPointsRead e ? onBoard.withRallyPoints(e.points()) : onBoard;
     }
 
     private void addText(Severity severity, String text) {

@@ -1,10 +1,15 @@
 package org.dronemap.core.command;
 
+import java.util.List;
 import java.util.Locale;
 import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.core.parameter.ParameterValue;
 
 /** What may be asked of a drone. Discrete: each one ends in exactly one {@link Outcome}. */
 public sealed interface Command {
@@ -224,6 +229,130 @@ public sealed interface Command {
         }
     }
 
+    /** Read the whole list of parameters anew. */
+    record ReadParameters() implements Command {
+        @Override
+        public Capability needs() {
+            return Capability.READ_PARAMETERS;
+        }
+
+        @Override
+        public String summary() {
+            return "read all parameters";
+        }
+    }
+
+    /** Change parameters and read each back; 1 to 10,000 of them. */
+    record SetParameters(List<ParameterValue> values) implements Command {
+        public SetParameters {
+            values = List.copyOf(values);
+            if (values.isEmpty() || values.size() > 10_000) {
+                throw new IllegalArgumentException("1 to 10,000 parameters can be set at once, not " + values.size());
+            }
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.SET_PARAMETERS;
+        }
+
+        @Override
+        public String summary() {
+            return values.size() == 1 ? "set " + values.get(0).text() : "set " + values.size() + " parameters";
+        }
+    }
+
+    /** List the logs that the vehicle keeps. */
+    record ReadLogs() implements Command {
+        @Override
+        public Capability needs() {
+            return Capability.READ_LOGS;
+        }
+
+        @Override
+        public String summary() {
+            return "list the logs on board";
+        }
+    }
+
+    /** Fetch one log, going on where an earlier attempt ended. */
+    record DownloadLog(VehicleLog log, LogSink sink) implements Command {
+        @Override
+        public Capability needs() {
+            return Capability.READ_LOGS;
+        }
+
+        @Override
+        public String summary() {
+            return "download log " + log.number();
+        }
+    }
+
+    /** Read the fence that the vehicle keeps. */
+    record ReadFence() implements Command {
+        @Override
+        public Capability needs() {
+            return Capability.FENCE;
+        }
+
+        @Override
+        public String summary() {
+            return "read the fence";
+        }
+    }
+
+    /** Replace the fence on board; none at all takes it away. */
+    record SetFence(List<FenceZone> zones) implements Command {
+        public SetFence {
+            zones = List.copyOf(zones);
+            if (zones.size() > 50) {
+                throw new IllegalArgumentException("a fence has at most 50 parts, not " + zones.size());
+            }
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.FENCE;
+        }
+
+        @Override
+        public String summary() {
+            return zones.isEmpty() ? "take the fence away" : "set a fence of " + zones.size() + " parts";
+        }
+    }
+
+    record ReadRallyPoints() implements Command {
+        @Override
+        public Capability needs() {
+            return Capability.RALLY_POINTS;
+        }
+
+        @Override
+        public String summary() {
+            return "read the rally points";
+        }
+    }
+
+    /** Replace the rally points on board; none at all takes them away. */
+    record SetRallyPoints(List<RallyPoint> points) implements Command {
+        public SetRallyPoints {
+            points = List.copyOf(points);
+            if (points.size() > 50) {
+                throw new IllegalArgumentException("there are at most 50 rally points, not " + points.size());
+            }
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.RALLY_POINTS;
+        }
+
+        @Override
+        public String summary() {
+            return points.isEmpty() ? "take the rally points away" : "set " + points.size() + " rally points";
+        }
+    }
+
     /** Which commands compete with each other on one vehicle. */
     enum Contention {
         /** Motors on or off; the newer one wins. */
@@ -235,7 +364,11 @@ public sealed interface Command {
         /** The camera; the first one goes on. */
         CAMERA,
         /** The relays; the first one goes on. */
-        RELAY;
+        RELAY,
+        /** Parameters on the wire; the first one goes on. */
+        PARAMETERS,
+        /** Logs on the wire; the first one goes on. */
+        LOGS;
 
         /** A newer command takes the place of one that is under way; else it has to wait. */
         public boolean newerWins() {
@@ -247,9 +380,11 @@ public sealed interface Command {
     default Contention contention() {
         return switch (needs()) {
             case ARM, DISARM -> Contention.ARMING;
-            case UPLOAD_MISSION, CLEAR_MISSION -> Contention.TRANSFER;
+            case UPLOAD_MISSION, CLEAR_MISSION, FENCE, RALLY_POINTS -> Contention.TRANSFER;
             case TAKE_PICTURE -> Contention.CAMERA;
             case SET_RELAY -> Contention.RELAY;
+            case READ_PARAMETERS, SET_PARAMETERS -> Contention.PARAMETERS;
+            case READ_LOGS -> Contention.LOGS;
             default -> Contention.FLIGHT;
         };
     }

@@ -16,7 +16,12 @@ public enum Capability {
     CLEAR_MISSION("clear its mission"),
     TURN("turn on the spot"),
     TAKE_PICTURE("take a picture"),
-    SET_RELAY("switch a relay");
+    SET_RELAY("switch a relay"),
+    READ_PARAMETERS("tell its parameters"),
+    SET_PARAMETERS("change its parameters"),
+    READ_LOGS("tell its logs"),
+    FENCE("keep a fence"),
+    RALLY_POINTS("keep rally points");
 
     private final String phrase;
 

@@ -12,7 +12,11 @@ import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.VehicleLog;
+import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.core.parameter.Parameter;
 import org.jspecify.annotations.Nullable;
 
 /** One thing heard from a vehicle. */
@@ -53,6 +57,40 @@ public sealed interface DroneEvent {
     record MissionRead(List<MissionItem> items, boolean asUploaded) implements DroneEvent {
         public MissionRead {
             items = List.copyOf(items);
+        }
+    }
+
+    /** Of what the vehicle keeps on board beside its mission. */
+    sealed interface OnBoardHeard extends DroneEvent {}
+
+    /** The whole list of parameters was read. */
+    record ParametersRead(List<Parameter> parameters) implements OnBoardHeard {
+        public ParametersRead {
+            parameters = List.copyOf(parameters);
+        }
+    }
+
+    /** One parameter was heard, whoever changed it. */
+    record ParameterHeard(Parameter parameter) implements OnBoardHeard {}
+
+    /** The logs on board were listed. */
+    record LogsRead(List<VehicleLog> logs) implements OnBoardHeard {
+        public LogsRead {
+            logs = List.copyOf(logs);
+        }
+    }
+
+    /** The fence on board was read. */
+    record FenceRead(List<FenceZone> zones) implements OnBoardHeard {
+        public FenceRead {
+            zones = List.copyOf(zones);
+        }
+    }
+
+    /** The rally points on board were read. */
+    record RallyPointsRead(List<RallyPoint> points) implements OnBoardHeard {
+        public RallyPointsRead {
+            points = List.copyOf(points);
         }
     }
 

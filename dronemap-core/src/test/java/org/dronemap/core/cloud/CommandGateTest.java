@@ -16,13 +16,18 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.OnBoard;
+import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -105,6 +110,35 @@ class CommandGateTest {
         assertThat(refused.outcome()).isEqualTo(new Outcome.Refused("gate", "Arm first."));
         assertThat(store.records.get(refused.id()).outcome()).isEqualTo(refused.outcome());
         assertNothingSent();
+    }
+
+    @Test
+    void letsOnePictureBeTakenAtATimeButARelayBesideIt() {
+        CommandRecord first = gate.submit(OPERATOR, link.id(), id("picture-1"), new Command.TakePicture());
+        CommandRecord second = gate.submit(OPERATOR, link.id(), id("picture-2"), new Command.TakePicture());
+        gate.submit(OPERATOR, link.id(), id("relay-001"), new Command.SetRelay(0, RelaySetting.TOGGLE));
+
+        assertThat(gate.end(second.id()))
+                .succeedsWithin(5, TimeUnit.SECONDS)
+                .satisfies(refused -> assertThat(refused.outcome())
+                        .isEqualTo(
+                                new Outcome.Refused("gate", "Wait for the end of what is under way: take a picture.")));
+        await().until(() -> vehicle.performed.size() == 2);
+        report(first).ended(new Outcome.Succeeded());
+    }
+
+    @Test
+    void remembersTheParametersAndLogsOfADrone() {
+        assertThat(cloud.onBoard(link.id())).isEqualTo(OnBoard.UNKNOWN);
+        Parameter height = new Parameter("RTL_ALT", ParameterType.INT16, 1500);
+
+        hear(new DroneEvent.ParametersRead(List.of(height)));
+        hear(new DroneEvent.ParameterHeard(height.withValue(2000)));
+        hear(new DroneEvent.LogsRead(List.of(new VehicleLog(1, null, 90))));
+
+        await().until(() -> cloud.onBoard(link.id()).logs() != null);
+        assertThat(cloud.onBoard(link.id()).parameters().all()).containsExactly(height.withValue(2000));
+        assertThat(cloud.onBoard(link.id()).parameters().readAt()).isNotNull();
     }
 
     @Test

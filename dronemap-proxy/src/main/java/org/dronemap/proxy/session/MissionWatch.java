@@ -11,6 +11,7 @@ import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
+import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.dronemap.proxy.mavlink.translate.MissionCodec;
@@ -111,7 +112,9 @@ final class MissionWatch {
         looks++;
         boolean timeToRead = looks % LOOKS_BEFORE_READING == 0 && knownWireItems <= CHEAP_ITEMS;
         readingWhole = wanted || known == null || timeToRead;
-        MissionDownload next = readingWhole ? MissionDownload.whole(target) : MissionDownload.count(target);
+        MissionDownload next = readingWhole
+                ? MissionDownload.whole(target, MissionKind.MISSION)
+                : MissionDownload.count(target, MissionKind.MISSION);
         reading = next;
         next.start(nowNanos);
     }

@@ -22,12 +22,12 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.proxy.mavlink.procedure.MessageRates;
 import org.dronemap.proxy.mavlink.procedure.Observer;
-import org.dronemap.proxy.mavlink.procedure.RoundTrip;
 import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.dronemap.proxy.mavlink.translate.Cockpit;
 import org.dronemap.proxy.mavlink.translate.Identity;
+import org.dronemap.proxy.mavlink.translate.ParameterTable;
 import org.dronemap.proxy.mavlink.translate.Telemetry;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 import org.dronemap.proxy.signing.Admission;
@@ -66,6 +66,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private final Autopilot autopilot;
     private final VehicleStatus status;
     private final Telemetry telemetry;
+    private final ParameterTable parameters;
     private final Errands errands = new Errands();
     private final MessageRates rates;
     private final MissionWatch missions;
@@ -99,10 +100,11 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         autopilot = Autopilot.of(heartbeat);
         status = new VehicleStatus(heartbeat.type());
         telemetry = new Telemetry(autopilot, status, this::tell);
+        parameters = new ParameterTable(autopilot, this::tell);
         rates = new MessageRates(target);
         missions = new MissionWatch(target, autopilot, status, this::tell);
         bornNanos = surroundings.now();
-        meter = new LinkMeter(new RoundTripProbe(target, new RoundTrip()), bornNanos);
+        meter = new LinkMeter(new RoundTripProbe(target, target.roundTrip()), bornNanos);
         lane = surroundings.lanes().registry();
         mailbox = new Mailbox(lane, this::take);
         lastHeardNanos = bornNanos;
@@ -169,6 +171,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             bound.heard();
         }
         telemetry.heard(frame, now);
+        parameters.heard(frame);
         errands.heard(frame, now);
         if (!label.replay()) {
             meter.heard(frame, now);
@@ -319,6 +322,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         if (!(event instanceof DroneEvent.TextHeard
                 || event instanceof DroneEvent.MissionItemReached
                 || event instanceof DroneEvent.MissionRead
+                || event instanceof DroneEvent.OnBoardHeard
                 || event instanceof DroneEvent.Identified)) {
             facts.put(event.getClass(), event);
         }
@@ -372,7 +376,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
                 report.progress(done, total);
             }
         };
-        Cockpit cockpit = new Cockpit(status, target, observer, this::missionReadBack, telemetry::remark);
+        Cockpit cockpit =
+                new Cockpit(status, parameters, target, observer, this::tell, this::missionReadBack, telemetry::remark);
         errands.begin(id, command, autopilot.plan(command, cockpit), report, surroundings.now());
     }
 

@@ -18,7 +18,9 @@ public final class ControlCommands {
             fault <sysid|all> reboot              restarts with a new port
             fault <sysid|all> gcs-ignore on|off   hears nothing from the ground, goes on talking
             fault <sysid|all> stick low|mid       throttle stick of the remote control
-            fault <sysid|all> repair              takes crash and motor failure back
+            fault <sysid|all> alter <NAME|NUMBER> keeps that parameter, or the altitude of that mission item (home is 0),
+                                                  otherwise than it is told, without a word
+            fault <sysid|all> repair              takes crash, motor failure and alterations back
             ok end of help""";
 
     private ControlCommands() {}
@@ -94,7 +96,12 @@ public final class ControlCommands {
             case "battery" -> battery(vehicle, value);
             case "crash" -> done(vehicle.craft()::crash);
             case "motor-failure" -> done(vehicle.craft()::failMotor);
-            case "repair" -> done(vehicle.craft()::repair);
+            case "repair" ->
+                done(() -> {
+                    vehicle.craft().repair();
+                    vehicle.alterations().clear();
+                });
+            case "alter" -> alter(vehicle, value);
             case "reboot" -> done(vehicle::reboot);
             case "gcs-ignore" -> onOff(what, value.isEmpty() ? "on" : value, vehicle::setDeaf);
             case "stick" -> stick(vehicle, value);
@@ -104,6 +111,19 @@ public final class ControlCommands {
 
     private static String done(Runnable action) {
         action.run();
+        return "";
+    }
+
+    private static String alter(SimulatedVehicle vehicle, String value) {
+        if (value.matches("\\d{1,4}")) {
+            vehicle.alterations().alterItem(Integer.parseInt(value));
+            return "";
+        }
+        String name = value.toUpperCase(Locale.ROOT);
+        if (vehicle.autopilot().parameters().indexOf(name) < 0) {
+            return "alter wants the name of a parameter or the number of a mission item, not '" + value + "'";
+        }
+        vehicle.alterations().alterParameter(name);
         return "";
     }
 

@@ -14,6 +14,9 @@ import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.HomePosition;
+import org.dronemap.mavlink.message.LogRequestData;
+import org.dronemap.mavlink.message.LogRequestEnd;
+import org.dronemap.mavlink.message.LogRequestList;
 import org.dronemap.mavlink.message.MissionClearAll;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionCurrent;
@@ -60,8 +63,10 @@ final class Desk {
     private final Consumer<FlightEvent> events;
     private final Telemetry telemetry;
     private final Streams streams = new Streams(STREAMED);
+    private final Alterations alterations = new Alterations();
     private final MissionProtocol missions;
     private final ParameterProtocol parameters;
+    private final LogProtocol logs;
 
     Desk(
             Autopilot autopilot,
@@ -75,8 +80,9 @@ final class Desk {
         this.out = out;
         this.events = events;
         this.telemetry = new Telemetry(autopilot, systemId, settings.epochMicros() + bootedAt * 1000);
-        this.missions = new MissionProtocol(autopilot, out, events);
-        this.parameters = new ParameterProtocol(autopilot, out);
+        this.missions = new MissionProtocol(autopilot, alterations, out, events);
+        this.logs = new LogProtocol(systemId, out);
+        this.parameters = new ParameterProtocol(autopilot, alterations, out);
         for (int id : STREAMED) {
             double unasked = settings.streamHertz() < 0 ? autopilot.unaskedRate(id) : settings.streamHertz();
             streams.set(id, unasked, bootedAt);
@@ -86,11 +92,16 @@ final class Desk {
     void step(long nowMillis) {
         missions.step(nowMillis);
         parameters.step();
+        logs.step();
         streams.pour(nowMillis, id -> {
             if (!telemetry.isSilent(id)) {
                 out.accept(build(id, nowMillis));
             }
         });
+    }
+
+    Alterations alterations() {
+        return alterations;
     }
 
     Message build(int messageId, long nowMillis) {
@@ -141,7 +152,7 @@ final class Desk {
             }
             case RC_CHANNELS_OVERRIDE -> stick(frame);
             default -> {
-                if (!receiveMission(frame, nowMillis) && !receiveParameter(frame)) {
+                if (!receiveMission(frame, nowMillis) && !receiveParameter(frame) && !receiveLog(frame)) {
                     receiveLink(frame, nowMillis);
                 }
             }
@@ -292,6 +303,28 @@ final class Desk {
                     parameters.write(request);
                 }
             }
+            default -> {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean receiveLog(Frame frame) {
+        switch (frame.messageId()) {
+            case LogRequestList.ID -> {
+                LogRequestList request = LogRequestList.decode(frame);
+                if (isMine(request.targetSystem(), request.targetComponent())) {
+                    logs.list(request);
+                }
+            }
+            case LogRequestData.ID -> {
+                LogRequestData request = LogRequestData.decode(frame);
+                if (isMine(request.targetSystem(), request.targetComponent())) {
+                    logs.pour(request);
+                }
+            }
+            case LogRequestEnd.ID -> logs.stop();
             default -> {
                 return false;
             }

@@ -16,6 +16,8 @@ import org.dronemap.sim.flight.Severity;
 
 /** The vehicle's side of the mission protocol: takes a mission item by item, hands it out, clears it. Milliseconds. */
 final class MissionProtocol {
+    private static final int FENCE = 1;
+    private static final int RALLY = 2;
     private static final int ACCEPTED = 0;
     private static final int ERROR = 1;
     private static final int UNSUPPORTED = 3;
@@ -28,8 +30,11 @@ final class MissionProtocol {
     private final Autopilot autopilot;
     private final MissionStyle style;
     private final FlightPlan plan;
+    private final Alterations alterations;
     private final Consumer<Message> out;
     private final Consumer<FlightEvent> events;
+    private final PlainItems fence;
+    private final PlainItems rally;
     private final List<MissionItem> arriving = new ArrayList<>();
     private boolean receiving;
     private int expected;
@@ -39,15 +44,28 @@ final class MissionProtocol {
     private long lastItemAt;
     private long askedAt;
 
-    MissionProtocol(Autopilot autopilot, Consumer<Message> out, Consumer<FlightEvent> events) {
+    MissionProtocol(Autopilot autopilot, Alterations alterations, Consumer<Message> out, Consumer<FlightEvent> events) {
         this.autopilot = autopilot;
+        this.alterations = alterations;
         this.style = autopilot.missionStyle();
         this.plan = autopilot.plan();
         this.out = out;
         this.events = events;
+        this.fence = new PlainItems(FENCE, out);
+        this.rally = new PlainItems(RALLY, out);
+    }
+
+    private PlainItems plain(int missionType) {
+        return missionType == FENCE ? fence : rally;
+    }
+
+    private static boolean isPlain(int missionType) {
+        return missionType == FENCE || missionType == RALLY;
     }
 
     void step(long nowMillis) {
+        fence.step(nowMillis);
+        rally.step(nowMillis);
         if (!receiving) {
             return;
         }
@@ -61,6 +79,10 @@ final class MissionProtocol {
     }
 
     void count(MissionCount message, int fromSystem, int fromComponent, long nowMillis) {
+        if (isPlain(message.missionType())) {
+            plain(message.missionType()).count(message, fromSystem, fromComponent, nowMillis);
+            return;
+        }
         if (receiving && fromSystem != peerSystem) {
             out.accept(new MissionAck(fromSystem, fromComponent, DENIED, message.missionType()));
             return;
@@ -100,6 +122,10 @@ final class MissionProtocol {
     }
 
     void item(MissionItemInt message, int fromSystem, long nowMillis) {
+        if (isPlain(message.missionType())) {
+            plain(message.missionType()).item(message, fromSystem, nowMillis);
+            return;
+        }
         if (!receiving || fromSystem != peerSystem || message.missionType() != 0) {
             return;
         }
@@ -147,7 +173,7 @@ final class MissionProtocol {
         return item.isNavigation() && offEarth ? INVALID_PARAM5 : ACCEPTED;
     }
 
-    private static MissionItem toItem(MissionItemInt m) {
+    private MissionItem toItem(MissionItemInt m) {
         boolean placeless = m.command() == MissionItem.RETURN_TO_LAUNCH;
         return new MissionItem(
                 m.command(),
@@ -159,7 +185,7 @@ final class MissionProtocol {
                 m.param4(),
                 m.x(),
                 m.y(),
-                m.z());
+                alterations.keptAltitude(m.seq(), m.z()));
     }
 
     /** The INT frames mean the same and read back as the plain ones. */
@@ -178,6 +204,10 @@ final class MissionProtocol {
     }
 
     void sendCount(int missionType, int toSystem, int toComponent) {
+        if (isPlain(missionType)) {
+            plain(missionType).sendCount(toSystem, toComponent);
+            return;
+        }
         if (receiving && missionType == 0) {
             out.accept(new MissionAck(toSystem, toComponent, DENIED, missionType));
             return;
@@ -188,6 +218,10 @@ final class MissionProtocol {
     void sendItem(MissionRequestInt request, boolean inFloats, int toSystem, int toComponent) {
         int index = request.seq();
         int missionType = request.missionType();
+        if (isPlain(missionType)) {
+            plain(missionType).sendItem(index, toSystem, toComponent);
+            return;
+        }
         if (missionType != 0 || index >= plan.size()) {
             out.accept(new MissionAck(toSystem, toComponent, DENIED, missionType));
             return;
@@ -218,6 +252,10 @@ final class MissionProtocol {
     }
 
     void clear(int missionType, int toSystem, int toComponent) {
+        if (isPlain(missionType)) {
+            plain(missionType).clear(toSystem, toComponent);
+            return;
+        }
         boolean may = missionType != 0 || autopilot.mayClearMission();
         if (may && (missionType == 0 || missionType == 255)) {
             plan.clear();

@@ -14,11 +14,13 @@ final class ParameterProtocol {
     private final Autopilot autopilot;
     private final Parameters parameters;
     private final boolean bytewise;
+    private final Alterations alterations;
     private final Consumer<Message> out;
     private int listed;
 
-    ParameterProtocol(Autopilot autopilot, Consumer<Message> out) {
+    ParameterProtocol(Autopilot autopilot, Alterations alterations, Consumer<Message> out) {
         this.autopilot = autopilot;
+        this.alterations = alterations;
         this.parameters = autopilot.parameters();
         this.bytewise = autopilot.parametersAsBits();
         this.out = out;
@@ -51,8 +53,9 @@ final class ParameterProtocol {
         boolean asBits = bytewise && parameters.at(index).type() != Parameters.REAL32;
         double value = asBits ? Float.floatToRawIntBits(request.paramValue()) : request.paramValue();
         parameters.set(request.paramId(), value);
-        autopilot.parameterChanged(request.paramId());
         send(index);
+        parameters.set(request.paramId(), alterations.kept(request.paramId(), value));
+        autopilot.parameterChanged(request.paramId());
     }
 
     private void send(int index) {

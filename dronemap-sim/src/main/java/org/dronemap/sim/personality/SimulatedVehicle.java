@@ -60,6 +60,7 @@ public final class SimulatedVehicle {
     private Autopilot makeAutopilot() {
         Autopilot made = kind.maker().make(craft, settings.systemId(), this::hear, this::send, this::beatNow);
         made.stick(settings.stick());
+        Padding.pad(made.parameters(), settings.parameters(), made.parametersAsBits());
         return made;
     }
 
@@ -182,6 +183,11 @@ public final class SimulatedVehicle {
 
     public void say(Severity severity, String text) {
         hear(new FlightEvent.Text(severity, text));
+    }
+
+    /** What it keeps otherwise than it was told; a reboot forgets it. */
+    public Alterations alterations() {
+        return desk.alterations();
     }
 
     public Autopilot autopilot() {

@@ -3,10 +3,17 @@ package org.dronemap.sim.personality;
 /**
  * What one vehicle is started with. {@code streamHertz} flows before anybody asks (negative: as its autopilot does it);
  * {@code stick} is the throttle stick of its remote control, 1000 to 2000; {@code epochMicros} UTC at clock zero;
- * {@code usb}: its link is the first channel, on which unsigned messages always pass.
+ * {@code usb}: its link is the first channel, on which unsigned messages always pass; the table of parameters is filled
+ * up to {@code parameters}.
  */
 public record VehicleSettings(
-        int systemId, int mavlinkVersion, double streamHertz, int stick, long epochMicros, boolean usb) {
+        int systemId,
+        int mavlinkVersion,
+        double streamHertz,
+        int stick,
+        long epochMicros,
+        boolean usb,
+        int parameters) {
     public VehicleSettings {
         if (systemId < 1 || systemId > 255) {
             throw new IllegalArgumentException("system id " + systemId + " is not within 1 to 255");

@@ -3,7 +3,6 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.Parameter;
 import io.swagger.v3.oas.annotations.tags.Tag;
-import java.net.URI;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -11,9 +10,7 @@ import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
-import org.dronemap.ws.service.InvalidInput;
 import org.jspecify.annotations.Nullable;
-import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PathVariable;
@@ -28,8 +25,6 @@ import org.springframework.web.bind.annotation.RestController;
 @RequestMapping("/api/v1")
 @Tag(name = "Commands", description = "Each command ends in exactly one outcome; the same id twice acts once.")
 public class CommandController {
-    private static final int LONGEST_WAIT_SECONDS = 60;
-
     private final CommandService commands;
     private final CurrentPrincipal current;
 
@@ -53,12 +48,12 @@ public class CommandController {
                     @Nullable
                     Double wait,
             @RequestBody CommandRequest request) {
-        Duration longest = wait(wait);
+        Duration longest = CommandAnswer.wait(wait);
         CommandView command = commands.submit(current.principal(), current.face(), id, request);
         if (longest.isZero()) {
-            return CompletableFuture.completedFuture(answer(command));
+            return CompletableFuture.completedFuture(CommandAnswer.of(command));
         }
-        return commands.awaitEnd(command, longest).thenApply(CommandController::answer);
+        return commands.awaitEnd(command, longest).thenApply(CommandAnswer::of);
     }
 
     @GetMapping("/drones/{id}/commands")
@@ -73,22 +68,5 @@ public class CommandController {
     public CommandView command(@PathVariable String id) {
         current.principal();
         return commands.command(id);
-    }
-
-    private static ResponseEntity<CommandView> answer(CommandView command) {
-        HttpStatus status = command.outcome() == null ? HttpStatus.ACCEPTED : HttpStatus.OK;
-        return ResponseEntity.status(status)
-                .location(URI.create("/api/v1/commands/" + command.id()))
-                .body(command);
-    }
-
-    private static Duration wait(@Nullable Double seconds) {
-        if (seconds == null) {
-            return Duration.ZERO;
-        }
-        if (!(seconds >= 0 && seconds <= LONGEST_WAIT_SECONDS)) {
-            throw InvalidInput.outside("wait", "0 to " + LONGEST_WAIT_SECONDS + " seconds", seconds);
-        }
-        return Duration.ofMillis(Math.round(seconds * 1000));
     }
 }

@@ -8,6 +8,7 @@ import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wrote into a command, or says which member is wrong and what is allowed. */
@@ -19,7 +20,7 @@ final class CommandReader {
 
     private CommandReader() {}
 
-    static Command read(CommandRequest request, DroneState drone) {
+    static Command read(CommandRequest request, DroneState drone, ParameterSet held) {
         String type = request.type();
         if (type == null) {
             throw InvalidInput.missing("type", KINDS);
@@ -40,6 +41,9 @@ final class CommandReader {
             case "takePicture" -> new Command.TakePicture();
             case "setRelay" ->
                 new Command.SetRelay(Ranges.relay("relay", request.relay()), relaySetting(request.setting()));
+            case "readLogs" -> new Command.ReadLogs();
+            case "readParameters" -> new Command.ReadParameters();
+            case "setParameters" -> new Command.SetParameters(ParameterReader.read(request.parameters(), held));
             case "pauseMission" -> new Command.PauseMission();
             case "clearMission" -> new Command.ClearMission();
             default -> throw InvalidInput.outside("type", KINDS, "\"" + type + "\"");

@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
 public record CommandRequest(
         @Schema(
                 description = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
-                        + " startMission, pauseMission, clearMission, turn, takePicture or setRelay",
+                        + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, readParameters,"
+                        + " setParameters or readLogs",
                 requiredMode = Schema.RequiredMode.REQUIRED)
         @Nullable
         String type,
@@ -47,10 +48,16 @@ public record CommandRequest(
         @Schema(description = "setRelay: 0 to 15") @Nullable Integer relay,
 
         @Schema(description = "setRelay: off, on or toggle") @Nullable
-        String setting) {
+        String setting,
+
+        @Schema(description = "setParameters: what is to be changed") @Nullable
+        List<ParameterRequest> parameters) {
+    /** A parameter and the value that it shall get. */
+    public record ParameterRequest(
+            @Nullable String name, @Nullable Double value) {}
 
     /** A command without parameters. */
     public static CommandRequest simple(String type) {
-        return new CommandRequest(type, null, null, null, null, null, null, null, null, null, null, null, null);
+        return new CommandRequest(type, null, null, null, null, null, null, null, null, null, null, null, null, null);
     }
 }

@@ -35,8 +35,14 @@ public final class CommandService {
     public CommandView submit(Principal principal, String face, String droneId, CommandRequest request) {
         Roles.require(principal, Role.OPERATOR);
         DroneState drone = drones.state(droneId);
-        CommandId id = id(request.id());
-        Command command = CommandReader.read(request, drone);
+        Command command =
+                CommandReader.read(request, drone, cloud.onBoard(drone.id()).parameters());
+        return give(principal, face, drone, request.id(), command);
+    }
+
+    /** Gives a checked command; {@code givenId} is the client's own. */
+    CommandView give(Principal principal, String face, DroneState drone, @Nullable String givenId, Command command) {
+        CommandId id = id(givenId);
         CommandRecord record = ask(new CommandGate.Source(principal, face), drone, id, command);
         if (!record.drone().equals(drone.id())
                 || !record.type().equals(command.getClass().getSimpleName())) {

@@ -58,14 +58,16 @@ public class ControllerService implements MAVLinkController {
     public SoapOutcome disarm(String droneId, @Nullable Boolean force) throws DronemapFault {
         return act(
                 droneId,
-                new CommandRequest("disarm", null, force, null, null, null, null, null, null, null, null, null, null));
+                new CommandRequest(
+                        "disarm", null, force, null, null, null, null, null, null, null, null, null, null, null));
     }
 
     @Override
     public SoapOutcome setMode(String droneId, String mode) throws DronemapFault {
         return act(
                 droneId,
-                new CommandRequest("setMode", null, null, mode, null, null, null, null, null, null, null, null, null));
+                new CommandRequest(
+                        "setMode", null, null, mode, null, null, null, null, null, null, null, null, null, null));
     }
 
     @Override
@@ -73,7 +75,7 @@ public class ControllerService implements MAVLinkController {
         return act(
                 droneId,
                 new CommandRequest(
-                        "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null));
+                        "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null, null));
     }
 
     @Override
@@ -98,7 +100,8 @@ public class ControllerService implements MAVLinkController {
         return act(
                 droneId,
                 new CommandRequest(
-                        "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null));
+                        "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null,
+                        null));
     }
 
     @Override
@@ -109,7 +112,20 @@ public class ControllerService implements MAVLinkController {
         return act(
                 droneId,
                 new CommandRequest(
-                        "uploadMission", null, null, null, null, null, null, null, items, null, null, null, null));
+                        "uploadMission",
+                        null,
+                        null,
+                        null,
+                        null,
+                        null,
+                        null,
+                        null,
+                        items,
+                        null,
+                        null,
+                        null,
+                        null,
+                        null));
     }
 
     @Override
@@ -143,7 +159,8 @@ public class ControllerService implements MAVLinkController {
     public SoapOutcome turn(String droneId, @Nullable Double degrees) throws DronemapFault {
         return act(
                 droneId,
-                new CommandRequest("turn", null, null, null, null, null, null, null, null, null, degrees, null, null));
+                new CommandRequest(
+                        "turn", null, null, null, null, null, null, null, null, null, degrees, null, null, null));
     }
 
     @Override
@@ -157,7 +174,7 @@ public class ControllerService implements MAVLinkController {
         return act(
                 droneId,
                 new CommandRequest(
-                        "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting));
+                        "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting, null));
     }
 
     @Override

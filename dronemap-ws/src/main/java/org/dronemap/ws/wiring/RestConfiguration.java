@@ -10,7 +10,10 @@ import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.LinkSecurityController;
+import org.dronemap.ws.rest.FenceController;
+import org.dronemap.ws.rest.LogController;
 import org.dronemap.ws.rest.MissionController;
+import org.dronemap.ws.rest.ParameterController;
 import org.dronemap.ws.rest.ProblemAdvice;
 import org.dronemap.ws.rest.ReplayController;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
@@ -39,7 +42,10 @@ import tools.jackson.databind.DeserializationFeature;
     AccessController.class,
     DroneController.class,
     CommandController.class,
+    FenceController.class,
+    LogController.class,
     MissionController.class,
+    ParameterController.class,
     BackupController.class,
     LinkSecurityController.class,
     ReplayController.class,

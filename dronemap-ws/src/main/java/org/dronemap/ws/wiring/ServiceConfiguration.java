@@ -12,10 +12,14 @@ import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.LinkSecurityService;
+import org.dronemap.ws.service.LogService;
+import org.dronemap.ws.service.LogShelf;
 import org.dronemap.ws.service.MissionService;
+import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
@@ -91,6 +95,26 @@ public class ServiceConfiguration {
     @Bean
     CommandService commandService(House house, DroneService drones) {
         return new CommandService(house.cloud(), drones);
+    }
+
+    @Bean
+    ParameterService parameterService(House house, DroneService drones, CommandService commands) {
+        return new ParameterService(house.cloud(), drones, commands);
+    }
+
+    @Bean
+    FenceService fenceService(House house, DroneService drones, CommandService commands) {
+        return new FenceService(house.cloud(), drones, commands);
+    }
+
+    @Bean
+    LogShelf logShelf(Settings settings) {
+        return new LogShelf(settings.dataDirectory().resolve("vehicle-logs"));
+    }
+
+    @Bean
+    LogService logService(House house, DroneService drones, CommandService commands, LogShelf shelf) {
+        return new LogService(house.cloud(), drones, commands, shelf);
     }
 
     @Bean

@@ -6,30 +6,36 @@ import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionClearAll;
 import org.jspecify.annotations.Nullable;
 
-/** Asks a vehicle to forget its mission; whether it did is for a read-back to say. */
+/** Asks a vehicle to forget its mission (or fence, or rally points); whether it did is for a read-back to say. */
 public final class MissionClear implements Exchange {
-    private static final int TRIES = 9;
-    private static final long BETWEEN_TRIES_NANOS = 700_000_000L;
+    private static final long LEAST_PAUSE_NANOS = 500_000_000L;
 
     private final Target target;
+    private final MissionKind kind;
+    private final Patience patience = new Patience();
+    private Pace pace = new Pace(0, 0, 0);
     private int tries;
     private long lastSentNanos;
     private @Nullable Outcome outcome;
 
-    public MissionClear(Target target) {
+    public MissionClear(Target target, MissionKind kind) {
         this.target = target;
+        this.kind = kind;
     }
 
     @Override
     public void start(long nowNanos) {
+        pace = Pace.of(target.roundTrip(), 0);
+        patience.begin(nowNanos);
         send(nowNanos);
     }
 
     @Override
     public void heard(Frame frame, long nowNanos) {
+        patience.heard(nowNanos);
         if (outcome == null && frame.messageId() == MissionAck.ID) {
             MissionAck ack = MissionAck.decode(frame);
-            if (ack.missionType() == 0 && Target.isForUs(ack.targetSystem())) {
+            if (ack.missionType() == kind.number() && Target.isForUs(ack.targetSystem())) {
                 outcome = ack.type() == MissionResult.ACCEPTED
                         ? new Outcome.Succeeded()
                         : new Outcome.Refused("vehicle", MissionResult.words(ack.type()));
@@ -39,17 +45,17 @@ public final class MissionClear implements Exchange {
 
     @Override
     public void tick(long nowNanos) {
-        if (outcome == null && nowNanos - lastSentNanos >= BETWEEN_TRIES_NANOS) {
-            if (tries == TRIES) {
-                outcome = CommandExchange.noAnswer(TRIES * BETWEEN_TRIES_NANOS, TRIES);
-            } else {
+        if (outcome == null && nowNanos - lastSentNanos >= Math.max(LEAST_PAUSE_NANOS, pace.pauseNanos(tries))) {
+            outcome = patience.end(nowNanos);
+            if (outcome == null) {
                 send(nowNanos);
             }
         }
     }
 
     private void send(long nowNanos) {
-        target.send(new MissionClearAll(target.systemId(), target.componentId(), 0));
+        target.send(new MissionClearAll(target.systemId(), target.componentId(), kind.number()));
+        patience.asked(nowNanos);
         tries++;
         lastSentNanos = nowNanos;
     }

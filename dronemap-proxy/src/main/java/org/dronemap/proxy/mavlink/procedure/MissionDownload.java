@@ -13,32 +13,38 @@ import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the mission of a vehicle: list, count, each item in order, thanks. Vehicles without integer items are heard too. */
+/**
+ * Reads the mission of a vehicle (or its fence, or rally points): list, count, each item in order, thanks; goes on where
+ * it was after a break of the link. Vehicles without integer items are heard too.
+ */
 public final class MissionDownload implements Exchange {
-    private static final int TRIES = 9;
-    private static final long BETWEEN_TRIES_NANOS = 700_000_000L;
+    private static final long LEAST_PAUSE_NANOS = 500_000_000L;
     private static final int MOST_ITEMS = 2_000;
 
     private final Target target;
+    private final MissionKind kind;
     private final boolean countOnly;
+    private final Patience patience = new Patience();
     private final List<MissionItemInt> items = new ArrayList<>();
     private int count = -1;
+    private Pace pace = new Pace(0, 0, 0);
     private int tries;
     private long lastSentNanos;
     private @Nullable Outcome outcome;
 
-    private MissionDownload(Target target, boolean countOnly) {
+    private MissionDownload(Target target, MissionKind kind, boolean countOnly) {
         this.target = target;
+        this.kind = kind;
         this.countOnly = countOnly;
     }
 
-    public static MissionDownload whole(Target target) {
-        return new MissionDownload(target, false);
+    public static MissionDownload whole(Target target, MissionKind kind) {
+        return new MissionDownload(target, kind, false);
     }
 
     /** Only asks how many items there are. */
-    public static MissionDownload count(Target target) {
-        return new MissionDownload(target, true);
+    public static MissionDownload count(Target target, MissionKind kind) {
+        return new MissionDownload(target, kind, true);
     }
 
     /** What was read so far, home included where the autopilot keeps it as item 0. */
@@ -53,6 +59,8 @@ public final class MissionDownload implements Exchange {
 
     @Override
     public void start(long nowNanos) {
+        pace = Pace.of(target.roundTrip(), 0);
+        patience.begin(nowNanos);
         ask(nowNanos);
     }
 
@@ -61,6 +69,7 @@ public final class MissionDownload implements Exchange {
         if (outcome != null) {
             return;
         }
+        patience.heard(nowNanos);
         switch (frame.messageId()) {
             case MissionCount.ID -> counted(MissionCount.decode(frame), nowNanos);
             case MissionItemInt.ID -> took(MissionItemInt.decode(frame), nowNanos);
@@ -72,12 +81,11 @@ public final class MissionDownload implements Exchange {
 
     @Override
     public void tick(long nowNanos) {
-        if (outcome != null || nowNanos - lastSentNanos < BETWEEN_TRIES_NANOS) {
+        if (outcome != null || nowNanos - lastSentNanos < Math.max(LEAST_PAUSE_NANOS, pace.pauseNanos(tries))) {
             return;
         }
-        if (tries >= TRIES) {
-            outcome = CommandExchange.noAnswer(TRIES * BETWEEN_TRIES_NANOS, TRIES);
-        } else {
+        outcome = patience.end(nowNanos);
+        if (outcome == null) {
             ask(nowNanos);
         }
     }
@@ -91,19 +99,20 @@ public final class MissionDownload implements Exchange {
         int system = target.systemId();
         int component = target.componentId();
         if (count < 0) {
-            target.send(new MissionRequestList(system, component, 0));
+            target.send(new MissionRequestList(system, component, kind.number()));
         } else if (tries % 3 == 2) {
             // Old vehicles know only the request for an item with floating-point position.
-            target.send(new MissionRequest(system, component, items.size(), 0));
+            target.send(new MissionRequest(system, component, items.size(), kind.number()));
         } else {
-            target.send(new MissionRequestInt(system, component, items.size(), 0));
+            target.send(new MissionRequestInt(system, component, items.size(), kind.number()));
         }
+        patience.asked(nowNanos);
         tries++;
         lastSentNanos = nowNanos;
     }
 
     private void counted(MissionCount message, long nowNanos) {
-        if (count >= 0 || message.missionType() != 0 || !Target.isForUs(message.targetSystem())) {
+        if (count >= 0 || message.missionType() != kind.number() || !Target.isForUs(message.targetSystem())) {
             return;
         }
         if (message.count() > MOST_ITEMS) {
@@ -115,7 +124,7 @@ public final class MissionDownload implements Exchange {
     }
 
     private void took(MissionItemInt item, long nowNanos) {
-        if (count < 0 || item.missionType() != 0 || item.seq() != items.size()) {
+        if (count < 0 || item.missionType() != kind.number() || item.seq() != items.size()) {
             return;
         }
         items.add(item);
@@ -123,8 +132,9 @@ public final class MissionDownload implements Exchange {
     }
 
     private void next(long nowNanos) {
+        patience.news(nowNanos);
         if (countOnly || items.size() == count) {
-            target.send(new MissionAck(target.systemId(), target.componentId(), 0, 0));
+            target.send(new MissionAck(target.systemId(), target.componentId(), 0, kind.number()));
             outcome = new Outcome.Succeeded();
         } else {
             tries = 0;
@@ -134,7 +144,7 @@ public final class MissionDownload implements Exchange {
 
     /** A refusal in the middle means that somebody else has changed the mission: begin again. */
     private void refused(MissionAck ack) {
-        if (ack.missionType() == 0 && ack.type() != 0 && Target.isForUs(ack.targetSystem())) {
+        if (ack.missionType() == kind.number() && ack.type() != 0 && Target.isForUs(ack.targetSystem())) {
             if (count < 0) {
                 outcome = new Outcome.Refused("vehicle", MissionResult.words(ack.type()));
             } else {

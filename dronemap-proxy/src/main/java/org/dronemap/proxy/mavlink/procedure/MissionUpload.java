@@ -12,19 +12,24 @@ import org.dronemap.mavlink.message.MissionRequestInt;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes a mission to a vehicle, which asks for the items one by one. Items given are the wire's, numbered from 0. A
+ * Writes a mission (or fence, or rally points) to a vehicle, which asks for the items one by one. Items given are the wire's, numbered from 0. A
  * transfer that stalls is begun again; when only the last acknowledgement is missing, a read-back must tell.
  */
 public final class MissionUpload implements Exchange {
-    private static final int TRIES = 9;
     private static final int ROUNDS = 3;
     private static final int TRIES_FOR_THE_LAST_WORD = 3;
-    private static final long BETWEEN_TRIES_NANOS = 700_000_000L;
+    /** A vehicle that does not react to one item so often has given the transfer up on its side. */
+    private static final int TRIES_BEFORE_BEGINNING_AGAIN = 5;
+
+    private static final long LEAST_PAUSE_NANOS = 500_000_000L;
     private static final long REASON_NANOS = 700_000_000L;
 
     private final Target target;
+    private final MissionKind kind;
     private final List<MissionItemInt> items;
     private final Observer observer;
+    private final Patience patience = new Patience();
+    private Pace pace = new Pace(0, 0, 0);
     private int asked = -1;
     private int highest = -1;
     private int tries;
@@ -35,14 +40,17 @@ public final class MissionUpload implements Exchange {
     private @Nullable String reason;
     private @Nullable Outcome outcome;
 
-    public MissionUpload(Target target, List<MissionItemInt> items, Observer observer) {
+    public MissionUpload(Target target, MissionKind kind, List<MissionItemInt> items, Observer observer) {
         this.target = target;
+        this.kind = kind;
         this.items = List.copyOf(items);
         this.observer = observer;
     }
 
     @Override
     public void start(long nowNanos) {
+        pace = Pace.of(target.roundTrip(), 0);
+        patience.begin(nowNanos);
         send(nowNanos);
     }
 
@@ -51,6 +59,7 @@ public final class MissionUpload implements Exchange {
         if (outcome != null || refusal != 0) {
             return;
         }
+        patience.heard(nowNanos);
         switch (frame.messageId()) {
             case MissionRequestInt.ID -> {
                 MissionRequestInt request = MissionRequestInt.decode(frame);
@@ -81,7 +90,7 @@ public final class MissionUpload implements Exchange {
             if (reason != null || nowNanos - refusedNanos >= REASON_NANOS) {
                 outcome = new Outcome.Refused("vehicle", reason != null ? reason : MissionResult.words(refusal));
             }
-        } else if (nowNanos - lastSentNanos >= BETWEEN_TRIES_NANOS) {
+        } else if (nowNanos - lastSentNanos >= Math.max(LEAST_PAUSE_NANOS, pace.pauseNanos(tries))) {
             again(nowNanos);
         }
     }
@@ -92,21 +101,18 @@ public final class MissionUpload implements Exchange {
     }
 
     private void again(long nowNanos) {
-        if (allAsked() && tries >= TRIES_FOR_THE_LAST_WORD) {
+        if (allAsked() && tries >= TRIES_FOR_THE_LAST_WORD && patience.isAudible(nowNanos)) {
             outcome = new Outcome.Succeeded();
-        } else if (tries < TRIES) {
-            send(nowNanos);
-        } else if (highest < 0 || rounds == ROUNDS) {
-            outcome = CommandExchange.noAnswer(TRIES * BETWEEN_TRIES_NANOS, TRIES);
-        } else {
-            beginAgain(nowNanos);
+            return;
         }
-    }
-
-    private void beginAgain(long nowNanos) {
-        rounds++;
-        asked = -1;
-        tries = 0;
+        outcome = patience.end(nowNanos);
+        if (outcome != null) {
+            return;
+        }
+        if (tries >= TRIES_BEFORE_BEGINNING_AGAIN) {
+            asked = -1;
+            tries = 0;
+        }
         send(nowNanos);
     }
 
@@ -116,20 +122,22 @@ public final class MissionUpload implements Exchange {
 
     private void send(long nowNanos) {
         if (asked < 0) {
-            target.send(new MissionCount(target.systemId(), target.componentId(), items.size(), 0));
+            target.send(new MissionCount(target.systemId(), target.componentId(), items.size(), kind.number()));
         } else {
             target.send(items.get(asked));
         }
+        patience.asked(nowNanos);
         tries++;
         lastSentNanos = nowNanos;
     }
 
     private void requested(int seq, int missionType, int targetSystem, long nowNanos) {
-        if (missionType != 0 || seq >= items.size() || !Target.isForUs(targetSystem)) {
+        if (missionType != kind.number() || seq >= items.size() || !Target.isForUs(targetSystem)) {
             return;
         }
         if (seq != asked) {
             tries = 0;
+            patience.news(nowNanos);
         }
         asked = seq;
         if (seq > highest) {
@@ -140,7 +148,7 @@ public final class MissionUpload implements Exchange {
     }
 
     private void acknowledged(MissionAck ack, long nowNanos) {
-        if (ack.missionType() != 0 || !Target.isForUs(ack.targetSystem())) {
+        if (ack.missionType() != kind.number() || !Target.isForUs(ack.targetSystem())) {
             return;
         }
         if (ack.type() == MissionResult.ACCEPTED) {
@@ -151,6 +159,9 @@ public final class MissionUpload implements Exchange {
         } else if (allAsked() && tries > 1) {
             // The last word was lost and the vehicle wonders about the repetition: reading back must tell.
             outcome = new Outcome.Succeeded();
+        } else if (ack.type() == MissionResult.INVALID_SEQUENCE && asked >= 0) {
+            // It overlooks an item that came twice or late, and asks for the one that it wants.
+            lastSentNanos = nowNanos;
         } else if (MissionResult.isPassing(ack.type()) && rounds < ROUNDS) {
             // The tick begins again after a pause, so that two sides never chase each other.
             asked = -1;

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 public final class ParameterChange implements Exchange {
     private static final int TRIES = 3;
     private static final long BETWEEN_TRIES_NANOS = 500_000_000L;
+    private static final long LONGEST_NANOS = 3_000_000_000L;
     private static final int FIRST_FLOAT_TYPE = 9;
 
     private final Target target;
@@ -65,7 +66,7 @@ public final class ParameterChange implements Exchange {
 
     @Override
     public void tick(long nowNanos) {
-        if (outcome == null && nowNanos - lastSentNanos >= BETWEEN_TRIES_NANOS) {
+        if (outcome == null && nowNanos - lastSentNanos >= patienceNanos()) {
             if (tries == TRIES) {
                 outcome = setting
                         ? new Outcome.Failed("The vehicle did not take " + wanted.name() + " = " + value + ".")
@@ -74,6 +75,11 @@ public final class ParameterChange implements Exchange {
                 send(nowNanos);
             }
         }
+    }
+
+    /** Before anything was measured as ground stations do it; a slow link gets its time. */
+    private long patienceNanos() {
+        return target.roundTrip().patienceNanos(BETWEEN_TRIES_NANOS, LONGEST_NANOS, BETWEEN_TRIES_NANOS);
     }
 
     private void send(long nowNanos) {

@@ -89,7 +89,16 @@ final class ArduPilot implements Autopilot {
     @Override
     public Capabilities capabilities() {
         Set<Capability> can = EnumSet.of(
-                Capability.ARM, Capability.DISARM, Capability.SET_MODE, Capability.TAKE_PICTURE, Capability.SET_RELAY);
+                Capability.ARM,
+                Capability.DISARM,
+                Capability.SET_MODE,
+                Capability.TAKE_PICTURE,
+                Capability.SET_RELAY,
+                Capability.READ_PARAMETERS,
+                Capability.SET_PARAMETERS,
+                Capability.READ_LOGS,
+                Capability.FENCE,
+                Capability.RALLY_POINTS);
         if (table.has(AUTO)) {
             can.addAll(EnumSet.of(
                     Capability.UPLOAD_MISSION,
@@ -114,6 +123,11 @@ final class ArduPilot implements Autopilot {
             can.add(Capability.TURN);
         }
         return new Capabilities(can, modes());
+    }
+
+    @Override
+    public boolean parametersAsBits() {
+        return false;
     }
 
     @Override
@@ -164,13 +178,11 @@ final class ArduPilot implements Autopilot {
         if (command instanceof Command.Turn turn) {
             return turn(cockpit, turn.degrees());
         }
-        if (command instanceof Command.TakePicture) {
-            return Maneuvers.picture(cockpit);
-        }
         if (command instanceof Command.SetRelay relay) {
             return Maneuvers.relay(cockpit, relay);
         }
-        return planMission(command, cockpit);
+        Exchange common = CommonPlans.plan(command, cockpit);
+        return common != null ? common : planMission(command, cockpit);
     }
 
     private Exchange planMission(Command command, Cockpit cockpit) {

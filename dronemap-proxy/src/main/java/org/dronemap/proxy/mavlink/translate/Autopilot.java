@@ -36,6 +36,9 @@ public interface Autopilot {
     /** How many items of a mission on the wire stand before the first real one (home). */
     int itemsBeforeMission();
 
+    /** Parameters that are whole numbers travel as their bits, not as their value. */
+    boolean parametersAsBits();
+
     /** Ground or air as the heartbeat's system status tells; null where it does not. */
     @Nullable
     FlightPhase phase(Heartbeat heartbeat);

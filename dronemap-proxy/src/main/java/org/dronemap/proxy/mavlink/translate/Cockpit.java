@@ -2,6 +2,7 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.Observer;
 import org.dronemap.proxy.mavlink.procedure.Target;
@@ -9,12 +10,16 @@ import org.dronemap.proxy.mavlink.procedure.Target;
 /**
  * What carrying one command out needs to know and to tell.
  *
+ * @param parameters what the vehicle said of its parameters
+ * @param news hears what was found out on the way
  * @param missionRead hears a mission that was read back after the cloud's own change
  * @param warning hears a sentence for people
  */
 public record Cockpit(
         VehicleStatus status,
+        ParameterTable parameters,
         Target target,
         Observer observer,
+        Consumer<DroneEvent> news,
         Consumer<List<MissionItemInt>> missionRead,
         Consumer<String> warning) {}

@@ -17,6 +17,7 @@ import org.dronemap.proxy.mavlink.procedure.Conclusion;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.MissionClear;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
+import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.Observer;
 import org.dronemap.proxy.mavlink.procedure.ParameterChange;
@@ -119,9 +120,10 @@ final class Maneuvers {
     static Exchange upload(
             Cockpit cockpit, List<MissionItem> mission, Supplier<List<MissionItemInt>> wire, int itemsBefore) {
         Supplier<Exchange> once = () -> {
-            MissionDownload readBack = MissionDownload.whole(cockpit.target());
+            MissionDownload readBack = MissionDownload.whole(cockpit.target(), MissionKind.MISSION);
             return new Sequence(List.of(
-                    Sequence.Step.of(() -> new MissionUpload(cockpit.target(), wire.get(), cockpit.observer())),
+                    Sequence.Step.of(() ->
+                            new MissionUpload(cockpit.target(), MissionKind.MISSION, wire.get(), cockpit.observer())),
                     Sequence.Step.of(() -> readBack),
                     Sequence.Step.of(() -> new Conclusion(() -> compare(cockpit, mission, readBack, itemsBefore)))));
         };
@@ -141,9 +143,9 @@ final class Maneuvers {
     }
 
     static Exchange clear(Cockpit cockpit, int itemsBefore) {
-        MissionDownload readBack = MissionDownload.whole(cockpit.target());
+        MissionDownload readBack = MissionDownload.whole(cockpit.target(), MissionKind.MISSION);
         return new Sequence(List.of(
-                Sequence.Step.of(() -> new MissionClear(cockpit.target())),
+                Sequence.Step.of(() -> new MissionClear(cockpit.target(), MissionKind.MISSION)),
                 Sequence.Step.of(() -> readBack),
                 Sequence.Step.of(() -> new Conclusion(() -> {
                     if (readBack.count() > itemsBefore) {

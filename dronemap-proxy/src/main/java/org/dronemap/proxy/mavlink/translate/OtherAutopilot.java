@@ -51,6 +51,11 @@ final class OtherAutopilot implements Autopilot {
     }
 
     @Override
+    public boolean parametersAsBits() {
+        return false;
+    }
+
+    @Override
     public int itemsBeforeMission() {
         return 0;
     }

@@ -108,6 +108,11 @@ final class Px4 implements Autopilot {
     }
 
     @Override
+    public boolean parametersAsBits() {
+        return true;
+    }
+
+    @Override
     public int itemsBeforeMission() {
         return 0;
     }
@@ -141,10 +146,8 @@ final class Px4 implements Autopilot {
         if (command instanceof Command.GoTo goTo) {
             return goTo(cockpit, goTo);
         }
-        if (command instanceof Command.TakePicture) {
-            return Maneuvers.picture(cockpit);
-        }
-        return planMission(command, cockpit);
+        Exchange common = CommonPlans.plan(command, cockpit);
+        return common != null ? common : planMission(command, cockpit);
     }
 
     private Exchange planMission(Command command, Cockpit cockpit) {

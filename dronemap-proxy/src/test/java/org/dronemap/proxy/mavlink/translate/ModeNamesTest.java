@@ -66,7 +66,9 @@ class ModeNamesTest {
             status.heartbeat(known.heartbeat(), known.name());
             w.answer(new CommandAck(176, 0, 0, 0, 255, 190));
         });
-        Cockpit cockpit = new Cockpit(status, wire.target(), Observer.NONE, items -> {}, warning -> {});
+        ParameterTable parameters = new ParameterTable(autopilot, event -> {});
+        Cockpit cockpit =
+                new Cockpit(status, parameters, wire.target(), Observer.NONE, event -> {}, items -> {}, warning -> {});
         Exchange exchange = autopilot.plan(new Command.SetMode(known.name()), cockpit);
         assertThat(wire.runWhole(exchange)).isEqualTo(new Outcome.Succeeded());
     }

@@ -1,0 +1,12 @@
+package org.dronemap.core.drone;
+
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A log that a vehicle keeps on board.
+ *
+ * @param number the vehicle's own number for it
+ * @param at when it was written; null when the vehicle did not know the time
+ */
+public record VehicleLog(int number, @Nullable Instant at, long sizeBytes) {}

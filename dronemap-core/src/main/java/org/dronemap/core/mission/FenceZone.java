@@ -1,0 +1,29 @@
+package org.dronemap.core.mission;
+
+import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+
+/** A part of the fence that a vehicle keeps on board: it stays in it ({@code inside}), or out of it. */
+public sealed interface FenceZone {
+    boolean inside();
+
+    /** An area with 3 to 100 corners. */
+    record Polygon(boolean inside, List<Geodetic> corners) implements FenceZone {
+        public Polygon {
+            corners = List.copyOf(corners);
+            if (corners.size() < 3 || corners.size() > 100) {
+                throw new IllegalArgumentException("an area of a fence has 3 to 100 corners, not " + corners.size());
+            }
+        }
+    }
+
+    /** A circle with a radius of 1 to 100,000 m. */
+    record Circle(boolean inside, Geodetic center, double radiusMeters) implements FenceZone {
+        public Circle {
+            if (!(radiusMeters >= 1 && radiusMeters <= 100_000)) {
+                throw new IllegalArgumentException(
+                        "a circle of a fence has a radius of 1 to 100000 m: " + radiusMeters);
+            }
+        }
+    }
+}

@@ -1,0 +1,12 @@
+package org.dronemap.core.mission;
+
+import org.dronemap.core.geo.Geodetic;
+
+/** Where a vehicle may go instead of home; the height is above home. */
+public record RallyPoint(Geodetic point, double altitudeMeters) {
+    public RallyPoint {
+        if (!(Math.abs(altitudeMeters) <= Altitude.HIGHEST_PLANNED_METERS)) {
+            throw new IllegalArgumentException("a rally point is at most 10000 m above home: " + altitudeMeters);
+        }
+    }
+}

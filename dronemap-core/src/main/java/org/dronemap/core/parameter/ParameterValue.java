@@ -1,0 +1,26 @@
+package org.dronemap.core.parameter;
+
+import java.util.regex.Pattern;
+
+/** A value that a parameter shall get. */
+public record ParameterValue(String name, double value) {
+    private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_.-]{1,16}");
+
+    public ParameterValue {
+        if (!isName(name)) {
+            throw new IllegalArgumentException("a parameter's name is 1 to 16 of A-Z, a-z, 0-9, _ . and -: " + name);
+        }
+        if (!Double.isFinite(value)) {
+            throw new IllegalArgumentException("the value of " + name + " must be a finite number: " + value);
+        }
+    }
+
+    public static boolean isName(String name) {
+        return NAME.matcher(name).matches();
+    }
+
+    /** For people: "RTL_ALT = 1500". */
+    public String text() {
+        return name + " = " + Parameter.text(ParameterType.REAL32, value);
+    }
+}

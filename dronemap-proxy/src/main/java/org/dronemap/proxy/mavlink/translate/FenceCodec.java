@@ -1,0 +1,103 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.procedure.Target;
+
+/** Fences and rally points to items of the wire and back; items of other kinds are left out. */
+final class FenceCodec {
+    private static final int POLYGON_INSIDE = 5001;
+    private static final int POLYGON_OUTSIDE = 5002;
+    private static final int CIRCLE_INSIDE = 5003;
+    private static final int CIRCLE_OUTSIDE = 5004;
+    private static final int RALLY_POINT = 5100;
+    private static final double E7 = 1e7;
+
+    private FenceCodec() {}
+
+    static List<MissionItemInt> fenceToWire(List<FenceZone> zones, Target target) {
+        List<MissionItemInt> items = new ArrayList<>();
+        for (FenceZone zone : zones) {
+            if (zone instanceof FenceZone.Polygon polygon) {
+                int command = polygon.inside() ? POLYGON_INSIDE : POLYGON_OUTSIDE;
+                for (Geodetic corner : polygon.corners()) {
+                    items.add(item(
+                            target, items.size(), command, polygon.corners().size(), corner, 0));
+                }
+            } else if (zone instanceof FenceZone.Circle circle) {
+                int command = circle.inside() ? CIRCLE_INSIDE : CIRCLE_OUTSIDE;
+                items.add(item(target, items.size(), command, circle.radiusMeters(), circle.center(), 0));
+            }
+        }
+        return items;
+    }
+
+    static List<FenceZone> fenceFromWire(List<MissionItemInt> items) {
+        List<FenceZone> zones = new ArrayList<>();
+        List<Geodetic> corners = new ArrayList<>();
+        for (MissionItemInt item : items) {
+            switch (item.command()) {
+                case POLYGON_INSIDE, POLYGON_OUTSIDE -> {
+                    corners.add(point(item));
+                    if (corners.size() == Math.round(item.param1())) {
+                        if (corners.size() >= 3 && corners.size() <= 100) {
+                            zones.add(new FenceZone.Polygon(item.command() == POLYGON_INSIDE, corners));
+                        }
+                        corners.clear();
+                    }
+                }
+                case CIRCLE_INSIDE, CIRCLE_OUTSIDE -> {
+                    double radius = Math.max(1, Math.min(100_000, Math.round(item.param1() * 1000.0) / 1000.0));
+                    zones.add(new FenceZone.Circle(item.command() == CIRCLE_INSIDE, point(item), radius));
+                }
+                default -> {}
+            }
+        }
+        return zones;
+    }
+
+    static List<MissionItemInt> rallyToWire(List<RallyPoint> points, Target target) {
+        List<MissionItemInt> items = new ArrayList<>();
+        for (RallyPoint point : points) {
+            items.add(item(target, items.size(), RALLY_POINT, 0, point.point(), point.altitudeMeters()));
+        }
+        return items;
+    }
+
+    static List<RallyPoint> rallyFromWire(List<MissionItemInt> items) {
+        return items.stream()
+                .filter(item -> item.command() == RALLY_POINT && Math.abs(item.z()) <= 10_000)
+                .map(item -> new RallyPoint(point(item), Math.round(item.z() * 1000.0) / 1000.0))
+                .toList();
+    }
+
+    private static Geodetic point(MissionItemInt item) {
+        return new Geodetic(Math.max(-90, Math.min(90, item.x() / E7)), Math.max(-180, Math.min(180, item.y() / E7)));
+    }
+
+    private static MissionItemInt item(
+            Target target, int seq, int command, double first, Geodetic point, double altitude) {
+        boolean rally = command == RALLY_POINT;
+        return new MissionItemInt(
+                target.systemId(),
+                target.componentId(),
+                seq,
+                rally ? MissionCodec.FRAME_RELATIVE : MissionCodec.FRAME_GLOBAL,
+                command,
+                0,
+                1,
+                (float) first,
+                0f,
+                0f,
+                0f,
+                MissionCodec.e7(point.latitudeDegrees()),
+                MissionCodec.e7(point.longitudeDegrees()),
+                (float) altitude,
+                (rally ? MissionKind.RALLY : MissionKind.FENCE).number());
+    }
+}

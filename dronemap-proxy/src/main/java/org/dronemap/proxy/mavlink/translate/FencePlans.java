@@ -1,0 +1,98 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.Conclusion;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.MissionClear;
+import org.dronemap.proxy.mavlink.procedure.MissionDownload;
+import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.procedure.MissionUpload;
+import org.dronemap.proxy.mavlink.procedure.Sequence;
+import org.jspecify.annotations.Nullable;
+
+/** Fences and rally points: written like missions, read back and compared. */
+final class FencePlans {
+    private FencePlans() {}
+
+    /** Null for a command of another kind. */
+    static @Nullable Exchange plan(Command command, Cockpit cockpit) {
+        if (command instanceof Command.ReadFence) {
+            return read(cockpit, MissionKind.FENCE, items -> fenceRead(cockpit, items));
+        }
+        if (command instanceof Command.SetFence set) {
+            return write(
+                    cockpit,
+                    MissionKind.FENCE,
+                    FenceCodec.fenceToWire(set.zones(), cockpit.target()),
+                    items -> fenceRead(cockpit, items));
+        }
+        if (command instanceof Command.ReadRallyPoints) {
+            return read(cockpit, MissionKind.RALLY, items -> rallyRead(cockpit, items));
+        }
+        return command instanceof Command.SetRallyPoints set
+                ? write(
+                        cockpit,
+                        MissionKind.RALLY,
+                        FenceCodec.rallyToWire(set.points(), cockpit.target()),
+                        items -> rallyRead(cockpit, items))
+                : null;
+    }
+
+    private static void fenceRead(Cockpit cockpit, List<MissionItemInt> items) {
+        cockpit.news().accept(new DroneEvent.FenceRead(FenceCodec.fenceFromWire(items)));
+    }
+
+    private static void rallyRead(Cockpit cockpit, List<MissionItemInt> items) {
+        cockpit.news().accept(new DroneEvent.RallyPointsRead(FenceCodec.rallyFromWire(items)));
+    }
+
+    private static Exchange read(Cockpit cockpit, MissionKind kind, Consumer<List<MissionItemInt>> found) {
+        MissionDownload download = MissionDownload.whole(cockpit.target(), kind);
+        return new Sequence(List.of(
+                Sequence.Step.of(() -> download),
+                Sequence.Step.of(() -> new Conclusion(() -> {
+                    found.accept(download.items());
+                    return new Outcome.Succeeded();
+                }))));
+    }
+
+    private static Exchange write(
+            Cockpit cockpit, MissionKind kind, List<MissionItemInt> items, Consumer<List<MissionItemInt>> found) {
+        MissionDownload readBack = MissionDownload.whole(cockpit.target(), kind);
+        return new Sequence(List.of(
+                Sequence.Step.of(() -> items.isEmpty()
+                        ? new MissionClear(cockpit.target(), kind)
+                        : new MissionUpload(cockpit.target(), kind, items, cockpit.observer())),
+                Sequence.Step.of(() -> readBack),
+                Sequence.Step.of(() -> new Conclusion(() -> {
+                    found.accept(readBack.items());
+                    return compare(items, readBack.items());
+                }))));
+    }
+
+    private static Outcome compare(List<MissionItemInt> sent, List<MissionItemInt> held) {
+        if (sent.size() != held.size()) {
+            return new Outcome.Failed(
+                    "The vehicle holds " + held.size() + " items instead of the " + sent.size() + " that were sent.");
+        }
+        for (int index = 0; index < sent.size(); index++) {
+            if (!same(sent.get(index), held.get(index))) {
+                return new Outcome.Failed("The vehicle holds item " + (index + 1) + " otherwise than it was sent.");
+            }
+        }
+        return new Outcome.Succeeded();
+    }
+
+    private static boolean same(MissionItemInt sent, MissionItemInt held) {
+        return sent.command() == held.command()
+                && sent.x() == held.x()
+                && sent.y() == held.y()
+                && Math.abs(sent.param1() - held.param1()) < 0.05
+                && Math.abs(sent.z() - held.z()) < 0.05;
+    }
+}

@@ -1,0 +1,127 @@
+package org.dronemap.proxy.mavlink.procedure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.VehicleLog;
+import org.dronemap.mavlink.message.LogRequestData;
+import org.dronemap.mavlink.message.LogRequestEnd;
+import org.dronemap.mavlink.message.LogRequestList;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LogTransferTest {
+    private static final Outcome DONE = new Outcome.Succeeded();
+    private static final int BYTES = 100_000;
+
+    private final Wire wire = new Wire();
+    private final LogVehicle vehicle = new LogVehicle(BYTES, 5);
+    private final LogVehicle.Memory memory = new LogVehicle.Memory();
+
+    private LogDownload download() {
+        wire.peer(vehicle::take);
+        return new LogDownload(wire.target(), new VehicleLog(3, null, BYTES), memory, Observer.NONE);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4, 5, 17})
+    void listsWhateverTheVehicleCountsFromThoughHalfIsLost(int last) {
+        LogVehicle counting = new LogVehicle(BYTES, last == 0 ? 1 : 5);
+        counting.last = last;
+        wire.lossy(0.5, new Random(4));
+        wire.peer(counting::take);
+        LogListing listing = new LogListing(wire.target(), Observer.NONE);
+
+        assertThat(wire.runWhole(listing)).isEqualTo(DONE);
+        assertThat(listing.logs()).hasSize(counting.count);
+        assertThat(listing.logs().get(counting.count - 1).number()).isEqualTo(last);
+        assertThat(counting.dead).isFalse();
+    }
+
+    @Test
+    void isContentWithAVehicleThatHasNoLogs() {
+        LogVehicle empty = new LogVehicle(0, 0);
+        wire.peer(empty::take);
+        LogListing listing = new LogListing(wire.target(), Observer.NONE);
+
+        assertThat(wire.runWhole(listing)).isEqualTo(DONE);
+        assertThat(listing.logs()).isEmpty();
+        assertThat(wire.sent(LogRequestList.class)).hasSize(1);
+    }
+
+    @Test
+    void fetchesALogByteForByteThoughATenthIsLost() {
+        wire.lossy(0.1, new Random(8));
+        LogDownload download = download();
+        download.start(wire.now());
+
+        assertThat(wire.run(download, 600)).isEqualTo(DONE);
+        assertThat(memory.content).isEqualTo(vehicle.content);
+        assertThat(wire.sent(LogRequestEnd.class)).hasSize(1);
+    }
+
+    @Test
+    void goesOnAfterABreakOfTheLink() {
+        LogDownload download = download();
+        wire.lossy(0.3, new Random(8));
+        download.start(wire.now());
+        wire.run(download, 0.1);
+        wire.cut(true);
+        assertThat(wire.run(download, 50)).isNull();
+        wire.cut(false);
+        wire.lossy(0, new Random(8));
+
+        assertThat(wire.run(download, 60)).isEqualTo(DONE);
+        assertThat(memory.content).isEqualTo(vehicle.content);
+        assertThat(vehicle.poured).isLessThan(BYTES / 90 * 3 / 2);
+    }
+
+    @Test
+    void beginsWhereAnEarlierAttemptEnded() {
+        LogDownload first = download();
+        wire.lossy(0.4, new Random(8));
+        first.start(wire.now());
+        wire.run(first, 0.1);
+        wire.cut(true);
+        assertThat(wire.run(first, 90)).isInstanceOf(Outcome.TimedOut.class);
+        assertThat(memory.interrupted).isTrue();
+        wire.cut(false);
+        wire.lossy(0, new Random(8));
+        int had = memory.kept.cardinality();
+        assertThat(had).isPositive();
+        vehicle.poured = 0;
+
+        assertThat(wire.runWhole(download())).isEqualTo(DONE);
+        assertThat(memory.content).isEqualTo(vehicle.content);
+        assertThat(vehicle.poured).isEqualTo((BYTES + 89) / 90 - had);
+    }
+
+    @Test
+    void takesTheWordOfTheVehicleWhereTheLogEndsBeforeItsSize() {
+        wire.peer((w, message) -> {
+            vehicle.take(w, message);
+            if (message instanceof LogRequestData data && data.ofs() + data.count() > BYTES) {
+                w.answer(new org.dronemap.mavlink.message.LogData(3, BYTES, 0, new int[90]));
+            }
+        });
+        LogDownload download =
+                new LogDownload(wire.target(), new VehicleLog(3, null, BYTES + 4_000), memory, Observer.NONE);
+
+        assertThat(wire.runWhole(download)).isEqualTo(DONE);
+        assertThat(memory.content).isEqualTo(vehicle.content);
+    }
+
+    @Test
+    void tellsTheVehicleToStopWhenNobodyWantsItAnyMore() {
+        LogDownload download = download();
+        wire.lossy(0.5, new Random(1));
+        download.start(wire.now());
+        wire.run(download, 0.2);
+        download.cancel(wire.now());
+
+        assertThat(wire.sent(LogRequestEnd.class)).hasSize(1);
+        assertThat(memory.interrupted).isTrue();
+    }
+}

@@ -1,0 +1,33 @@
+package org.dronemap.sim.personality;
+
+import java.util.HashSet;
+import java.util.Set;
+
+/** What a faulty vehicle keeps otherwise than it was told, without a word. Owned by its vehicle. */
+public final class Alterations {
+    private final Set<String> parameters = new HashSet<>();
+    private final Set<Integer> items = new HashSet<>();
+
+    /** Every value written to that parameter is kept one too high. */
+    public void alterParameter(String name) {
+        parameters.add(name);
+    }
+
+    /** That item of every mission is kept five metres too high. */
+    public void alterItem(int index) {
+        items.add(index);
+    }
+
+    public void clear() {
+        parameters.clear();
+        items.clear();
+    }
+
+    double kept(String name, double value) {
+        return parameters.contains(name) ? value + 1 : value;
+    }
+
+    float keptAltitude(int index, float altitude) {
+        return items.contains(index) ? altitude + 5 : altitude;
+    }
+}

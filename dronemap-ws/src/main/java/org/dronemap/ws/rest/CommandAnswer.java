@@ -1,0 +1,33 @@
+package org.dronemap.ws.rest;
+
+import java.net.URI;
+import java.time.Duration;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.InvalidInput;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+
+/** How a command is answered: 202 while it is under way, 200 with its outcome. */
+final class CommandAnswer {
+    private static final int LONGEST_WAIT_SECONDS = 60;
+
+    private CommandAnswer() {}
+
+    static ResponseEntity<CommandView> of(CommandView command) {
+        HttpStatus status = command.outcome() == null ? HttpStatus.ACCEPTED : HttpStatus.OK;
+        return ResponseEntity.status(status)
+                .location(URI.create("/api/v1/commands/" + command.id()))
+                .body(command);
+    }
+
+    static Duration wait(@Nullable Double seconds) {
+        if (seconds == null) {
+            return Duration.ZERO;
+        }
+        if (!(seconds >= 0 && seconds <= LONGEST_WAIT_SECONDS)) {
+            throw InvalidInput.outside("wait", "0 to " + LONGEST_WAIT_SECONDS + " seconds", seconds);
+        }
+        return Duration.ofMillis(Math.round(seconds * 1000));
+    }
+}

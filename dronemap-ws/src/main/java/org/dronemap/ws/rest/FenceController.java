@@ -1,0 +1,89 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.Caller;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.FenceService;
+import org.dronemap.ws.service.FenceView;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** The fence and the rally points that a vehicle keeps on board. */
+@RestController
+@RequestMapping("/api/v1/drones/{id}")
+@Tag(
+        name = "Fences",
+        description = "The fence and the rally points that the vehicle itself keeps; read back when changed.")
+public class FenceController {
+    private final FenceService fences;
+    private final CurrentPrincipal current;
+
+    public FenceController(FenceService fences, CurrentPrincipal current) {
+        this.fences = fences;
+        this.current = current;
+    }
+
+    @GetMapping("/fence")
+    @Operation(summary = "Look at the fence", description = "As last read from the vehicle; null until it first was.")
+    public FenceView fence(@PathVariable String id) {
+        current.principal();
+        return fences.fence(id);
+    }
+
+    @PostMapping("/fence/refresh")
+    @Operation(summary = "Read the fence from the vehicle (operator)")
+    public ResponseEntity<CommandView> readFence(@PathVariable String id) {
+        return CommandAnswer.of(fences.readFence(caller(), id));
+    }
+
+    @PutMapping("/fence")
+    @Operation(summary = "Replace the fence (operator)", description = "Up to 50 polygons and circles.")
+    public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
+        return CommandAnswer.of(fences.setFence(caller(), id, fence));
+    }
+
+    @DeleteMapping("/fence")
+    @Operation(summary = "Take the fence away (operator)")
+    public ResponseEntity<CommandView> clearFence(@PathVariable String id) {
+        return CommandAnswer.of(fences.clearFence(caller(), id));
+    }
+
+    @GetMapping("/rally-points")
+    @Operation(summary = "Look at the rally points", description = "As last read; null until they first were.")
+    public FenceView.RallyView rallyPoints(@PathVariable String id) {
+        current.principal();
+        return fences.rallyPoints(id);
+    }
+
+    @PostMapping("/rally-points/refresh")
+    @Operation(summary = "Read the rally points from the vehicle (operator)")
+    public ResponseEntity<CommandView> readRallyPoints(@PathVariable String id) {
+        return CommandAnswer.of(fences.readRallyPoints(caller(), id));
+    }
+
+    @PutMapping("/rally-points")
+    @Operation(summary = "Replace the rally points (operator)", description = "Up to 50.")
+    public ResponseEntity<CommandView> setRallyPoints(
+            @PathVariable String id, @RequestBody FenceView.RallyView points) {
+        return CommandAnswer.of(fences.setRallyPoints(caller(), id, points));
+    }
+
+    @DeleteMapping("/rally-points")
+    @Operation(summary = "Take the rally points away (operator)")
+    public ResponseEntity<CommandView> clearRallyPoints(@PathVariable String id) {
+        return CommandAnswer.of(fences.clearRallyPoints(caller(), id));
+    }
+
+    private Caller caller() {
+        return new Caller(current.principal(), current.face());
+    }
+}

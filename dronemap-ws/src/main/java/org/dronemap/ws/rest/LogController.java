@@ -1,0 +1,87 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.nio.file.Path;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.Caller;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.LogService;
+import org.dronemap.ws.service.LogsView;
+import org.springframework.core.io.FileSystemResource;
+import org.springframework.core.io.Resource;
+import org.springframework.http.ContentDisposition;
+import org.springframework.http.HttpHeaders;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.MediaType;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** The logs that a vehicle keeps on board. */
+@RestController
+@RequestMapping("/api/v1/drones/{id}/logs")
+@Tag(name = "Logs", description = "What the vehicle wrote on board, fetched over its link.")
+public class LogController {
+    private final LogService logs;
+    private final CurrentPrincipal current;
+
+    public LogController(LogService logs, CurrentPrincipal current) {
+        this.logs = logs;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List the logs on board", description = "As last listed; null until they first were.")
+    public LogsView logs(@PathVariable String id) {
+        current.principal();
+        return logs.logs(id);
+    }
+
+    @PostMapping("/refresh")
+    @Operation(summary = "Ask the vehicle for the list of its logs (operator)")
+    public ResponseEntity<CommandView> refresh(@PathVariable String id) {
+        return CommandAnswer.of(logs.refresh(caller(), id));
+    }
+
+    @PostMapping("/{number}/download")
+    @Operation(
+            summary = "Fetch a log from the vehicle (operator)",
+            description =
+                    "The command's progress counts bytes and is streamed; a later attempt goes on where one ended.")
+    public ResponseEntity<CommandView> download(@PathVariable String id, @PathVariable int number) {
+        return CommandAnswer.of(logs.download(caller(), id, number));
+    }
+
+    @GetMapping("/{number}/file")
+    @Operation(summary = "Save a log that was fetched")
+    public ResponseEntity<Resource> file(@PathVariable String id, @PathVariable int number) {
+        current.principal();
+        Path file = logs.file(id, number);
+        return ResponseEntity.ok()
+                .contentType(MediaType.APPLICATION_OCTET_STREAM)
+                .header(
+                        HttpHeaders.CONTENT_DISPOSITION,
+                        ContentDisposition.attachment()
+                                .filename(id + "-" + number + ".bin")
+                                .build()
+                                .toString())
+                .body(new FileSystemResource(file));
+    }
+
+    @DeleteMapping("/{number}/file")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove the server's copy of a log (operator)")
+    public void remove(@PathVariable String id, @PathVariable int number) {
+        logs.remove(caller(), id, number);
+    }
+
+    private Caller caller() {
+        return new Caller(current.principal(), current.face());
+    }
+}

@@ -1,0 +1,120 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.Caller;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.ParameterService;
+import org.dronemap.ws.service.ParametersView;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.ContentDisposition;
+import org.springframework.http.HttpHeaders;
+import org.springframework.http.MediaType;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.RestController;
+
+/** The parameters of a vehicle, and the files that ground stations keep them in. */
+@RestController
+@RequestMapping("/api/v1/drones/{id}/parameters")
+@Tag(name = "Parameters", description = "The settings of the vehicle itself; every change is read back.")
+public class ParameterController {
+    private final ParameterService parameters;
+    private final CommandService commands;
+    private final CurrentPrincipal current;
+
+    public ParameterController(ParameterService parameters, CommandService commands, CurrentPrincipal current) {
+        this.parameters = parameters;
+        this.commands = commands;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(
+            summary = "List or search the parameters",
+            description = "As last heard from the vehicle; readAt is null until they were first read.")
+    public ParametersView parameters(
+            @PathVariable String id,
+            @Parameter(description = "Words that the name has in it") @RequestParam(required = false) @Nullable
+                    String search) {
+        current.principal();
+        return parameters.parameters(id, search);
+    }
+
+    @PostMapping("/refresh")
+    @Operation(summary = "Read all parameters from the vehicle (operator)", description = "Its progress is streamed.")
+    public CompletableFuture<ResponseEntity<CommandView>> refresh(
+            @PathVariable String id, @RequestParam(required = false) @Nullable Double wait) {
+        Duration longest = CommandAnswer.wait(wait);
+        return answer(parameters.refresh(caller(), id), longest);
+    }
+
+    @PutMapping("/{name}")
+    @Operation(
+            summary = "Change a parameter (operator)",
+            description = "It is read back: when the vehicle holds something else, the command fails and says what.")
+    public CompletableFuture<ResponseEntity<CommandView>> set(
+            @PathVariable String id,
+            @PathVariable String name,
+            @RequestParam(required = false) @Nullable Double wait,
+            @RequestBody ParameterService.ValueRequest request) {
+        Duration longest = CommandAnswer.wait(wait);
+        return answer(parameters.set(caller(), id, name, request), longest);
+    }
+
+    @GetMapping("/file")
+    @Operation(
+            summary = "Save the parameters as a file",
+            description = "form: list (the default; Mission Planner, MAVProxy) or table (QGroundControl).")
+    public ResponseEntity<String> file(@PathVariable String id, @RequestParam(required = false) @Nullable String form) {
+        current.principal();
+        String text = parameters.file(id, form);
+        String name = id + ("table".equals(form) ? ".params" : ".param");
+        return ResponseEntity.ok()
+                .contentType(new MediaType(MediaType.TEXT_PLAIN, StandardCharsets.UTF_8))
+                .header(
+                        HttpHeaders.CONTENT_DISPOSITION,
+                        ContentDisposition.attachment().filename(name).build().toString())
+                .body(text);
+    }
+
+    @PostMapping("/file")
+    @Operation(
+            summary = "Compare with a file, or load it (operator)",
+            description = "The body is the file as text/plain, in either form, up to 1 MB. With dryRun=true nothing is"
+                    + " sent; else what differs is changed and read back.")
+    public ResponseEntity<ParametersView.FileView> load(
+            @PathVariable String id,
+            @RequestParam(defaultValue = "false") boolean dryRun,
+            @Parameter(hidden = true) HttpServletRequest request)
+            throws IOException {
+        String text = new String(request.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        ParametersView.FileView result =
+                dryRun ? parameters.compare(caller(), id, text) : parameters.load(caller(), id, text);
+        return ResponseEntity.status(result.command() == null ? 200 : 202).body(result);
+    }
+
+    private Caller caller() {
+        return new Caller(current.principal(), current.face());
+    }
+
+    private CompletableFuture<ResponseEntity<CommandView>> answer(CommandView command, Duration longest) {
+        return longest.isZero()
+                ? CompletableFuture.completedFuture(CommandAnswer.of(command))
+                : commands.awaitEnd(command, longest).thenApply(CommandAnswer::of);
+    }
+}

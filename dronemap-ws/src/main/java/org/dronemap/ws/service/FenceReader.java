@@ -1,0 +1,80 @@
+package org.dronemap.ws.service;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.RallyPoint;
+import org.jspecify.annotations.Nullable;
+
+/** Turns a fence or rally points that a client wrote into the real ones, or says which member is wrong. */
+final class FenceReader {
+    private static final String TYPES = "polygon or circle";
+    private static final String CORNERS = "3 to 100 corners";
+    private static final String ZONES = "at most 50 zones";
+    private static final String POINTS = "at most 50 points";
+    private static final int MOST = 50;
+
+    private FenceReader() {}
+
+    static List<FenceZone> fence(FenceView written) {
+        List<FenceView.ZoneView> zones = written.zones();
+        if (zones == null || zones.size() > MOST) {
+            throw InvalidInput.outside("zones", ZONES, zones == null ? "nothing" : zones.size());
+        }
+        List<FenceZone> read = new ArrayList<>();
+        for (int index = 0; index < zones.size(); index++) {
+            read.add(zone("zones[" + index + "].", zones.get(index)));
+        }
+        return read;
+    }
+
+    private static FenceZone zone(String at, FenceView.ZoneView zone) {
+        if (zone.inside() == null) {
+            throw InvalidInput.missing(at + "inside", "true or false");
+        }
+        return switch (zone.type() == null ? "" : zone.type()) {
+            case "polygon" -> new FenceZone.Polygon(zone.inside(), corners(at, zone.corners()));
+            case "circle" ->
+                new FenceZone.Circle(
+                        zone.inside(),
+                        point(at + "center.", zone.center()),
+                        Ranges.checked(at + "radius", zone.radius(), 1, 100_000, "m"));
+            case "" -> throw InvalidInput.missing(at + "type", TYPES);
+            default -> throw InvalidInput.outside(at + "type", TYPES, "\"" + zone.type() + "\"");
+        };
+    }
+
+    private static List<Geodetic> corners(String at, @Nullable List<FenceView.PointView> corners) {
+        if (corners == null || corners.size() < 3 || corners.size() > 100) {
+            throw InvalidInput.outside(at + "corners", CORNERS, corners == null ? "nothing" : corners.size());
+        }
+        List<Geodetic> read = new ArrayList<>();
+        for (int index = 0; index < corners.size(); index++) {
+            read.add(point(at + "corners[" + index + "].", corners.get(index)));
+        }
+        return read;
+    }
+
+    private static Geodetic point(String at, FenceView.@Nullable PointView point) {
+        return new Geodetic(
+                Ranges.latitude(at + "latitude", point == null ? null : point.latitude()),
+                Ranges.longitude(at + "longitude", point == null ? null : point.longitude()));
+    }
+
+    static List<RallyPoint> rally(FenceView.RallyView written) {
+        List<FenceView.RallyPointView> points = written.points();
+        if (points == null || points.size() > MOST) {
+            throw InvalidInput.outside("points", POINTS, points == null ? "nothing" : points.size());
+        }
+        List<RallyPoint> read = new ArrayList<>();
+        for (int index = 0; index < points.size(); index++) {
+            String at = "points[" + index + "].";
+            FenceView.RallyPointView one = points.get(index);
+            read.add(new RallyPoint(
+                    point(at, new FenceView.PointView(one.latitude(), one.longitude())),
+                    Ranges.checked(at + "altitude", one.altitude(), 0, 10_000, "m above home")));
+        }
+        return read;
+    }
+}

@@ -1,0 +1,87 @@
+package org.dronemap.ws.service;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.VehicleLog;
+
+/** Use cases around the logs on board: list, fetch, save, remove the server's copy. Any thread. */
+public final class LogService {
+    private final CloudManager cloud;
+    private final DroneService drones;
+    private final CommandService commands;
+    private final LogShelf shelf;
+
+    public LogService(CloudManager cloud, DroneService drones, CommandService commands, LogShelf shelf) {
+        this.cloud = cloud;
+        this.drones = drones;
+        this.commands = commands;
+        this.shelf = shelf;
+    }
+
+    /** As last listed. */
+    public LogsView logs(String droneId) {
+        DroneState drone = drones.state(droneId);
+        return new LogsView(Optional.ofNullable(cloud.onBoard(drone.id()).logs())
+                .map(logs -> logs.stream().map(log -> view(drone, log)).toList())
+                .orElse(null));
+    }
+
+    private LogsView.LogView view(DroneState drone, VehicleLog log) {
+        return new LogsView.LogView(
+                log.number(),
+                log.at(),
+                log.sizeBytes(),
+                shelf.find(drone.id(), log).isPresent());
+    }
+
+    public CommandView refresh(Caller caller, String droneId) {
+        Roles.require(caller.principal(), Role.OPERATOR);
+        return commands.give(caller.principal(), caller.face(), drones.state(droneId), null, new Command.ReadLogs());
+    }
+
+    /** Goes on where an earlier attempt ended. */
+    public CommandView download(Caller caller, String droneId, int number) {
+        Roles.require(caller.principal(), Role.OPERATOR);
+        DroneState drone = drones.state(droneId);
+        VehicleLog log = log(drone, number);
+        if (shelf.find(drone.id(), log).isPresent()) {
+            throw Rejection.conflict("The server has this log already; save the file, or remove it to fetch it anew.");
+        }
+        return commands.give(
+                caller.principal(),
+                caller.face(),
+                drone,
+                null,
+                new Command.DownloadLog(log, shelf.open(drone.id(), log)));
+    }
+
+    public Path file(String droneId, int number) {
+        DroneState drone = drones.state(droneId);
+        return shelf.find(drone.id(), log(drone, number))
+                .orElseThrow(() -> Rejection.conflict("This log has not been fetched from the vehicle yet."));
+    }
+
+    /** Removes the server's copy; the vehicle keeps its own. */
+    public void remove(Caller caller, String droneId, int number) {
+        Roles.require(caller.principal(), Role.OPERATOR);
+        DroneState drone = drones.state(droneId);
+        if (!shelf.remove(drone.id(), log(drone, number))) {
+            throw Rejection.conflict("The server has no copy of this log.");
+        }
+    }
+
+    private VehicleLog log(DroneState drone, int number) {
+        List<VehicleLog> logs = Optional.ofNullable(cloud.onBoard(drone.id()).logs())
+                .orElseThrow(() ->
+                        Rejection.conflict("The logs of this drone have not been listed yet; refresh them first."));
+        return logs.stream()
+                .filter(log -> log.number() == number)
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown("log", Integer.toString(number)));
+    }
+}

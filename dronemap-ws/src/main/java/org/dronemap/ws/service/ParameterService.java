@@ -1,0 +1,109 @@
+package org.dronemap.ws.service;
+
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterComparison;
+import org.dronemap.core.parameter.ParameterFile;
+import org.dronemap.core.parameter.ParameterSet;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around the parameters of a drone: look, search, refresh, change, save, compare and load. Any thread. */
+public final class ParameterService {
+    private static final String FORMS = "list or table";
+
+    private final CloudManager cloud;
+    private final DroneService drones;
+    private final CommandService commands;
+
+    /** {@code id}: the client's own; the same twice acts once. */
+    public record ValueRequest(
+            @Nullable Double value, @Nullable String id) {}
+
+    public ParameterService(CloudManager cloud, DroneService drones, CommandService commands) {
+        this.cloud = cloud;
+        this.drones = drones;
+        this.commands = commands;
+    }
+
+    /** As last heard; those whose name has all the words in it, all when there are none. */
+    public ParametersView parameters(String droneId, @Nullable String search) {
+        ParameterSet all = held(drones.state(droneId));
+        List<Parameter> found = search == null ? all.all() : all.search(search);
+        return new ParametersView(
+                all.readAt() == null ? null : all.readAt().truncatedTo(ChronoUnit.MILLIS),
+                all.size(),
+                found.stream().map(ParametersView.ParameterView::of).toList());
+    }
+
+    public CommandView refresh(Caller caller, String droneId) {
+        Roles.require(caller.principal(), Role.OPERATOR);
+        return commands.give(
+                caller.principal(), caller.face(), drones.state(droneId), null, new Command.ReadParameters());
+    }
+
+    public CommandView set(Caller caller, String droneId, String name, ValueRequest request) {
+        Roles.require(caller.principal(), Role.OPERATOR);
+        DroneState drone = drones.state(droneId);
+        Command change = new Command.SetParameters(
+                List.of(ParameterReader.checked("name", name, "value", request.value(), held(drone))));
+        return commands.give(caller.principal(), caller.face(), drone, request.id(), change);
+    }
+
+    /** A file for ground stations. */
+    public String file(String droneId, @Nullable String form) {
+        DroneState drone = drones.state(droneId);
+        return ParameterFile.write(
+                whole(drone).all(), form(form), drone.link().key().systemId());
+    }
+
+    private static ParameterFile.Form form(@Nullable String form) {
+        return switch (form == null ? "list" : form) {
+            case "list" -> ParameterFile.Form.LIST;
+            case "table" -> ParameterFile.Form.TABLE;
+            default -> throw InvalidInput.outside("form", FORMS, "\"" + form + "\"");
+        };
+    }
+
+    /** What a file would change; nothing is sent. */
+    public ParametersView.FileView compare(Caller caller, String droneId, String text) {
+        Roles.require(caller.principal(), Role.OPERATOR);
+        return ParametersView.FileView.of(comparison(drones.state(droneId), text), null);
+    }
+
+    /** Changes what is otherwise in the file. */
+    public ParametersView.FileView load(Caller caller, String droneId, String text) {
+        Roles.require(caller.principal(), Role.OPERATOR);
+        DroneState drone = drones.state(droneId);
+        ParameterComparison comparison = comparison(drone, text);
+        CommandView command = comparison.different().isEmpty()
+                ? null
+                : commands.give(
+                        caller.principal(),
+                        caller.face(),
+                        drone,
+                        null,
+                        new Command.SetParameters(comparison.changes()));
+        return ParametersView.FileView.of(comparison, command);
+    }
+
+    private ParameterComparison comparison(DroneState drone, String text) {
+        return ParameterComparison.of(whole(drone), ParameterReader.file(text));
+    }
+
+    private ParameterSet whole(DroneState drone) {
+        ParameterSet all = held(drone);
+        if (all.readAt() == null) {
+            throw Rejection.conflict("The parameters of this drone have not been read yet; refresh them first.");
+        }
+        return all;
+    }
+
+    private ParameterSet held(DroneState drone) {
+        return cloud.onBoard(drone.id()).parameters();
+    }
+}

@@ -1,0 +1,93 @@
+"""A ground station plugged straight into a vehicle behind an impairer: it sees what is really held."""
+
+import queue
+import time
+from typing import Any
+
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
+
+from .impairer import Impairer
+
+SYSTEM = 254
+PATIENCE = 2.0
+TRIES = 20
+
+
+class PluggedStation:
+    """Asks with pymavlink, past the bad link and past the server."""
+
+    def __init__(self, link: Impairer, system_id: int) -> None:
+        self._link = link
+        self._vehicle = system_id
+        self._mavlink: Any = mavlink.MAVLink(self, srcSystem=SYSTEM, srcComponent=190)
+        self._parser: Any = mavlink.MAVLink(None)
+        self._parser.robust_parsing = True
+        self._heard: queue.Queue[Any] = queue.Queue()
+        link.overhear = self._overhear
+
+    def write(self, data: bytes) -> None:
+        """pymavlink sends through this."""
+        self._link.say(data)
+
+    def parameters(self) -> dict[str, tuple[float, int]]:
+        """Name to value and type, as the vehicle tells them: bits stay bits."""
+        self._forget()
+        found: dict[int, tuple[str, float, int]] = {}
+        count = -1
+        self._mavlink.param_request_list_send(self._vehicle, 1)
+        for _ in range(TRIES):
+            while (heard := self._next("PARAM_VALUE")) is not None:
+                if heard.param_index < heard.param_count:
+                    count = heard.param_count
+                    found[heard.param_index] = (heard.param_id, heard.param_value, heard.param_type)
+                if len(found) == count:
+                    return {name: (value, kind) for name, value, kind in found.values()}
+            for index in set(range(max(0, count))) - set(found):
+                self._mavlink.param_request_read_send(self._vehicle, 1, b"", index)
+        raise AssertionError(f"the vehicle told {len(found)} of {count} parameters")
+
+    def mission(self, kind: int = 0) -> list[Any]:
+        """The items of one kind of mission."""
+        count = self._ask(
+            lambda: self._mavlink.mission_request_list_send(self._vehicle, 1, kind),
+            lambda m: m.get_type() == "MISSION_COUNT" and m.mission_type == kind,
+        ).count
+        return [self._item(seq, kind) for seq in range(count)]
+
+    def _item(self, seq: int, kind: int) -> Any:
+        return self._ask(
+            lambda: self._mavlink.mission_request_int_send(self._vehicle, 1, seq, kind),
+            lambda m: m.get_type() == "MISSION_ITEM_INT" and m.seq == seq and m.mission_type == kind,
+        )
+
+    def _ask(self, question: Any, is_answer: Any) -> Any:
+        self._forget()
+        for _ in range(TRIES):
+            question()
+            until = time.monotonic() + PATIENCE
+            while time.monotonic() < until:
+                heard = self._next()
+                if heard is not None and is_answer(heard) and heard.target_system in (0, SYSTEM):
+                    return heard
+        raise AssertionError("the vehicle does not answer the station that is plugged into it")
+
+    def _forget(self) -> None:
+        """What was said before the question is no answer to it."""
+        while not self._heard.empty():
+            self._heard.get_nowait()
+
+    def _next(self, kind: str | None = None) -> Any | None:
+        until = time.monotonic() + PATIENCE
+        while (left := until - time.monotonic()) > 0:
+            try:
+                message = self._heard.get(timeout=left)
+            except queue.Empty:
+                return None
+            if kind is None or message.get_type() == kind:
+                return message
+        return None
+
+    def _overhear(self, data: bytes) -> None:
+        for message in self._parser.parse_buffer(data) or []:
+            if message.get_srcSystem() == self._vehicle:
+                self._heard.put(message)
