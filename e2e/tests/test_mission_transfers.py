@@ -116,3 +116,40 @@ def test_a_mission_goes_up_a_bad_link(bench: Bench, count: int, seconds: float) 
     assert outcome["result"] == "succeeded", outcome
     bench.link.weather = CLEAR
     assert bench.holds(items)
+
+
+def test_fence_and_rally_points_go_round(bench: Bench) -> None:
+    path = f"/drones/{bench.drone}"
+    corners = [
+        {"latitude": 47.39, "longitude": 8.54},
+        {"latitude": 47.41, "longitude": 8.54},
+        {"latitude": 47.4, "longitude": 8.56},
+    ]
+    zones: list[Json] = [
+        {"type": "polygon", "inside": True, "corners": corners, "center": None, "radius": None},
+        {"type": "circle", "inside": False, "corners": None, "center": corners[0], "radius": 50.0},
+    ]
+    points = [{"latitude": 47.395, "longitude": 8.545, "altitude": 25.0}]
+    assert bench.api.get(path + "/fence") == {"zones": None}
+
+    _succeed(bench, "PUT", path + "/fence", {"zones": zones})
+    _succeed(bench, "PUT", path + "/rally-points", {"points": points})
+
+    assert bench.api.get(path + "/fence") == {"zones": zones}
+    assert bench.api.get(path + "/rally-points") == {"points": points}
+    assert [item.command for item in bench.station.mission(kind=1)] == [5001, 5001, 5001, 5004]
+    assert [item.command for item in bench.station.mission(kind=2)] == [5100]
+    broken = bench.api.call("PUT", path + "/fence", {"zones": [{"type": "circle", "inside": True}]})
+    assert (broken.status_code, broken.json()["field"]) == (422, "zones[0].center.latitude")
+    _succeed(bench, "DELETE", path + "/fence")
+    _succeed(bench, "DELETE", path + "/rally-points")
+    _succeed(bench, "POST", path + "/fence/refresh")
+    assert bench.api.get(path + "/fence") == {"zones": []}
+    assert bench.station.mission(kind=1) == bench.station.mission(kind=2) == []
+
+
+def _succeed(bench: Bench, method: str, path: str, body: Json | None = None) -> None:
+    answer = bench.api.call(method, path, body)
+    assert answer.ok, answer.text
+    outcome = bench.api.ended(answer.json()["id"], 30)["outcome"]
+    assert outcome["result"] == "succeeded", outcome

@@ -1,0 +1,126 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.List;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.core.parameter.ParameterValue;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ParametersTest {
+    private static final List<Parameter> HELD = List.of(
+            new Parameter("RTL_ALT", ParameterType.INT16, 1500), new Parameter("RATE_P", ParameterType.REAL32, 0.1f));
+
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private Http operator;
+    private String path;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15682);
+        operator = new Http(house, house.key(Role.OPERATOR));
+        path = "/api/v1/drones/" + vehicle.id() + "/parameters";
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    private void read() {
+        vehicle.says(new DroneEvent.ParametersRead(HELD));
+        await().until(() -> operator.get(path).json().path("total").asInt() == 2);
+    }
+
+    private Http.Answer put(String name, String body) {
+        return operator.send(
+                path + "/" + name + "?wait=10",
+                builder -> builder.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    private Http.Answer file(String query, String text) {
+        return operator.send(
+                path + "/file" + query,
+                builder ->
+                        builder.header("Content-Type", "text/plain").POST(HttpRequest.BodyPublishers.ofString(text)));
+    }
+
+    @Test
+    void knowsNothingBeforeItRead() {
+        assertThat(operator.get(path).json().path("readAt").isNull()).isTrue();
+        assertThat(operator.get(path + "/file").status()).isEqualTo(409);
+        assertThat(file("", "RTL_ALT,1").text("detail")).contains("have not been read yet");
+    }
+
+    @Test
+    void changesOneThroughTheGate() {
+        read();
+
+        assertThat(put("RTL_ALT", "{\"value\":2000}")
+                        .json()
+                        .path("outcome")
+                        .path("result")
+                        .asString())
+                .isEqualTo("succeeded");
+        assertThat(vehicle.performed())
+                .containsExactly(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 2000))));
+    }
+
+    @Test
+    void refusesWhatTheParameterCannotHold() {
+        read();
+
+        Http.Answer tooLarge = put("RTL_ALT", "{\"value\":40000}");
+        Http.Answer unknown = put("NOBODY", "{\"value\":1}");
+        Http.Answer line = file("", "RTL_ALT,1\nRATE_P=2");
+
+        assertThat(tooLarge.status()).isEqualTo(422);
+        assertThat(tooLarge.text("allowed")).isEqualTo("a whole number from -32768 to 32767");
+        assertThat(unknown.text("field")).isEqualTo("name");
+        assertThat(line.text("detail")).contains("line 2");
+        assertThat(vehicle.performed()).isEmpty();
+    }
+
+    @Test
+    void comparesAFileAndSendsOnlyWhatDiffers() {
+        read();
+        String text = "RTL_ALT,1600\nRATE_P,0.1\nOTHER,3\n";
+
+        Http.Answer dry = file("?dryRun=true", text);
+        assertThat(dry.json().path("different").size()).isEqualTo(1);
+        assertThat(dry.json().path("same").asInt()).isEqualTo(1);
+        assertThat(dry.json().path("unknown").get(0).asString()).isEqualTo("OTHER");
+        assertThat(vehicle.performed()).isEmpty();
+
+        assertThat(file("", text).status()).isEqualTo(202);
+        await().until(() -> !vehicle.performed().isEmpty());
+        assertThat(vehicle.performed())
+                .containsExactly(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1600))));
+    }
+
+    @Test
+    void letsAViewerLookButNotChange() {
+        read();
+        Http viewer = new Http(house, house.key(Role.VIEWER));
+
+        assertThat(viewer.get(path + "?search=rtl").json().path("parameters").size())
+                .isEqualTo(1);
+        assertThat(viewer.post(path + "/refresh", "").status()).isEqualTo(403);
+    }
+}
