@@ -42,6 +42,9 @@ public final class ScriptedVehicle implements VehicleChannel {
         vehicle.says(new DroneEvent.Identified(COPTER, ALL));
         vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
         vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 488.0, 0.0)));
+        // News go by the drone's lane: a test must not overtake them.
+        Waiting.until(
+                "the vehicle is known", () -> cloud.drone(vehicle.link.id()).filter(state -> state.position() != null));
         return vehicle;
     }
 
