@@ -45,6 +45,8 @@ final class HouseRules {
             .definedBy("org.dronemap.core.geo..")
             .layer("mission")
             .definedBy("org.dronemap.core.mission..")
+            .layer("parameter")
+            .definedBy("org.dronemap.core.parameter..")
             .layer("drone")
             .definedBy("org.dronemap.core.drone..")
             .layer("words")
@@ -57,6 +59,8 @@ final class HouseRules {
             .mayOnlyBeAccessedByLayers("cloud")
             .whereLayer("drone")
             .mayOnlyBeAccessedByLayers("words", "cloud")
+            .whereLayer("parameter")
+            .mayOnlyBeAccessedByLayers("drone", "words", "cloud")
             .whereLayer("mission")
             .mayOnlyBeAccessedByLayers("drone", "words", "cloud");
 
