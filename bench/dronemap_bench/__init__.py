@@ -1,0 +1,1 @@
+"""Measures a whole Dronemap server under load, from outside, over its public ports."""

@@ -1,0 +1,76 @@
+"""What the kernel tells about processes and sockets."""
+
+import os
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+TICKS = os.sysconf("SC_CLK_TCK")
+PAGE = os.sysconf("SC_PAGE_SIZE")
+
+
+@dataclass(frozen=True)
+class Sample:
+    """One moment; CPU in seconds since the start of process or machine."""
+
+    at: float
+    process: float
+    threads: dict[str, float]
+    machine_busy: float
+    machine_all: float
+    drops: int
+
+
+def sample(pid: int, udp_port: int) -> Sample:
+    busy, everything = _machine()
+    return Sample(time.monotonic(), cpu(pid), _threads(pid), busy, everything, kernel_drops(udp_port))
+
+
+def cpu(pid: int) -> float:
+    return _cpu(Path(f"/proc/{pid}/stat"))
+
+
+def _cpu(stat: Path) -> float:
+    fields = stat.read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / TICKS
+
+
+def _threads(pid: int) -> dict[str, float]:
+    """By name; threads of one name together."""
+    used: dict[str, float] = {}
+    for task in Path(f"/proc/{pid}/task").iterdir():
+        try:
+            name = (task / "comm").read_text().strip()
+            kind = name.rstrip("0123456789-# ")
+            used[kind] = used.get(kind, 0.0) + _cpu(task / "stat")
+        except OSError:
+            continue  # it ended meanwhile
+    return used
+
+
+def _machine() -> tuple[float, float]:
+    fields = [int(f) for f in Path("/proc/stat").read_text().splitlines()[0].split()[1:9]]
+    idle = fields[3] + fields[4]
+    return (sum(fields) - idle) / TICKS, sum(fields) / TICKS
+
+
+def resident_bytes(pid: int) -> int:
+    return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * PAGE
+
+
+def kernel_drops(udp_port: int) -> int:
+    """Datagrams that the kernel threw away, as the socket's buffer was full."""
+    drops = 0
+    for table in ("/proc/net/udp", "/proc/net/udp6"):
+        for line in Path(table).read_text().splitlines()[1:]:
+            fields = line.split()
+            if int(fields[1].split(":")[1], 16) == udp_port:
+                drops += int(fields[-1])
+    return drops
+
+
+def processor() -> str:
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return f"{os.cpu_count()} x {line.partition(':')[2].strip()}"
+    return f"{os.cpu_count()} cores"

@@ -1,0 +1,149 @@
+"""One configuration measured on a fresh server."""
+
+import os
+import socket
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from . import machine
+from .configurations import Configuration
+from .programs import Json, Load, Server, free_port
+
+LEAD_SECONDS = 4.0
+END_SECONDS = 90
+SHOWN_THREADS = 10
+
+
+def measure(configuration: Configuration) -> Json:
+    """All figures of one configuration."""
+    with tempfile.TemporaryDirectory(prefix="dronemap-bench-") as folder:
+        server = Server(Path(folder) / "data")
+        try:
+            return _measure(configuration, server, Path(folder))
+        finally:
+            server.stop()
+
+
+def _measure(c: Configuration, server: Server, folder: Path) -> Json:
+    time.sleep(2)
+    idle_bytes = machine.resident_bytes(server.pid)
+    start = time.monotonic() + LEAD_SECONDS + c.vehicles / 1000
+    begin, end = start + c.warm_up, start + c.warm_up + c.seconds
+    pace = ["--vehicles", str(c.vehicles), "--rate", str(c.rate)]
+    kind = ["--steps", str(c.steps()), "--only-positions", "yes" if c.only_positions else "no"]
+    timed = [*pace, "--start-nanos", str(int(start * 1e9))]
+    with _network(c, server) as (port, network):
+        sender = Load("send", *timed, *kind, "--port", str(port))
+        watcher: Load | None = None
+        try:
+            _sleep_until(begin - 3)
+            watch = ["--from-nanos", str(int(begin * 1e9)), "--until-nanos", str(int(end * 1e9))]
+            where = ["--port", str(server.stream_port), "--key", server.key()]
+            watcher = Load("watch", *timed, *watch, *where)
+            _sleep_until(begin)
+            before = machine.sample(server.pid, server.udp_port)
+            own_before = _cpu(sender, watcher, network)
+            _sleep_until(end)
+            after = machine.sample(server.pid, server.udp_port)
+            own_after = _cpu(sender, watcher, network)
+            busy_bytes = machine.resident_bytes(server.pid)
+            live = _live(server)
+            sent = sender.result(END_SECONDS)
+            stream = watcher.result(END_SECONDS)
+        finally:
+            sender.stop()
+            if watcher is not None:
+                watcher.stop()
+        tlogs = _check(c, server, folder, [*pace, *kind])
+    figures = _figures(c, before, after, own_after - own_before)
+    return figures | {
+        "name": c.name,
+        "what": c.what,
+        "vehicles": c.vehicles,
+        "rate": c.rate,
+        "seconds": c.seconds,
+        "impaired": c.impairment is not None,
+        "live": live,
+        "sent": sent,
+        "stream": stream,
+        "tlogs": tlogs,
+        "idleMegabytes": round(idle_bytes / 1e6, 1),
+        "busyMegabytes": round(busy_bytes / 1e6, 1),
+        "kilobytesPerDrone": round((busy_bytes - idle_bytes) / c.vehicles / 1e3, 1),
+    }
+
+
+def _figures(c: Configuration, before: machine.Sample, after: machine.Sample, others: float) -> Json:
+    wall = after.at - before.at
+    used = after.process - before.process
+    messages = c.vehicles * c.rate * wall
+    busy = after.machine_busy - before.machine_busy
+    threads = {
+        name: round(100 * (spent - before.threads.get(name, 0.0)) / wall, 2)
+        for name, spent in after.threads.items()
+    }
+    top = sorted(threads.items(), key=lambda each: -each[1])[:SHOWN_THREADS]
+    return {
+        "cpuPercentOfOneCore": round(100 * used / wall, 1),
+        "cpuMicrosPerMessage": round(1e6 * used / messages, 2),
+        "threadsPercentOfOneCore": dict(top),
+        "kernelDrops": after.drops - before.drops,
+        "foreignLoadPercentOfMachine": round(
+            100 * max(0.0, busy - used - others) / (after.machine_all - before.machine_all), 1
+        ),
+        "loadAverage": os.getloadavg()[0],
+    }
+
+
+@contextmanager
+def _network(c: Configuration, server: Server) -> Iterator[tuple[int, Load | None]]:
+    """The port that vehicles send to, and what spoils the way from there to the server."""
+    if c.impairment is None:
+        yield server.udp_port, None
+        return
+    port = free_port(socket.SOCK_DGRAM)
+    impairer = Load(
+        "impair", "--listen", str(port), "--port", str(server.udp_port), *c.impairment.arguments()
+    )
+    try:
+        yield port, impairer
+    finally:
+        impairer.stop()
+
+
+def _cpu(*programs: Load | None) -> float:
+    return sum(machine.cpu(p.pid) for p in programs if p is not None)
+
+
+def _live(server: Server) -> int:
+    drones: list[dict[str, Any]] = server.get("/drones")["drones"]
+    return sum(d["link"]["state"] == "live" for d in drones)
+
+
+def _check(c: Configuration, server: Server, folder: Path, pace: list[str]) -> Json:
+    """Downloads every recording once all have ended, and compares them with what was sent."""
+    deadline = time.monotonic() + END_SECONDS
+    while True:
+        recordings = server.get("/recordings")["recordings"]
+        if all(r["state"] != "running" for r in recordings) or time.monotonic() > deadline:
+            break
+        time.sleep(0.5)
+    tlogs = folder / "tlogs"
+    tlogs.mkdir()
+    for recording in recordings:
+        server.download(f"/recordings/{recording['id']}/file", tlogs / f"{recording['id']}.tlog")
+    result = Load("check", *pace, "--folder", str(tlogs)).result(END_SECONDS)
+    return result | {
+        "recordings": len(recordings),
+        "complete": sum(r["state"] == "complete" for r in recordings),
+        "drops": sum(r["drops"] for r in recordings),
+        "bytes": sum(r["bytes"] for r in recordings),
+    }
+
+
+def _sleep_until(when: float) -> None:
+    time.sleep(max(0.0, when - time.monotonic()))

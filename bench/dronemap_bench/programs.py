@@ -1,0 +1,134 @@
+"""The processes of a measurement: server, vehicles, watcher, impairer, checker."""
+
+import json
+import os
+import socket
+import subprocess
+import time
+import urllib.error
+import urllib.request
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
+LOAD_JAR = ROOT / "dronemap-sim" / "target" / "dronemap-sim.jar"
+START_SECONDS = 180
+
+Json = dict[str, Any]
+
+
+def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
+    with socket.socket(socket.AF_INET, kind) as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+class Server:
+    """A server of the measurement's own, in its default configuration but for ports and folder."""
+
+    def __init__(self, data: Path) -> None:
+        for jar in (SERVER_JAR, LOAD_JAR):
+            if not jar.exists():
+                raise SystemExit(f"{jar} is missing: build first (mvn -Pfast package)")
+        self.http_port = free_port()
+        self.stream_port = free_port()
+        self.udp_port = free_port(socket.SOCK_DGRAM)
+        self._data = data
+        data.mkdir(parents=True)
+        options = os.environ.get("DRONEMAP_JAVA_OPTS", "").split()
+        with (data / "server.log").open("wb") as log:
+            self._process = subprocess.Popen(
+                ["java", "-Xmx384m", *options, "-jar", str(SERVER_JAR)],
+                env=os.environ
+                | {
+                    "DRONEMAP_DATA_DIR": str(data),
+                    "DRONEMAP_BIND": "127.0.0.1",
+                    "DRONEMAP_HTTP_PORT": str(self.http_port),
+                    "DRONEMAP_STREAM_PORT": str(self.stream_port),
+                    "DRONEMAP_ENDPOINTS": f"udpserver://127.0.0.1:{self.udp_port}",
+                },
+                stdout=log,
+                stderr=subprocess.STDOUT,
+            )
+        self._wait()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    def key(self) -> str:
+        return (self._data / "local-key").read_text().strip()
+
+    def get(self, path: str) -> Json:
+        answer: Json = json.loads(self.read(path))
+        return answer
+
+    def read(self, path: str) -> bytes:
+        request = urllib.request.Request(
+            f"http://127.0.0.1:{self.http_port}/api/v1{path}",
+            headers={"Authorization": f"Bearer {self.key()}"},
+        )
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            body: bytes = answer.read()
+            return body
+
+    def download(self, path: str, to: Path) -> None:
+        request = urllib.request.Request(
+            f"http://127.0.0.1:{self.http_port}/api/v1{path}",
+            headers={"Authorization": f"Bearer {self.key()}"},
+        )
+        with urllib.request.urlopen(request, timeout=60) as answer, to.open("wb") as out:
+            while block := answer.read(1 << 20):
+                out.write(block)
+
+    def stop(self) -> None:
+        self._process.terminate()
+        try:
+            self._process.wait(30)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+    def _wait(self) -> None:
+        deadline = time.monotonic() + START_SECONDS
+        while time.monotonic() < deadline:
+            if self._process.poll() is not None:
+                raise SystemExit(f"The server ended; see {self._data / 'server.log'}")
+            try:
+                url = f"http://127.0.0.1:{self.http_port}/api/v1/health"
+                with urllib.request.urlopen(url, timeout=2) as answer:
+                    if json.loads(answer.read())["status"] == "up":
+                        return
+            except (OSError, urllib.error.URLError):
+                time.sleep(0.2)
+        raise SystemExit("The server did not start in time")
+
+
+class Load:
+    """One of the load programs; its result is the line of JSON that it prints at its end."""
+
+    def __init__(self, *arguments: str) -> None:
+        self._process = subprocess.Popen(
+            ["java", "-Xmx512m", "-cp", str(LOAD_JAR), "org.dronemap.sim.load.Load", *arguments],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    def result(self, seconds: float) -> Json:
+        output, _ = self._process.communicate(timeout=seconds)
+        if self._process.returncode != 0:
+            raise SystemExit(f"A load program failed with {self._process.returncode}: {output}")
+        result: Json = json.loads(output.splitlines()[-1])
+        return result
+
+    def stop(self) -> None:
+        if self._process.poll() is None:
+            self._process.kill()
+            self._process.wait()

@@ -1,0 +1,104 @@
+"""That the benchmark measures at all (short), and that the goals are met (soak)."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from dronemap_bench import configurations, report
+from dronemap_bench.__main__ import main
+from dronemap_bench.configurations import Configuration, Impairment
+from dronemap_bench.measure import measure
+
+SMALL = Configuration("small", "5 vehicles, 20 messages/s each", 5, 20, seconds=6, warm_up=4)
+BAD = Configuration(
+    "bad",
+    "5 vehicles over a bad network",
+    5,
+    20,
+    seconds=6,
+    warm_up=6,
+    only_positions=True,
+    impairment=Impairment(delay=200, jitter=50, loss=0.1, duplicate=0.1, seed=7),
+)
+
+
+def test_every_frame_sent_is_in_a_recording_byte_for_byte() -> None:
+    result = measure(SMALL)
+    tlogs = result["tlogs"]
+    assert (tlogs["recordings"], tlogs["complete"], tlogs["vehicles"]) == (5, 5, 5), result
+    assert (tlogs["missing"], tlogs["foreign"], tlogs["drops"], tlogs["brokenBytes"]) == (0, 0, 0, 0), result
+    assert tlogs["found"] == tlogs["expected"] == 5 * (SMALL.steps() + 3), result
+    assert result["live"] == 5
+    assert result["stream"]["vehicles"] == 5
+    assert result["stream"]["age"]["count"] > 0
+    assert result["cpuMicrosPerMessage"] > 0
+
+
+def test_a_bad_network_is_felt_and_its_delay_is_seen() -> None:
+    result = measure(BAD)
+    assert result["tlogs"]["missing"] > 0, "nothing was lost on the way"
+    assert result["live"] == 5
+    assert 150 <= report.millis(result, "50.0") <= 400
+
+
+def test_results_are_written_as_table_plot_and_json(tmp_path: Path) -> None:
+    percentiles = {p: 1500 for p in ["50.0", "75.0", "90.0", "95.0", "99.0", "99.9", "99.99"]}
+    age = {"count": 1, "mean": 1.0, "percentiles": percentiles}
+    one = {
+        "name": "small",
+        "what": "5 vehicles",
+        "vehicles": 5,
+        "rate": 20,
+        "seconds": 6,
+        "kernelDrops": 0,
+        "sent": {"lateness": age},
+        "stream": {"messages": 60, "age": age},
+        "tlogs": {"found": 10, "expected": 10},
+        "cpuPercentOfOneCore": 1.0,
+        "cpuMicrosPerMessage": 2.0,
+        "kilobytesPerDrone": 3.0,
+        "foreignLoadPercentOfMachine": 4.0,
+    }
+    about = {"at": "now", "processor": "2 x some", "java": "java", "revision": "r"}
+    report.write(tmp_path, "x", {"machine": about, "configurations": [one]})
+    assert json.loads((tmp_path / "x.json").read_text())["configurations"][0]["name"] == "small"
+    assert "| small | 100 | 0 | 10 | 10 | 10 | 1.50 | 1.50 |" in (tmp_path / "x.md").read_text()
+    assert (tmp_path / "x.svg").read_text().count("<polyline") == 1
+
+
+def test_an_unknown_configuration_is_named() -> None:
+    with pytest.raises(SystemExit, match="There is no configuration nonsense"):
+        main(["nonsense"])
+
+
+@pytest.mark.soak
+@pytest.mark.parametrize("name", ["fleet-100", "fleet-200"])
+@pytest.mark.parametrize("again", [1, 2])
+def test_no_frame_of_a_big_fleet_is_lost(name: str, again: int) -> None:
+    result = measure(configurations.named([name])[0])
+    assert result["sent"]["refused"] == 0, result
+    assert result["kernelDrops"] == 0, result
+    assert result["tlogs"]["missing"] == result["tlogs"]["foreign"] == 0, result
+
+
+@pytest.mark.soak
+def test_positions_of_a_small_fleet_arrive_within_a_millisecond() -> None:
+    result = measure(configurations.named(["latency"])[0])
+    assert report.millis(result, "50.0") <= 1, result
+    assert report.millis(result, "99.0") <= 5, result
+
+
+@pytest.mark.soak
+def test_two_thousand_vehicles_stay_live() -> None:
+    many = configurations.named(["many"])[0].short(600)
+    result = measure(many)
+    assert result["live"] == 2000, result
+    assert result["kernelDrops"] == 0, result
+
+
+@pytest.mark.soak
+@pytest.mark.parametrize("name", ["imatisse-1b", "imatisse-3b"])
+def test_an_unstable_network_adds_its_delay_and_little_more(name: str) -> None:
+    result = measure(configurations.named([name])[0])
+    assert report.millis(result, "50.0") <= 500 + 10, result

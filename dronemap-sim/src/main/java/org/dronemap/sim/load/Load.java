@@ -1,0 +1,34 @@
+package org.dronemap.sim.load;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+
+/** The entry of the load programs; each prints one line of JSON at its end. See bench/README.md. */
+public final class Load {
+    private static final int BAD_USAGE = 2;
+
+    private Load() {}
+
+    public static void main(String[] words) throws IOException, InterruptedException {
+        try {
+            if (words.length == 0) {
+                throw new IllegalArgumentException("say send, watch, check or impair");
+            }
+            Arguments arguments = new Arguments(List.of(Arrays.copyOfRange(words, 1, words.length)));
+            System.out.println(
+                    switch (words[0]) {
+                        case "send" -> new Sender(arguments).run();
+                        case "watch" -> new Watcher(arguments).run();
+                        case "check" -> new Checker(arguments).run();
+                        case "impair" -> Impairer.serve(arguments);
+                        default ->
+                            throw new IllegalArgumentException(
+                                    "'" + words[0] + "' is none of send, watch, check, impair");
+                    });
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(BAD_USAGE);
+        }
+    }
+}
