@@ -148,7 +148,7 @@ export class Station {
       const { ticket } = await this.rest.streamTicket();
       const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
       const port = this.settings?.streamPort ?? 8081;
-      return `${scheme}://${location.hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}`;
+      return `${scheme}://${location.hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}&rate=5`;
     } catch (thrown) {
       if (thrown instanceof Problem && thrown.status === 401) {
         return null;

@@ -79,6 +79,17 @@ class StreamTest {
     }
 
     @Test
+    void refusesARateThatNobodyCanDraw() {
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> isType(message, "drones"));
+            stream.send("{\"type\":\"subscribe\",\"rate\":51,\"requestId\":\"r\"}");
+            JsonNode answer = stream.await(message -> isType(message, "error"));
+            assertThat(answer.path("problem").path("field").asString()).isEqualTo("rate");
+            assertThat(answer.path("problem").path("allowed").asString()).contains("1 to 50");
+        }
+    }
+
+    @Test
     void takesATicketOnce() {
         String ticket = new Http(house, key).post("/api/v1/stream-tickets", "").text("ticket");
 

@@ -51,6 +51,10 @@ final class ClientOutbox {
         return all;
     }
 
+    synchronized boolean isEmpty() {
+        return discrete.isEmpty() && newest.isEmpty();
+    }
+
     synchronized boolean isOverflown() {
         return overflown;
     }

@@ -1,9 +1,11 @@
 package org.dronemap.ws.stream;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.Principal;
@@ -14,17 +16,19 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
 
 /**
- * The newest picture of each drone that changed, at most five times a second a drone, written once for all clients of
- * a role. {@link #changed} from any thread, the rest from the pump alone.
+ * The newest picture of each drone that changed, written once for all clients of a role that want it equally often.
+ * {@link #changed} and {@link #removed} from any thread, the rest from the pump alone.
  */
 final class DroneFeed {
-    private static final long SHORTEST_GAP_NANOS = 200_000_000L;
+    private static final long SHORTEST_REST_NANOS = 500_000L;
+    private static final long RESTS_IN_A_GAP = 20;
+    private static final Pump.Pause NOBODY_LISTENS = new Pump.Pause(5_000_000L, 40_000_000L);
 
     private final DroneViews views;
     private final JsonReader json;
     private final ConcurrentHashMap<DroneId, DroneState> changed = new ConcurrentHashMap<>();
-    // owned by the pump
-    private final Map<DroneId, Long> sentNanos = new HashMap<>();
+    // Owned by the pump: by how many pictures a second clients want at most.
+    private final Map<Integer, Turns<DroneState>> turns = new HashMap<>();
 
     DroneFeed(DroneViews views, JsonReader json) {
         this.views = views;
@@ -39,22 +43,41 @@ final class DroneFeed {
         changed.remove(id);
     }
 
-    void publish(Collection<StreamClient> clients, long nowNanos) {
-        for (Iterator<Map.Entry<DroneId, DroneState>> entries =
-                        changed.entrySet().iterator();
-                entries.hasNext(); ) {
-            Map.Entry<DroneId, DroneState> entry = entries.next();
-            Long last = sentNanos.get(entry.getKey());
-            if (last != null && nowNanos - last < SHORTEST_GAP_NANOS) {
-                continue;
-            }
-            // a newer state that came in meanwhile stays for the next round
-            if (changed.remove(entry.getKey(), entry.getValue())) {
-                sentNanos.put(entry.getKey(), nowNanos);
-                hand(entry.getValue(), clients);
+    /** No more pictures of this drone. */
+    void forget(DroneId id) {
+        changed.remove(id);
+        turns.values().forEach(each -> each.removed(id));
+    }
+
+    /** Hands out what is due, and says when to come again: not too often, so that much news costs no more than some. */
+    Pump.Pause publish(Collection<StreamClient> clients, long nowNanos) {
+        Map<Integer, List<StreamClient>> groups = new HashMap<>();
+        for (StreamClient client : clients) {
+            groups.computeIfAbsent(client.perSecond(), rate -> new ArrayList<>())
+                    .add(client);
+        }
+        turns.keySet().retainAll(groups.keySet());
+        groups.keySet().forEach(rate -> turns.computeIfAbsent(rate, Turns<DroneState>::new));
+        for (Iterator<DroneState> news = changed.values().iterator(); news.hasNext(); ) {
+            DroneState state = news.next();
+            // A newer state that came in meanwhile stays for the next round.
+            if (changed.remove(state.id(), state)) {
+                turns.values().forEach(each -> each.changed(state.id(), state));
             }
         }
-        sentNanos.values().removeIf(last -> nowNanos - last > 60_000_000_000L);
+        if (turns.isEmpty()) {
+            return NOBODY_LISTENS;
+        }
+        long least = Long.MAX_VALUE;
+        long most = Long.MAX_VALUE;
+        for (Map.Entry<Integer, Turns<DroneState>> entry : turns.entrySet()) {
+            Turns<DroneState> each = entry.getValue();
+            List<StreamClient> group = groups.getOrDefault(entry.getKey(), List.of());
+            each.forget(nowNanos);
+            most = Math.min(most, each.take(nowNanos, state -> hand(state, group)));
+            least = Math.min(least, each.gapNanos() / RESTS_IN_A_GAP);
+        }
+        return new Pump.Pause(Math.max(SHORTEST_REST_NANOS, least), Math.max(SHORTEST_REST_NANOS, most));
     }
 
     private void hand(DroneState state, Collection<StreamClient> clients) {

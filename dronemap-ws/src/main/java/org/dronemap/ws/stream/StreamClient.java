@@ -21,6 +21,7 @@ final class StreamClient {
     private final long connectedNanos;
     private volatile @Nullable Principal principal;
     private volatile @Nullable Set<String> wanted;
+    private volatile int perSecond = Turns.MOST_PER_SECOND;
     private volatile long closingSinceNanos;
 
     StreamClient(WebSocket socket, long nowNanos) {
@@ -49,6 +50,15 @@ final class StreamClient {
         wanted = drones == null ? null : drones.stream().collect(Collectors.toUnmodifiableSet());
     }
 
+    /** At most so many pictures of each drone a second. */
+    void slowDown(int pictures) {
+        perSecond = pictures;
+    }
+
+    int perSecond() {
+        return perSecond;
+    }
+
     boolean wants(DroneId drone) {
         Set<String> only = wanted;
         return only == null || only.contains(drone.value());
@@ -70,21 +80,25 @@ final class StreamClient {
         return fitting;
     }
 
-    /** Hands waiting messages to the socket as soon as it has sent all that it had: its own queue has no bound. */
-    void pump(long nowNanos) {
+    /**
+     * Hands waiting messages to the socket as soon as it has sent all that it had: its own queue has no bound. False
+     * when something still waits.
+     */
+    boolean pump(long nowNanos) {
         if (closingSinceNanos != 0) {
             if (nowNanos - closingSinceNanos > 2_000_000_000L) {
                 // it does not even take the farewell
                 socket.closeConnection(TOO_SLOW, "too slow");
             }
-            return;
+            return true;
         }
         if (outbox.isOverflown()) {
             close(TOO_SLOW, "Too slow: more than " + ClientOutbox.MOST_DISCRETE + " messages were waiting; reconnect.");
-            return;
+            return true;
         }
         if (socket.isOpen() && !socket.hasBufferedData()) {
             outbox.drain().forEach(socket::send);
         }
+        return outbox.isEmpty();
     }
 }

@@ -3,9 +3,9 @@ package org.dronemap.ws.stream;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Clock;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import javax.net.ssl.SSLContext;
@@ -26,13 +26,10 @@ import org.dronemap.ws.service.Rejection;
 import org.java_websocket.framing.CloseFrame;
 import org.java_websocket.server.DefaultSSLWebSocketServerFactory;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** The WebSocket face as a whole. Lanes only put news down; one pump thread carries them to the clients. */
 public final class StreamFace implements CloudListener, AutoCloseable {
-    private static final Logger LOG = LoggerFactory.getLogger(StreamFace.class);
-    private static final long ROUND_MILLIS = 40;
+    private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
     private static final long PING_NANOS = TimeUnit.SECONDS.toNanos(5);
     private static final long TIME_TO_SIGN_IN_NANOS = TimeUnit.SECONDS.toNanos(5);
 
@@ -42,11 +39,8 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private final StreamRequests requests;
     private final DroneFeed feed;
     private final Clock clock;
-    private final ScheduledExecutorService pump = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread thread = new Thread(task, "stream-pump");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final Pump pump = new Pump("stream-pump", this::round);
+    private final Queue<DroneId> removed = new ConcurrentLinkedQueue<>();
     // owned by the pump
     private long lastPingNanos = System.nanoTime();
 
@@ -67,7 +61,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.feed = new DroneFeed(services.views(), services.json());
         this.requests =
                 new StreamRequests(services.authentication(), services.drones(), services.commands(), services.json());
-        this.server = new StreamServer(address, requests, services.authentication(), services.tickets());
+        this.server = new StreamServer(address, requests, services.authentication(), services.tickets(), pump::wake);
         if (tls != null) {
             server.setWebSocketFactory(new DefaultSSLWebSocketServerFactory(tls));
         }
@@ -78,7 +72,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         server.start();
         int port = awaitListening();
         cloud.addListener(this);
-        var unused = pump.scheduleWithFixedDelay(this::round, ROUND_MILLIS, ROUND_MILLIS, TimeUnit.MILLISECONDS);
+        pump.start();
         return port;
     }
 
@@ -98,11 +92,25 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     @Override
     public void droneChanged(DroneState state) {
         feed.changed(state);
+        wake();
     }
 
     @Override
     public void droneRemoved(DroneId id) {
         feed.removed(id);
+        removed.add(id);
+        wake();
+    }
+
+    private void wake() {
+        if (!server.clients().isEmpty()) {
+            pump.wake();
+        }
+    }
+
+    /** In the pump's own order, so that no picture follows the farewell. */
+    private void tellRemoved(DroneId id) {
+        feed.forget(id);
         String message = services.json().write(new StreamMessage.DroneRemoved(id.value()));
         for (StreamClient client : server.clients()) {
             client.outbox().forget(id);
@@ -120,25 +128,26 @@ public final class StreamFace implements CloudListener, AutoCloseable {
                 client.outbox().add(message);
             }
         }
+        wake();
     }
 
-    private void round() {
-        try {
-            long now = System.nanoTime();
-            feed.publish(server.clients(), now);
-            boolean pingDue = now - lastPingNanos >= PING_NANOS;
-            if (pingDue) {
-                lastPingNanos = now;
-            }
-            for (StreamClient client : server.clients()) {
-                attend(client, pingDue, now);
-            }
-        } catch (RuntimeException e) {
-            LOG.error("A round of the stream failed", e);
+    private Pump.Pause round(long now) {
+        for (DroneId id = removed.poll(); id != null; id = removed.poll()) {
+            tellRemoved(id);
         }
+        Pump.Pause pause = feed.publish(server.clients(), now);
+        boolean pingDue = now - lastPingNanos >= PING_NANOS;
+        if (pingDue) {
+            lastPingNanos = now;
+        }
+        boolean allSent = true;
+        for (StreamClient client : server.clients()) {
+            allSent &= attend(client, pingDue, now);
+        }
+        return allSent ? pause : new Pump.Pause(pause.leastNanos(), Math.min(pause.mostNanos(), RETRY_NANOS));
     }
 
-    private void attend(StreamClient client, boolean pingDue, long now) {
+    private boolean attend(StreamClient client, boolean pingDue, long now) {
         if (client.principal().isEmpty()) {
             if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
                 Rejection late = Rejection.notSignedIn("No ticket, key or authenticate message came within 5 s.");
@@ -149,7 +158,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         } else if (pingDue) {
             requests.say(client, new StreamMessage.Ping(clock.instant()));
         }
-        client.pump(now);
+        return client.pump(now);
     }
 
     /** How many clients are connected. */
@@ -160,7 +169,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     @Override
     public void close() {
         cloud.removeListener(this);
-        pump.shutdown();
+        pump.close();
         try {
             server.stop(1_000, "The server stops.");
         } catch (InterruptedException e) {

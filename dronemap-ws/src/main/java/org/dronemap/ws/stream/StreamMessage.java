@@ -20,7 +20,8 @@ final class StreamMessage {
             @Nullable String requestId,
             @Nullable String drone,
             @Nullable CommandRequest command,
-            @Nullable List<String> drones) {}
+            @Nullable List<String> drones,
+            @Nullable Integer rate) {}
 
     record Hello(String type, String user, String role) {
         Hello(String user, String role) {

@@ -72,10 +72,26 @@ final class StreamRequests {
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
         switch (type) {
             case "command" -> command(client, principal, message);
-            case "subscribe" -> client.subscribe(message.drones());
+            case "subscribe" -> subscribe(client, message);
             case "ping" -> say(client, new StreamMessage.Pong());
             default -> throw InvalidInput.outside("type", TYPES, "\"" + type + "\"");
         }
+    }
+
+    private static void subscribe(StreamClient client, StreamMessage.FromClient message) {
+        slowDown(client, message.rate());
+        client.subscribe(message.drones());
+    }
+
+    /** Null leaves it as it is. */
+    static void slowDown(StreamClient client, @Nullable Integer rate) {
+        if (rate == null) {
+            return;
+        }
+        if (rate < 1 || rate > Turns.MOST_PER_SECOND) {
+            throw InvalidInput.outside("rate", "1 to " + Turns.MOST_PER_SECOND + " a second", rate);
+        }
+        client.slowDown(rate);
     }
 
     private void authenticate(StreamClient client, @Nullable String key) {

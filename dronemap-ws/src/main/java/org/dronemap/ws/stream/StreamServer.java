@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.Caller;
 import org.dronemap.ws.security.StreamTickets;
@@ -32,19 +34,26 @@ final class StreamServer extends WebSocketServer {
     private static final int MOST_CLIENTS = 2_000;
     private static final String PATH = "/stream";
     private static final String TICKET = "ticket=";
+    private static final Pattern RATE = Pattern.compile("[?&]rate=(\\d{1,4})(?:&|$)");
 
     private final StreamRequests requests;
     private final Authentication authentication;
     private final StreamTickets tickets;
+    private final Runnable onNews;
     private final ConcurrentHashMap<WebSocket, StreamClient> clients = new ConcurrentHashMap<>();
     private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
     StreamServer(
-            InetSocketAddress address, StreamRequests requests, Authentication authentication, StreamTickets tickets) {
+            InetSocketAddress address,
+            StreamRequests requests,
+            Authentication authentication,
+            StreamTickets tickets,
+            Runnable onNews) {
         super(address, WORKERS, List.of(draft()));
         this.requests = requests;
         this.authentication = authentication;
         this.tickets = tickets;
+        this.onNews = onNews;
         setReuseAddr(true);
         setTcpNoDelay(true);
         setDaemon(true);
@@ -69,12 +78,20 @@ final class StreamServer extends WebSocketServer {
                 throw new Rejection(RejectionKind.UNAVAILABLE, "Too many clients are connected.");
             }
             checkAddress(handshake);
+            StreamRequests.slowDown(client, rate(handshake.getResourceDescriptor()));
             identify(handshake).ifPresent(caller -> requests.welcome(client, caller.principal()));
         } catch (Rejection rejection) {
             requests.say(client, new StreamMessage.Failure(Problem.of(rejection), null));
             client.pump(System.nanoTime());
             client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
         }
+        onNews.run();
+    }
+
+    /** How many pictures of a drone a second are wanted at most; null when the address does not say. */
+    private static @Nullable Integer rate(String address) {
+        Matcher given = RATE.matcher(address);
+        return given.find() ? Integer.valueOf(given.group(1)) : null;
     }
 
     @Override
@@ -87,6 +104,7 @@ final class StreamServer extends WebSocketServer {
         StreamClient client = clients.get(socket);
         if (client != null) {
             requests.hear(client, message);
+            onNews.run();
         }
     }
 
