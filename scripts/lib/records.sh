@@ -103,7 +103,8 @@ command_replay() {
     [[ $speed =~ ^[0-9]{1,3}(\.[0-9]+)?$ ]] && awk "BEGIN { exit !($speed >= 0.1 && $speed <= 100) }" ||
         fail "$EXIT_USAGE" "--speed is '$speed'; it must be a number from 0.1 to 100."
     [[ -n $file ]] || fail "$EXIT_USAGE" "replay needs a recording (.tlog). See ./dronemap help"
-    [[ -f $file && -r $file ]] || fail "$EXIT_USAGE" "There is no readable file '$file'."
+    # The id of a flight that the server recorded does as well.
+    [[ -f $file && -r $file || $file =~ ^[0-9]{8}T[0-9]{6}Z_[a-z0-9_-]+$ ]] || fail "$EXIT_USAGE" "There is no readable file '$file'."
     load_settings
     require_running
     play "$file" "$speed"
@@ -115,8 +116,12 @@ play() { # FILE SPEED
     ANSWER_FILE=$(mktemp)
     trap 'rm -f "$ANSWER_FILE"' EXIT
     step "Replaying $1 at $2 times its speed (Ctrl-C ends it)"
-    ask_into "$ANSWER_FILE" "/api/v1/replays?speed=$2&name=$name" --request POST \
-        --header 'Content-Type: application/octet-stream' --data-binary "@$1" ||
+    local question=("/api/v1/recordings/$1/replays?speed=$2" --request POST)
+    if [[ -f $1 ]]; then
+        question=("/api/v1/replays?speed=$2&name=$name" --request POST
+            --header 'Content-Type: application/octet-stream' --data-binary "@$1")
+    fi
+    ask_into "$ANSWER_FILE" "${question[@]}" ||
         fail "$EXIT_FAILED" "The recording is not played. $(why "$ANSWER_FILE")"
     REPLAY=$(json_value id "$(cat "$ANSWER_FILE")")
     [[ -n $REPLAY ]] || fail "$EXIT_FAILED" "The server's answer to the recording is not understood: $(head -c 200 "$ANSWER_FILE")"

@@ -11,6 +11,7 @@ import type {
   NewLinkKey,
   NewUser,
   ProblemBody,
+  RecordingPage,
   Role,
   SavedMission,
   Session,
@@ -118,6 +119,23 @@ export class RestClient {
 
   deleteMission(id: string): Promise<void> {
     return this.#call('DELETE', `/missions/${encodeURIComponent(id)}`);
+  }
+
+  recordingsOf(drone: string): Promise<RecordingPage> {
+    return this.#call('GET', `/recordings?drone=${encodeURIComponent(drone)}`);
+  }
+
+  /** Where the browser downloads a recording from. */
+  recordingAddress(id: string): string {
+    return `${this.#base}/recordings/${encodeURIComponent(id)}/file`;
+  }
+
+  replayRecording(id: string, speed: number): Promise<unknown> {
+    return this.#call('POST', `/recordings/${encodeURIComponent(id)}/replays?speed=${speed}`);
+  }
+
+  deleteRecording(id: string): Promise<void> {
+    return this.#call('DELETE', `/recordings/${encodeURIComponent(id)}?confirm=true`);
   }
 
   async users(): Promise<User[]> {

@@ -62,13 +62,9 @@ public final class Frame {
         if (!signed()) {
             return this;
         }
-        byte[] bare = Arrays.copyOf(raw, raw.length - SIGNATURE_BYTES);
-        bare[2] &= ~SIGNED_FLAG;
-        int check = bare.length - 2;
-        int change = Crc.changeOf(SIGNED_FLAG, check - 2);
-        bare[check] ^= (byte) change;
-        bare[check + 1] ^= (byte) (change >>> 8);
-        return new Frame(bare, verified);
+        byte[] bare = raw.clone();
+        int length = Signature.strip(bare, 0, bare.length);
+        return new Frame(Arrays.copyOf(bare, length), verified);
     }
 
     public int payloadLength() {

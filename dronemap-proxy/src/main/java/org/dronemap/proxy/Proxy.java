@@ -8,6 +8,7 @@ import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.record.Replays;
+import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.proxy.session.SessionTable;
 import org.dronemap.proxy.session.Surroundings;
 import org.dronemap.proxy.signing.Keyrings;
@@ -23,10 +24,12 @@ public final class Proxy implements AutoCloseable {
     /** One endpoint with its counts. */
     public record EndpointStatus(EndpointUrl url, EndpointCounters.Counts counts) {}
 
-    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings) {
+    /** {@code taps} hear every frame of every session. */
+    public Proxy(
+            CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings, FrameTap.Factory taps) {
         this.urls = List.copyOf(urls);
         this.keyrings = keyrings;
-        sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime, keyrings));
+        sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime, keyrings, taps));
         replays = new Replays(sessions);
         links = new Links(sessions);
     }

@@ -31,6 +31,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.session.FrameTap;
 
 /** A whole cloud in memory behind a proxy with one UDP and one TCP port, for tests with real sockets. */
 public final class TestCloud implements AutoCloseable {
@@ -49,13 +50,18 @@ public final class TestCloud implements AutoCloseable {
     private final Proxy proxy;
 
     public TestCloud(int udpPort) {
+        this(udpPort, componentId -> FrameTap.NONE);
+    }
+
+    public TestCloud(int udpPort, FrameTap.Factory taps) {
         proxy = new Proxy(
                 cloud,
                 lanes,
                 List.of(
                         EndpointUrl.parse("udpserver://127.0.0.1:" + udpPort),
                         EndpointUrl.parse("tcpserver://127.0.0.1:0")),
-                TestKeys.of(cloud, journal));
+                TestKeys.of(cloud, journal),
+                taps);
         try {
             proxy.start();
         } catch (IOException e) {

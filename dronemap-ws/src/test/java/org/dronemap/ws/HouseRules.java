@@ -50,7 +50,11 @@ final class HouseRules {
             .layer("drone")
             .definedBy("org.dronemap.core.drone..")
             .layer("words")
-            .definedBy("org.dronemap.core.event..", "org.dronemap.core.command..", "org.dronemap.core.access..")
+            .definedBy(
+                    "org.dronemap.core.event..",
+                    "org.dronemap.core.command..",
+                    "org.dronemap.core.access..",
+                    "org.dronemap.core.recording..")
             .layer("cloud")
             .definedBy("org.dronemap.core.cloud..")
             .whereLayer("cloud")

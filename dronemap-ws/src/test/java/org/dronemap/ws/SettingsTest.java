@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.Map;
+import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.ws.wiring.Settings;
 import org.dronemap.ws.wiring.SetupException;
 import org.junit.jupiter.api.Test;
@@ -32,6 +33,17 @@ class SettingsTest {
         assertThat(settings.watchdog().probeAfter()).isEqualTo(Duration.ofSeconds(6));
     }
 
+    @Test
+    void recordsFlightsUnlessToldOtherwise() {
+        assertThat(Settings.fromEnvironment(Map.of()).recording()).isEqualTo(RecordingPolicy.DEFAULT);
+        assertThat(Settings.fromEnvironment(Map.of(
+                                "DRONEMAP_RECORD", "always",
+                                "DRONEMAP_RECORD_MEGABYTES", "50",
+                                "DRONEMAP_RECORD_DAYS", "30"))
+                        .recording())
+                .isEqualTo(new RecordingPolicy(RecordingPolicy.When.ALWAYS, 50_000_000, 30));
+    }
+
     @ParameterizedTest
     @CsvSource({
         "DRONEMAP_HTTP_PORT, 99999, '\"99999\"'",
@@ -41,6 +53,9 @@ class SettingsTest {
         "DRONEMAP_TLS_CERT, /no/such/file, /no/such/file",
         "DRONEMAP_TILE_ADDRESS, tiles, '\"tiles\"'",
         "DRONEMAP_WATCHDOG_LOST_SECONDS, 1, 2 to 600 seconds",
+        "DRONEMAP_RECORD, sometimes, 'flights, always or never'",
+        "DRONEMAP_RECORD_MEGABYTES, 0, 'from 1 to 10000000'",
+        "DRONEMAP_RECORD_DAYS, -1, '\"-1\"'",
         "DRONEMAP_STREAM_PORT, 8080, 8080"
     })
     void namesTheSettingAndTheValueThatAreWrong(String name, String value, String named) {

@@ -18,6 +18,7 @@ final class Downlink {
     private final FrameWriter version2 = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 2);
     private final ArrayDeque<Message> held = new ArrayDeque<>();
     private @Nullable LinkGuard guard;
+    private FrameTap tap = FrameTap.NONE;
     private boolean speaksVersion1;
 
     Downlink(Peer peer) {
@@ -38,6 +39,11 @@ final class Downlink {
         speaksVersion1 = version == 1;
     }
 
+    /** Who hears what is sent from now on. */
+    void tapBy(FrameTap listener) {
+        tap = listener;
+    }
+
     /** Sends, or keeps in order what must wait for a change of keys; the oldest falls out of a full queue. */
     void send(Message message, long nowNanos) {
         if (guard != null && guard.holds(nowNanos)) {
@@ -48,7 +54,7 @@ final class Downlink {
             return;
         }
         release();
-        peer.send(frame(message));
+        transmit(message);
     }
 
     /** Lets go what was held when the wait is over. */
@@ -60,8 +66,14 @@ final class Downlink {
 
     private void release() {
         while (!held.isEmpty()) {
-            peer.send(frame(held.removeFirst()));
+            transmit(held.removeFirst());
         }
+    }
+
+    private void transmit(Message message) {
+        byte[] frame = frame(message);
+        peer.send(frame);
+        tap.said(frame);
     }
 
     /** Sends at once what nobody but the vehicle may see: no tap, no log. */

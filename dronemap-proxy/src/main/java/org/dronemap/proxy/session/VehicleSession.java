@@ -18,7 +18,6 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.proxy.mavlink.procedure.MessageRates;
 import org.dronemap.proxy.mavlink.procedure.Observer;
@@ -60,6 +59,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private final Downlink downlink;
     private final LinkGuard guard;
     private final Runnable onEnd;
+    private final FrameTap tap;
     private final Mailbox mailbox;
     private final int componentId;
     private final Target target;
@@ -96,6 +96,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         downlink.guardedBy(guard);
         Heartbeat heartbeat = Heartbeat.decode(first);
         componentId = first.componentId();
+        tap = label.replay() ? FrameTap.NONE : surroundings.taps().open(componentId);
+        downlink.tapBy(tap);
         target = new Target(first.systemId(), componentId, this::send);
         autopilot = Autopilot.of(heartbeat);
         status = new VehicleStatus(heartbeat.type());
@@ -123,6 +125,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     /** Takes a frame in out of its order; false when there was no room. Any thread. */
     boolean offer(Frame frame) {
+        tap.heard(frame);
         return mailbox.offer(frame);
     }
 
@@ -295,6 +298,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         moving = false;
         link = bound;
         guard.bound(bound.id(), target.systemId());
+        tap.bound(bound.id());
         if (vanished) {
             bound.disconnect();
             end();
@@ -359,6 +363,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             ended = true;
             guard.leave();
             lane.removeTicker(this);
+            tap.ended();
             onEnd.run();
         }
     }
@@ -377,12 +382,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             }
         };
         Cockpit cockpit =
-                new Cockpit(status, parameters, target, observer, this::tell, this::missionReadBack, telemetry::remark);
+                new Cockpit(status, parameters, target, observer, this::tell, missions::changedByCloud, telemetry::remark);
         errands.begin(id, command, autopilot.plan(command, cockpit), report, surroundings.now());
-    }
-
-    private void missionReadBack(List<MissionItemInt> items) {
-        missions.changedByCloud(items);
     }
 
     @Override

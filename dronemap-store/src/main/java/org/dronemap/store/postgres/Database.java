@@ -14,6 +14,7 @@ import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.mission.MissionStore;
+import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.own.OwnPostgres;
 import org.dronemap.store.secret.SecretBox;
@@ -87,6 +88,10 @@ public final class Database implements AutoCloseable {
     /** Keys are sealed with {@code box} on their way in. */
     public LinkSecurityStore linkSecurity(SecretBox box) {
         return new PostgresLinkSecurityStore(pool, box);
+    }
+
+    public RecordingStore recordings() {
+        return new PostgresRecordingStore(pool);
     }
 
     public Backup backup() {

@@ -25,6 +25,10 @@ record Row(ResultSet result) {
         return result.getInt(column);
     }
 
+    long longInteger(String column) throws SQLException {
+        return result.getLong(column);
+    }
+
     @Nullable
     Integer integerOrNull(String column) throws SQLException {
         return result.getObject(column, Integer.class);

@@ -79,7 +79,7 @@ class DatabaseTest {
         }
         assertThatThrownBy(() -> open(password))
                 .isInstanceOf(StoreException.class)
-                .hasMessageContaining("written by a newer Dronemap (schema 9999, this one knows up to 1)");
+                .hasMessageContaining("written by a newer Dronemap (schema 9999, this one knows up to ");
     }
 
     /** Killing processes cannot show it, for the operating system keeps what they wrote: only a power cut would. */

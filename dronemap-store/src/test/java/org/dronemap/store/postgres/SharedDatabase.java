@@ -29,7 +29,8 @@ final class SharedDatabase {
         try (Connection connection = DATABASE.dataSource().getConnection();
                 Statement statement = connection.createStatement()) {
             statement.execute(
-                    "TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key, link_security");
+                    "TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key, link_security,"
+                            + " recording");
             return DATABASE;
         } catch (SQLException e) {
             throw new IllegalStateException(e);

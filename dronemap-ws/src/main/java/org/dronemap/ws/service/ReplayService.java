@@ -46,6 +46,13 @@ public final class ReplayService {
         }
     }
 
+    /** Plays a file that stays where it is. */
+    ReplayView play(Principal principal, String name, @Nullable Double speed, Path file) throws IOException {
+        Roles.require(principal, Role.OPERATOR);
+        double times = Ranges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
+        return play(name, Files.newInputStream(file), Files.size(file), times);
+    }
+
     private ReplayView play(String name, InputStream bytes, long length, double speed) throws IOException {
         try {
             return recordings.start(name, bytes, length, speed);

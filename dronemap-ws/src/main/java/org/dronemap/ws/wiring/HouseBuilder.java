@@ -13,9 +13,11 @@ import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.signing.Keyrings;
 import org.dronemap.store.postgres.BackupSummary;
 import org.dronemap.store.postgres.Database;
@@ -64,7 +66,8 @@ final class HouseBuilder {
                 clock,
                 new CloudManager.Keeping(database.drones(), database.commands(), journal),
                 new DroneIds());
-        Proxy links = new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal));
+        Recorder recorder = recorder(database, journal, cloud, clock);
+        Proxy links = new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal), recorder);
         closing.add("the links", links);
         proxy = links;
         return new House(
@@ -72,6 +75,7 @@ final class HouseBuilder {
                 database.access(),
                 database.missions(),
                 new ProxyRecordings(links.replays()),
+                recorder.shelf(),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()));
@@ -101,6 +105,25 @@ final class HouseBuilder {
         public void droneRemoved(DroneId id) {
             keyrings.removed(id);
         }
+    }
+
+    private Recorder recorder(Database database, Journal journal, CloudManager cloud, Clock clock) {
+        Path directory = settings.dataDirectory().resolve("recordings");
+        Recorder recorder = new Recorder(
+                directory,
+                settings.recording(),
+                new Recorder.Keeping(
+                        database.recordings(),
+                        journal,
+                        id -> cloud.drone(id).map(DroneState::name).orElse(id.value())),
+                clock);
+        try {
+            recorder.start();
+        } catch (IOException e) {
+            throw new SetupException("Recordings cannot be kept in " + directory + ": " + e.getMessage(), e);
+        }
+        closing.add("the recorder", recorder);
+        return recorder;
     }
 
     private static void writeBackup(Database database, Path file) throws IOException {

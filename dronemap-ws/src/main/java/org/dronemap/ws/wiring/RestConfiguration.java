@@ -15,6 +15,7 @@ import org.dronemap.ws.rest.LogController;
 import org.dronemap.ws.rest.MissionController;
 import org.dronemap.ws.rest.ParameterController;
 import org.dronemap.ws.rest.ProblemAdvice;
+import org.dronemap.ws.rest.RecordingController;
 import org.dronemap.ws.rest.ReplayController;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
@@ -48,6 +49,7 @@ import tools.jackson.databind.DeserializationFeature;
     ParameterController.class,
     BackupController.class,
     LinkSecurityController.class,
+    RecordingController.class,
     ReplayController.class,
     SystemController.class,
     StreamTicketController.class,

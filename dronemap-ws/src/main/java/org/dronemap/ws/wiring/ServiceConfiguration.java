@@ -21,6 +21,7 @@ import org.dronemap.ws.service.LogShelf;
 import org.dronemap.ws.service.MissionService;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.service.RecordingService;
 import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SystemService;
@@ -139,6 +140,11 @@ public class ServiceConfiguration {
     @Bean
     BackupService backupService(House house, Settings settings) {
         return new BackupService(house.backups(), settings.dataDirectory());
+    }
+
+    @Bean
+    RecordingService recordingService(House house, ReplayService replays) {
+        return new RecordingService(house.archive(), replays);
     }
 
     @Bean

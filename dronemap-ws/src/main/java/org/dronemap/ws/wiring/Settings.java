@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.recording.RecordingPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,6 +30,7 @@ public record Settings(
         @Nullable Tls tls,
         @Nullable String tileAddress,
         Watchdog watchdog,
+        RecordingPolicy recording,
         @Nullable Hidden linkSecret) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
@@ -76,6 +78,7 @@ public record Settings(
                 tls,
                 tile,
                 watchdog(environment),
+                RecordingSettings.of(environment),
                 hidden(environment, "DRONEMAP_LINK_SECRET"));
     }
 

@@ -1,5 +1,7 @@
 package org.dronemap.ws.house;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,10 +17,13 @@ import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.proxy.record.Recorder;
 import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
 import org.dronemap.store.memory.MemoryMissionStore;
+import org.dronemap.store.memory.MemoryRecordingStore;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.wiring.FacesServer;
 import org.dronemap.ws.wiring.House;
@@ -37,6 +42,7 @@ public final class TestHouse implements AutoCloseable {
     private final CloudManager cloud;
     private final ConfigurableApplicationContext faces;
     private final Path data;
+    private final Recorder recorder;
 
     public TestHouse(Path data, boolean publicMode) {
         this.data = data;
@@ -46,11 +52,18 @@ public final class TestHouse implements AutoCloseable {
                 Clock.systemUTC(),
                 new CloudManager.Keeping(new MemoryDroneStore(), new MemoryCommandStore(), journal),
                 () -> new DroneId("drone-" + ids.incrementAndGet()));
+        recorder = new Recorder(
+                data.resolve("recordings"),
+                RecordingPolicy.DEFAULT,
+                new Recorder.Keeping(new MemoryRecordingStore(), journal, DroneId::value),
+                Clock.systemUTC());
+        startRecorder();
         House house = new House(
                 cloud,
                 access,
                 new MemoryMissionStore(),
                 new CountingRecordings(),
+                recorder.shelf(),
                 () -> true,
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
                 new RecordedLinkSecurity());
@@ -65,8 +78,21 @@ public final class TestHouse implements AutoCloseable {
                 null,
                 "https://tiles.example/{z}/{x}/{y}",
                 PATIENT,
+                RecordingPolicy.DEFAULT,
                 null);
         faces = FacesServer.start(settings, house);
+    }
+
+    private void startRecorder() {
+        try {
+            recorder.start();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    public Recorder recorder() {
+        return recorder;
     }
 
     public CloudManager cloud() {
@@ -105,6 +131,7 @@ public final class TestHouse implements AutoCloseable {
     @Override
     public void close() {
         faces.close();
+        recorder.close();
         lanes.close();
         journal.close();
     }

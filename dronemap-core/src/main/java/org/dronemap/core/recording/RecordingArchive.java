@@ -1,0 +1,37 @@
+package org.dronemap.core.recording;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/** The recordings of this server with their bytes. Any thread; blocks for the disk and the store. */
+public interface RecordingArchive {
+    /** All of them, newest start first; those that go on with their counts of now. */
+    List<Recording> recordings();
+
+    Optional<Recording> recording(String id);
+
+    /** The file as it is now, all that was heard so far in it; empty when there is none. */
+    Optional<Path> file(String id) throws IOException;
+
+    /** Refused with a sentence while it goes on or when there is none; empty when it is gone. */
+    Optional<String> delete(String id) throws IOException;
+
+    Room room();
+
+    /**
+     * What the recordings take and may take.
+     *
+     * @param keepDays 0: for ever
+     * @param removed how many were removed since the start to keep within this
+     * @param notice the sentence about the last removal or failure; null when there was none
+     */
+    record Room(
+            long usedBytes,
+            long mostBytes,
+            int keepDays,
+            long removed,
+            @Nullable String notice) {}
+}

@@ -1,0 +1,265 @@
+package org.dronemap.proxy.record;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.recording.Recording;
+import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.recording.RecordingStore;
+import org.dronemap.mavlink.tlog.TlogBuffer;
+import org.dronemap.proxy.session.FrameTap;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Records drones: one file a flight, both directions. Sessions put frames down on their tapes; one writer thread takes
+ * them to the disk, so that no endpoint and no lane ever waits for it. {@link #open} and {@link #flush} from any thread,
+ * all else belongs to the writer.
+ */
+public final class Recorder implements FrameTap.Factory, AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Recorder.class);
+    private static final long ROUND_MILLIS = 100;
+    private static final int ROUNDS_BETWEEN_LOOKS = 10;
+    private static final long WAITING_BYTES = 48_000_000;
+    private static final long LEAST_FREE_BYTES = 200_000_000;
+    private static final long LONGEST_PART_BYTES = 64_000_000;
+    private static final String CONTACT_LOST =
+            "Contact was lost while the drone was armed; what came after that is missing.";
+    private static final String STOPPED = "The server was stopped during this recording; what came after is missing.";
+
+    private final RecordingFiles files;
+    private final RecordingPolicy policy;
+    private final Keeping keeping;
+    private final Clock clock;
+    private final LongSupplier freeBytes;
+    private final Room room = new Room(WAITING_BYTES);
+    private final Collection<Tape> tapes = new CopyOnWriteArrayList<>();
+    private final Map<String, FlightFile> unfinished = new ConcurrentHashMap<>();
+    private final Shelf shelf;
+    private final ScheduledExecutorService writer = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread created = new Thread(task, "recorder");
+        created.setDaemon(true);
+        return created;
+    });
+    // Owned by the writer.
+    private final Map<DroneId, FlightFile> open = new HashMap<>();
+    private final Map<DroneId, Tape> newest = new HashMap<>();
+    private TlogBuffer spare = Tape.emptyBuffer();
+    private int rounds;
+
+    /** Where what is known of recordings is kept, the thread that writes it, and what drones are called. */
+    public record Keeping(RecordingStore store, Journal journal, Function<DroneId, String> names) {}
+
+    public Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Clock clock) {
+        this(directory, policy, keeping, clock, () -> usable(directory));
+    }
+
+    Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Clock clock, LongSupplier freeBytes) {
+        this.files = new RecordingFiles(directory);
+        this.policy = policy;
+        this.keeping = keeping;
+        this.clock = clock;
+        this.freeBytes = freeBytes;
+        this.shelf = new Shelf(files, policy, keeping, clock, this);
+    }
+
+    /**
+     * Mends what a crash left behind, and begins to write.
+     *
+     * @throws IOException when the folder cannot be used
+     */
+    public void start() throws IOException {
+        Files.createDirectories(files.directory());
+        new Aftermath(keeping.store(), files, keeping.names()).clear();
+        shelf.measure();
+        var unused = writer.scheduleWithFixedDelay(this::round, ROUND_MILLIS, ROUND_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    /** What is recorded, for those who read it. */
+    public Shelf shelf() {
+        return shelf;
+    }
+
+    @Override
+    public FrameTap open(int componentId) {
+        if (policy.when() == RecordingPolicy.When.NEVER) {
+            return FrameTap.NONE;
+        }
+        Tape tape = new Tape(clock, room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
+        tapes.add(tape);
+        return tape;
+    }
+
+    /** The recording as it is now, while it goes on. Any thread. */
+    @Nullable
+    Recording unfinished(String id) {
+        FlightFile file = unfinished.get(id);
+        return file == null ? null : file.recording();
+    }
+
+    List<Recording> unfinished() {
+        return unfinished.values().stream().map(FlightFile::recording).toList();
+    }
+
+    /** Puts all that waits into the files; returns when it is there. */
+    void flush() throws IOException {
+        try {
+            writer.submit(() -> writeAll(true)).get(5, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("Interrupted while a recording was written.", e);
+        } catch (ExecutionException | TimeoutException e) {
+            throw new IOException("The recording could not be written within 5 s.", e);
+        }
+    }
+
+    private void round() {
+        try {
+            List<Tape> over = tapes.stream().filter(Tape::isEnded).toList();
+            writeAll(false);
+            for (FlightFile file : List.copyOf(open.values())) {
+                endWhenOver(file);
+            }
+            tapes.removeAll(over);
+            rounds++;
+            if (rounds % ROUNDS_BETWEEN_LOOKS == 0) {
+                lookAtDisk();
+                shelf.keepWithin();
+            }
+        } catch (RuntimeException e) {
+            LOG.error("A round of the recorder failed", e);
+        }
+    }
+
+    private void writeAll(boolean all) {
+        newest.clear();
+        for (Tape tape : tapes) {
+            DroneId drone = tape.drone();
+            if (drone != null) {
+                newest.merge(drone, tape, (a, b) -> b.heardMicros() > a.heardMicros() ? b : a);
+            }
+        }
+        tapes.forEach(tape -> write(tape, all));
+    }
+
+    private void write(Tape tape, boolean all) {
+        DroneId drone = tape.drone();
+        if (drone == null) {
+            return;
+        }
+        TlogBuffer full = tape.take(spare, all);
+        long drops = tape.takeDrops();
+        FlightFile file = open.get(drone);
+        // What still goes to an old address begins no new recording of the drone that came back from another.
+        if (file == null && (full != null || drops > 0) && mayBegin(drone, tape)) {
+            file = begin(drone, full == null ? tape.heardMicros() : full.firstMicros());
+        }
+        if (file != null) {
+            file.dropped(drops);
+        }
+        if (full != null) {
+            int length = full.length();
+            if (file != null) {
+                long before = file.recording().bytes();
+                file.append(full);
+                shelf.grown(file.recording().bytes() - before);
+            }
+            room.giveBack(length);
+            full.clear();
+            spare = full;
+        }
+    }
+
+    private boolean mayBegin(DroneId drone, Tape tape) {
+        Tape latest = newest.get(drone);
+        return latest == null || latest == tape || latest.isRecording();
+    }
+
+    private FlightFile begin(DroneId drone, long micros) {
+        FlightFile file = FlightFile.open(files, drone, keeping.names().apply(drone), micros);
+        open.put(drone, file);
+        unfinished.put(file.recording().id(), file);
+        Recording recording = file.recording();
+        keeping.journal()
+                .write("recording " + recording.id(), () -> keeping.store().save(recording), () -> {});
+        LOG.info("Recording {} of {} has begun", recording.id(), recording.droneName());
+        return file;
+    }
+
+    private void endWhenOver(FlightFile file) {
+        Tape tape = newest.get(file.recording().drone());
+        if (tape == null || !tape.isRecording()) {
+            boolean lost = tape != null && tape.isEnded() && tape.isArmed();
+            finish(file, lost ? CONTACT_LOST : null);
+        } else if (policy.when() == RecordingPolicy.When.ALWAYS
+                && file.recording().bytes() > LONGEST_PART_BYTES) {
+            finish(file, null);
+        }
+    }
+
+    private void finish(FlightFile file, @Nullable String notice) {
+        Recording done = file.finish(notice);
+        open.remove(done.drone());
+        if (done.state() == Recording.State.INCOMPLETE) {
+            LOG.warn("Recording {} is not complete: {}", done.id(), done.notice());
+        } else {
+            LOG.info("Recording {} has ended with {} messages", done.id(), done.frames());
+        }
+        keeping.journal()
+                .write("recording " + done.id(), () -> keeping.store().save(done), () -> unfinished.remove(done.id()));
+    }
+
+    private void lookAtDisk() {
+        if (!open.isEmpty() && freeBytes.getAsLong() < LEAST_FREE_BYTES) {
+            String why = "It was ended, as the disk has less than " + LEAST_FREE_BYTES / 1_000_000 + " MB left.";
+            open.values().forEach(file -> file.fail(why));
+        }
+    }
+
+    private static long usable(Path directory) {
+        try {
+            return Files.getFileStore(directory).getUsableSpace();
+        } catch (IOException e) {
+            LOG.warn("The free room of {} is not known", directory, e);
+            return Long.MAX_VALUE;
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            writer.submit(this::endAll).get(10, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (ExecutionException | TimeoutException e) {
+            LOG.error("The recordings could not be ended; the next start mends them", e);
+        }
+        writer.shutdownNow();
+    }
+
+    private void endAll() {
+        writeAll(true);
+        for (FlightFile file : List.copyOf(open.values())) {
+            Tape tape = newest.get(file.recording().drone());
+            boolean flying = tape != null && tape.isArmed();
+            finish(file, flying ? STOPPED : null);
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package org.dronemap.proxy.record;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.recording.Recording;
+import org.dronemap.mavlink.tlog.TlogScan;
+
+/** The folder of recordings: names that say when and which drone, and what a file of a dead server still holds. */
+record RecordingFiles(Path directory) {
+    private static final String ENDING = ".tlog";
+    private static final DateTimeFormatter TIME =
+            DateTimeFormatter.ofPattern("yyyyMMdd'T'HHmmss'Z'").withZone(ZoneOffset.UTC);
+    private static final Pattern ID = Pattern.compile("\\d{8}T\\d{6}Z_([a-z0-9-]{1,40})(_\\d+)?");
+
+    /** {@code number} tells those of the same second apart. */
+    String id(Instant start, DroneId drone, int number) {
+        return TIME.format(start) + "_" + drone.value() + (number == 1 ? "" : "_" + number);
+    }
+
+    Path path(String id) {
+        return directory.resolve(id + ENDING);
+    }
+
+    /** Ids of all files here that bear the name of a recording. */
+    List<String> ids() throws IOException {
+        try (Stream<Path> files = Files.list(directory)) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith(ENDING))
+                    .map(name -> name.substring(0, name.length() - ENDING.length()))
+                    .filter(id -> ID.matcher(id).matches())
+                    .toList();
+        }
+    }
+
+    Optional<DroneId> drone(String id) {
+        Matcher parts = ID.matcher(id);
+        return parts.matches() ? Optional.of(new DroneId(parts.group(1))) : Optional.empty();
+    }
+
+    /** Cuts half a record off the end, and tells what is left. */
+    Recording repaired(Recording known, String notice) throws IOException {
+        Path file = path(known.id());
+        TlogScan scan;
+        try (InputStream in = Files.newInputStream(file)) {
+            scan = TlogScan.of(in);
+        }
+        if (scan.wholeBytes() < Files.size(file)) {
+            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+                channel.truncate(scan.wholeBytes());
+            }
+        }
+        Instant start = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.firstMicros());
+        Instant end = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.lastMicros());
+        return new Recording(
+                known.id(),
+                known.drone(),
+                known.droneName(),
+                start,
+                end,
+                scan.wholeBytes(),
+                scan.frames(),
+                known.drops(),
+                Recording.State.INCOMPLETE,
+                notice);
+    }
+}

@@ -1,0 +1,25 @@
+package org.dronemap.proxy.record;
+
+import java.util.concurrent.atomic.AtomicLong;
+
+/** How many bytes may wait in memory for the disk, over all tapes. Any thread. */
+final class Room {
+    private final AtomicLong free;
+
+    Room(long bytes) {
+        free = new AtomicLong(bytes);
+    }
+
+    /** False, and nothing is taken, when there is not so much. */
+    boolean take(int bytes) {
+        if (free.addAndGet(-bytes) >= 0) {
+            return true;
+        }
+        free.addAndGet(bytes);
+        return false;
+    }
+
+    void giveBack(int bytes) {
+        free.addAndGet(bytes);
+    }
+}

@@ -1,0 +1,201 @@
+package org.dronemap.proxy.record;
+
+import java.time.Clock;
+import java.time.Instant;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.tlog.TlogBuffer;
+import org.dronemap.proxy.session.FrameTap;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one session heard and said: the last seconds while nothing is recorded, and all that waits for the writer while
+ * it is. Endpoint and lane put frames down, the writer takes them away; every method holds the object's lock, never
+ * longer than it takes to copy a frame.
+ */
+final class Tape implements FrameTap {
+    static final long BEFORE_MICROS = 5_000_000;
+    static final long AFTER_MICROS = 5_000_000;
+    private static final int BEFORE_BYTES = 32_768;
+    private static final int MOST_WAITING_BYTES = 1 << 20;
+    private static final int WORTH_WRITING_BYTES = 8_192;
+    private static final long LONGEST_WAIT_MICROS = 1_000_000;
+    private static final int TIME_BYTES = 8;
+    private static final int ARMED = 128;
+
+    private final Clock clock;
+    private final Room room;
+    private final int autopilot;
+    private final boolean always;
+    // What came before, in two halves: when the newer one is full or long enough, the older one is forgotten.
+    private TlogBuffer older = new TlogBuffer(BEFORE_BYTES);
+    private TlogBuffer newer = new TlogBuffer(BEFORE_BYTES);
+    private TlogBuffer waiting = new TlogBuffer(MOST_WAITING_BYTES);
+    private @Nullable DroneId drone;
+    private boolean armed;
+    private boolean recording;
+    private boolean ended;
+    private long disarmedMicros;
+    private long heardMicros;
+    private long drops;
+
+    Tape(Clock clock, Room room, int autopilot, boolean always) {
+        this.clock = clock;
+        this.room = room;
+        this.autopilot = autopilot;
+        this.always = always;
+    }
+
+    @Override
+    public synchronized void heard(Frame frame) {
+        long now = now();
+        heardMicros = now;
+        if (frame.messageId() == Heartbeat.ID && frame.componentId() == autopilot && frame.verified()) {
+            arming((Heartbeat.decode(frame).baseMode() & ARMED) != 0, now);
+        }
+        stopWhenOver(now);
+        if (!recording) {
+            before(now).add(now, frame);
+        } else {
+            int before = waiting.length();
+            settle(TIME_BYTES + frame.length(), before, admit(frame.length()) && waiting.add(now, frame));
+        }
+    }
+
+    @Override
+    public synchronized void said(byte[] frame) {
+        long now = now();
+        stopWhenOver(now);
+        if (!recording) {
+            before(now).add(now, frame);
+        } else {
+            int before = waiting.length();
+            settle(TIME_BYTES + frame.length, before, admit(frame.length) && waiting.add(now, frame));
+        }
+    }
+
+    @Override
+    public synchronized void bound(DroneId now) {
+        drone = now;
+        beginWhenDue();
+    }
+
+    @Override
+    public synchronized void ended() {
+        ended = true;
+    }
+
+    /** The drone that it belongs to, once known. */
+    synchronized @Nullable DroneId drone() {
+        return drone;
+    }
+
+    synchronized boolean isEnded() {
+        return ended;
+    }
+
+    synchronized long heardMicros() {
+        return heardMicros;
+    }
+
+    /** A flight goes on, or its last seconds. */
+    synchronized boolean isRecording() {
+        stopWhenOver(now());
+        return recording && !ended;
+    }
+
+    /** The vehicle said that it is armed and has not taken it back. */
+    synchronized boolean isArmed() {
+        return armed;
+    }
+
+    /** How many frames found no room since this was last asked. */
+    synchronized long takeDrops() {
+        long taken = drops;
+        drops = 0;
+        return taken;
+    }
+
+    /**
+     * What waits, for an empty buffer in exchange; null when it may wait for more. Give the bytes back to the room when
+     * they are written.
+     */
+    synchronized @Nullable TlogBuffer take(TlogBuffer empty, boolean all) {
+        boolean worthIt = waiting.length() >= WORTH_WRITING_BYTES
+                || now() - waiting.firstMicros() >= LONGEST_WAIT_MICROS
+                || !recording
+                || ended
+                || all;
+        if (waiting.frames() == 0 || !worthIt) {
+            return null;
+        }
+        TlogBuffer full = waiting;
+        waiting = empty;
+        return full;
+    }
+
+    static TlogBuffer emptyBuffer() {
+        return new TlogBuffer(MOST_WAITING_BYTES);
+    }
+
+    private long now() {
+        Instant now = clock.instant();
+        return now.getEpochSecond() * 1_000_000 + now.getNano() / 1_000;
+    }
+
+    private void arming(boolean nowArmed, long now) {
+        if (armed && !nowArmed) {
+            disarmedMicros = now;
+        }
+        armed = nowArmed;
+        beginWhenDue();
+    }
+
+    private void beginWhenDue() {
+        if (recording || drone == null || !(armed || always)) {
+            return;
+        }
+        recording = true;
+        keepBefore(older);
+        keepBefore(newer);
+    }
+
+    private void keepBefore(TlogBuffer half) {
+        int frames = half.frames();
+        if (!room.take(half.length()) || !waiting.addAll(half)) {
+            drops += frames;
+        }
+        half.clear();
+    }
+
+    private void stopWhenOver(long now) {
+        if (recording && !armed && !always && now - disarmedMicros > AFTER_MICROS) {
+            recording = false;
+        }
+    }
+
+    private TlogBuffer before(long now) {
+        boolean full = newer.length() > BEFORE_BYTES - 512;
+        if (newer.frames() > 0 && (full || now - newer.firstMicros() > BEFORE_MICROS)) {
+            TlogBuffer forgotten = older;
+            older = newer;
+            newer = forgotten;
+            newer.clear();
+        }
+        return newer;
+    }
+
+    private boolean admit(int frameBytes) {
+        return waiting.length() + TIME_BYTES + frameBytes <= MOST_WAITING_BYTES && room.take(TIME_BYTES + frameBytes);
+    }
+
+    /** A frame may take less than was set aside for it: its signature is not kept, and some frames are not at all. */
+    private void settle(int setAside, int lengthBefore, boolean kept) {
+        if (kept) {
+            room.giveBack(setAside - (waiting.length() - lengthBefore));
+        } else {
+            drops++;
+        }
+    }
+}

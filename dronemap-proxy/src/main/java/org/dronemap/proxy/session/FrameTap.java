@@ -1,0 +1,39 @@
+package org.dronemap.proxy.session;
+
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+
+/** Hears every frame of one session as it came and went, whatever becomes of it. Any thread; returns at once. */
+public interface FrameTap {
+    /** Hears nothing. */
+    FrameTap NONE = new FrameTap() {
+        @Override
+        public void heard(Frame frame) {}
+
+        @Override
+        public void said(byte[] frame) {}
+
+        @Override
+        public void bound(DroneId drone) {}
+
+        @Override
+        public void ended() {}
+    };
+
+    /** A frame came from the vehicle. */
+    void heard(Frame frame);
+
+    /** A frame went to the vehicle; belongs to the caller. */
+    void said(byte[] frame);
+
+    /** From now on the session speaks for this drone. */
+    void bound(DroneId drone);
+
+    /** The session is over. */
+    void ended();
+
+    /** Makes a tap for each session; {@code componentId} is the autopilot's. */
+    interface Factory {
+        FrameTap open(int componentId);
+    }
+}

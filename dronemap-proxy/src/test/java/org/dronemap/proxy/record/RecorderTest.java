@@ -1,0 +1,389 @@
+package org.dronemap.proxy.record;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.recording.Recording;
+import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.recording.RecordingStore;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameReader;
+import org.dronemap.mavlink.FrameWriter;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Attitude;
+import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.tlog.TlogReader;
+import org.dronemap.proxy.TestCloud;
+import org.dronemap.proxy.session.FrameTap;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Flights as files: when they begin and end, what is in them, and what a crash or a full disk leaves. */
+class RecorderTest {
+    private static final Duration PATIENCE = Duration.ofSeconds(10);
+    private static final DroneId DRONE = new DroneId("d1");
+    private static final Instant START = Instant.parse("2026-03-04T05:06:07Z");
+
+    @TempDir
+    Path directory;
+
+    private final Store store = new Store();
+    private final Journal journal = new Journal();
+    private final Hands clock = new Hands();
+    private final AtomicLong freeBytes = new AtomicLong(Long.MAX_VALUE);
+    private final FrameWriter vehicle = new FrameWriter(1, 1, 2);
+    private final FrameWriter cloud = new FrameWriter(255, 190, 2);
+    private final List<byte[]> expected = new ArrayList<>();
+    private Recorder recorder;
+
+    @BeforeEach
+    void make() {
+        recorder = recorder(RecordingPolicy.DEFAULT);
+    }
+
+    private Recorder recorder(RecordingPolicy policy) {
+        return new Recorder(
+                directory, policy, new Recorder.Keeping(store, journal, drone -> "Copter 1"), clock, freeBytes::get);
+    }
+
+    @AfterEach
+    void close() {
+        recorder.close();
+        journal.close();
+    }
+
+    @Test
+    void keepsTheSecondsBeforeArmingAndBothDirectionsByteForByte() throws IOException {
+        recorder.start();
+        FrameTap tap = recorder.open(1);
+        tap.bound(DRONE);
+        hears(tap, heartbeat(false), false);
+        clock.pass(20);
+        hears(tap, heartbeat(false), false);
+        clock.pass(3);
+        hears(tap, new Attitude(1, 0f, 0f, 0f, 0f, 0f, 0f), true);
+        says(tap, new CommandLong(1, 1, 400, 0, 1f, 0f, 0f, 0f, 0f, 0f, 0f), true);
+        hears(tap, heartbeat(true), true);
+        clock.pass(60);
+        hears(tap, heartbeat(false), true);
+        clock.pass(4);
+        hears(tap, new Attitude(2, 0f, 0f, 0f, 0f, 0f, 0f), true);
+        clock.pass(2);
+        hears(tap, new Attitude(3, 0f, 0f, 0f, 0f, 0f, 0f), false);
+
+        Recording done = awaitEnd();
+        assertThat(done.state()).isEqualTo(Recording.State.COMPLETE);
+        assertThat(done.notice()).isNull();
+        List<TlogReader.Timed> records = read(done);
+        assertThat(records).extracting(record -> record.frame().bytes()).containsExactlyElementsOf(withFirst(records));
+        assertThat(done.frames()).isEqualTo(records.size());
+        assertThat(done.bytes()).isEqualTo(Files.size(file(done)));
+        assertThat(done.end()).isEqualTo(START.plusSeconds(87));
+        assertThat(records.get(records.size() - 1).micros())
+                .isEqualTo(START.plusSeconds(87).toEpochMilli() * 1000);
+    }
+
+    /** The heartbeat from the second half of what came before may be in it as well: seconds before are at least five. */
+    private List<byte[]> withFirst(List<TlogReader.Timed> records) {
+        List<byte[]> whole = new ArrayList<>();
+        records.subList(0, records.size() - expected.size())
+                .forEach(record -> whole.add(record.frame().bytes()));
+        assertThat(whole.size()).isLessThanOrEqualTo(2);
+        whole.addAll(expected);
+        return whole;
+    }
+
+    @Test
+    void recordsNothingOfADroneThatIsNeverArmed() throws IOException {
+        recorder.start();
+        FrameTap tap = recorder.open(1);
+        tap.bound(DRONE);
+        for (int i = 0; i < 100; i++) {
+            hears(tap, heartbeat(false), false);
+            clock.pass(1);
+        }
+        recorder.flush();
+        assertThat(recorder.shelf().recordings()).isEmpty();
+        assertThat(directory).isEmptyDirectory();
+    }
+
+    @Test
+    void recordsFromTheFirstMessageWhenAlwaysOn() throws IOException {
+        recorder.close();
+        recorder = recorder(new RecordingPolicy(RecordingPolicy.When.ALWAYS, 1_000_000, 0));
+        recorder.start();
+        FrameTap tap = recorder.open(1);
+        hears(tap, heartbeat(false), true);
+        tap.bound(DRONE);
+        hears(tap, heartbeat(false), true);
+        tap.ended();
+        Recording done = awaitEnd();
+        assertThat(read(done)).hasSize(2);
+        assertThat(done.state()).isEqualTo(Recording.State.COMPLETE);
+    }
+
+    @Test
+    void saysThatContactWasLostWhileArmed() throws IOException {
+        recorder.start();
+        FrameTap tap = armed();
+        tap.ended();
+        Recording done = awaitEnd();
+        assertThat(done.state()).isEqualTo(Recording.State.INCOMPLETE);
+        assertThat(done.notice()).contains("Contact was lost");
+    }
+
+    @Test
+    void goesOnInOneFileWhenTheDroneComesBackFromAnotherAddress() throws IOException {
+        recorder.start();
+        FrameTap first = armed();
+        clock.pass(2);
+        FrameTap second = recorder.open(1);
+        hears(second, heartbeat(true), true);
+        second.bound(DRONE);
+        clock.pass(2);
+        hears(second, heartbeat(false), true);
+        says(first, new Heartbeat(6, 8, 0, 0, 4, 3), true);
+        recorder.flush();
+        clock.pass(6);
+        Recording done = awaitEnd();
+        says(first, new Heartbeat(6, 8, 0, 0, 4, 3), false);
+        recorder.flush();
+        assertThat(recorder.shelf().recordings()).hasSize(1);
+        assertThat(read(done)).hasSize(4);
+    }
+
+    @Test
+    void countsWhatTheDiskWasTooSlowForAndSaysSo() throws IOException {
+        FrameTap tap = armed();
+        Message attitude = new Attitude(1, 1f, 1f, 1f, 1f, 1f, 1f);
+        long sent = 1;
+        // Nobody writes yet: more than may wait for the disk.
+        for (; sent < 40_000; sent++) {
+            hears(tap, attitude, false);
+        }
+        hears(tap, heartbeat(false), false);
+        sent++;
+        clock.pass(10);
+        recorder.start();
+        Recording done = awaitEnd();
+        assertThat(done.drops()).isPositive();
+        assertThat(done.frames() + done.drops()).isEqualTo(sent);
+        assertThat(done.state()).isEqualTo(Recording.State.INCOMPLETE);
+        assertThat(done.notice()).contains(done.drops() + " messages are missing");
+        assertThat(read(done)).hasSize((int) done.frames());
+    }
+
+    @Test
+    void stopsBeforeTheDiskIsFullAndSaysSo() throws IOException {
+        recorder.start();
+        FrameTap tap = armed();
+        recorder.flush();
+        freeBytes.set(1_000);
+        TestCloud.await(
+                PATIENCE,
+                () -> recorder.shelf().recordings().stream().anyMatch(recording -> recording.notice() != null),
+                () -> "nothing was said");
+        hears(tap, heartbeat(false), false);
+        clock.pass(10);
+        Recording done = awaitEnd();
+        assertThat(done.notice()).contains("less than 200 MB").contains("1 messages are missing");
+        assertThat(read(done)).hasSize(1);
+    }
+
+    @Test
+    void mendsWhatACrashLeftBehind() throws IOException {
+        recorder.start();
+        armed();
+        recorder.flush();
+        Recording cut = recorder.shelf().recordings().get(0);
+        Files.write(file(cut), new byte[] {0, 5, 4, 3, 2, 1, 0, 0, (byte) 0xFD, 40, 0, 7}, StandardOpenOption.APPEND);
+        Files.copy(file(cut), directory.resolve("20260101T000000Z_lost-one.tlog"));
+        store.save(cut);
+
+        Recorder next = recorder(RecordingPolicy.DEFAULT);
+        next.start();
+        Recording mended = next.shelf().recording(cut.id()).orElseThrow();
+        assertThat(mended.state()).isEqualTo(Recording.State.INCOMPLETE);
+        assertThat(mended.notice()).contains("The server stopped");
+        assertThat(mended.frames()).isEqualTo(1);
+        assertThat(mended.bytes()).isEqualTo(Files.size(file(cut)));
+        assertThat(read(mended)).hasSize(1);
+        Recording adopted = next.shelf().recording("20260101T000000Z_lost-one").orElseThrow();
+        assertThat(adopted.drone().value()).isEqualTo("lost-one");
+        assertThat(adopted.frames()).isEqualTo(1);
+        next.close();
+    }
+
+    @Test
+    void makesRoomByRemovingTheOldestAndSaysSo() throws IOException {
+        for (int day = 1; day <= 3; day++) {
+            Instant when = START.minus(Duration.ofDays(10 - day));
+            Files.write(directory.resolve("r" + day + ".tlog"), new byte[600]);
+            store.save(
+                    new Recording("r" + day, DRONE, "Copter 1", when, when, 600, 1, 0, Recording.State.COMPLETE, null));
+        }
+        recorder.close();
+        recorder = recorder(new RecordingPolicy(RecordingPolicy.When.FLIGHTS, 1_300, 0));
+        recorder.start();
+        TestCloud.await(PATIENCE, () -> recorder.shelf().room().removed() == 1, () -> "nothing was removed");
+        assertThat(store.recordings()).extracting(Recording::id).containsExactly("r3", "r2");
+        assertThat(directory.resolve("r1.tlog")).doesNotExist();
+        assertThat(recorder.shelf().room().notice()).contains("oldest");
+        assertThat(recorder.shelf().room().usedBytes()).isEqualTo(1_200);
+    }
+
+    @Test
+    void removesWhatIsOlderThanAsked() throws IOException {
+        for (int days = 1; days <= 3; days++) {
+            Instant when = START.minus(Duration.ofDays(days));
+            store.save(
+                    new Recording("r" + days, DRONE, "Copter 1", when, when, 0, 0, 0, Recording.State.COMPLETE, null));
+        }
+        recorder.close();
+        recorder = recorder(new RecordingPolicy(RecordingPolicy.When.FLIGHTS, 1_300, 2));
+        clock.pass(60);
+        recorder.start();
+        TestCloud.await(PATIENCE, () -> recorder.shelf().room().removed() == 2, () -> "nothing was removed");
+        assertThat(store.recordings()).extracting(Recording::id).containsExactly("r1");
+    }
+
+    @Test
+    void deletesWhatHasEndedAndRefusesWhatGoesOn() throws IOException {
+        recorder.start();
+        FrameTap tap = armed();
+        recorder.flush();
+        String id = recorder.shelf().recordings().get(0).id();
+        assertThat(recorder.shelf().delete(id))
+                .hasValueSatisfying(why -> assertThat(why).contains("goes on"));
+        hears(tap, heartbeat(false), false);
+        clock.pass(10);
+        Recording done = awaitEnd();
+        assertThat(recorder.shelf().delete(id)).isEmpty();
+        assertThat(file(done)).doesNotExist();
+        assertThat(recorder.shelf().recordings()).isEmpty();
+        assertThat(recorder.shelf().delete(id))
+                .hasValueSatisfying(why -> assertThat(why).contains("There is no recording"));
+    }
+
+    private FrameTap armed() {
+        FrameTap tap = recorder.open(1);
+        tap.bound(DRONE);
+        hears(tap, heartbeat(true), true);
+        return tap;
+    }
+
+    private static Heartbeat heartbeat(boolean armed) {
+        return new Heartbeat(2, 3, armed ? 0x81 : 1, 4, 4, 3);
+    }
+
+    private void hears(FrameTap tap, Message message, boolean kept) {
+        byte[] raw = vehicle.frame(message);
+        new FrameReader().read(ByteBuffer.wrap(raw), tap::heard);
+        if (kept) {
+            expected.add(raw);
+        }
+    }
+
+    private void says(FrameTap tap, Message message, boolean kept) {
+        byte[] raw = cloud.frame(message);
+        tap.said(raw);
+        if (kept) {
+            expected.add(raw);
+        }
+    }
+
+    private Recording awaitEnd() {
+        return TestCloud.await(
+                PATIENCE,
+                () -> store.recordings().stream()
+                        .filter(recording -> recording.end() != null)
+                        .findFirst(),
+                () -> "no recording has ended: " + recorder.shelf().recordings());
+    }
+
+    private Path file(Recording recording) {
+        return directory.resolve(recording.id() + ".tlog");
+    }
+
+    private List<TlogReader.Timed> read(Recording recording) throws IOException {
+        TlogReader reader = new TlogReader(new ByteArrayInputStream(Files.readAllBytes(file(recording))));
+        List<TlogReader.Timed> records = new ArrayList<>();
+        for (TlogReader.Timed record = reader.next(); record != null; record = reader.next()) {
+            records.add(record);
+        }
+        assertThat(reader.counts().brokenBytes()).isZero();
+        assertThat(records).extracting(TlogReader.Timed::frame).allMatch(Frame::verified);
+        return records;
+    }
+
+    /** A clock that stands until it is told. */
+    private static final class Hands extends Clock {
+        private volatile Instant now = START;
+
+        void pass(int seconds) {
+            now = now.plusSeconds(seconds);
+        }
+
+        @Override
+        public ZoneId getZone() {
+            return ZoneOffset.UTC;
+        }
+
+        @Override
+        public Clock withZone(ZoneId zone) {
+            return this;
+        }
+
+        @Override
+        public Instant instant() {
+            return now;
+        }
+    }
+
+    private static final class Store implements RecordingStore {
+        private final ConcurrentHashMap<String, Recording> all = new ConcurrentHashMap<>();
+
+        @Override
+        public List<Recording> recordings() {
+            return all.values().stream()
+                    .sorted(Comparator.comparing(Recording::start).reversed())
+                    .toList();
+        }
+
+        @Override
+        public Optional<Recording> recording(String id) {
+            return Optional.ofNullable(all.get(id));
+        }
+
+        @Override
+        public void save(Recording recording) {
+            all.put(recording.id(), recording);
+        }
+
+        @Override
+        public boolean delete(String id) {
+            return all.remove(id) != null;
+        }
+    }
+}

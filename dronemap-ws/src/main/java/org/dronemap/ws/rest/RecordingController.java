@@ -1,0 +1,109 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URI;
+import java.nio.file.Files;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.RecordingService;
+import org.dronemap.ws.service.RecordingView;
+import org.dronemap.ws.service.ReplayView;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Recordings of flights. */
+@RestController
+@RequestMapping("/api/v1/recordings")
+@Tag(name = "Recordings", description = "Each flight as a tlog: all that a vehicle said and was told.")
+public class RecordingController {
+    private final RecordingService recordings;
+    private final CurrentPrincipal current;
+
+    public RecordingController(RecordingService recordings, CurrentPrincipal current) {
+        this.recordings = recordings;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List the recordings, newest first, and the room that they take")
+    public RecordingView.Page recordings(
+            @Parameter(description = "only those of this drone") @RequestParam(required = false) @Nullable
+                    String drone) {
+        current.principal();
+        return recordings.recordings(drone);
+    }
+
+    @GetMapping("/{id}")
+    @Operation(summary = "Look at one recording")
+    public RecordingView recording(@PathVariable String id) {
+        current.principal();
+        return recordings.recording(id);
+    }
+
+    @GetMapping("/{id}/file")
+    @Operation(
+            summary = "Download a recording (tlog)",
+            description = "While the flight goes on: all that was heard so far. QGroundControl, MAVProxy and pymavlink"
+                    + " read it.")
+    public void file(@PathVariable String id, @Parameter(hidden = true) HttpServletResponse response)
+            throws IOException {
+        current.principal();
+        RecordingService.Download download = recordings.download(id);
+        try (InputStream in = Files.newInputStream(download.file())) {
+            // The length of now: a flight that goes on makes the file longer while it is sent.
+            long length = Files.size(download.file());
+            response.setContentType("application/octet-stream");
+            response.setHeader("Content-Disposition", "attachment; filename=\"" + download.name() + "\"");
+            response.setContentLengthLong(length);
+            copy(in, response, length);
+        }
+    }
+
+    private static void copy(InputStream in, HttpServletResponse response, long length) throws IOException {
+        byte[] buffer = new byte[65_536];
+        long left = length;
+        while (left > 0) {
+            int count = in.read(buffer, 0, (int) Math.min(buffer.length, left));
+            if (count < 0) {
+                throw new IOException("the recording became shorter while it was sent");
+            }
+            response.getOutputStream().write(buffer, 0, count);
+            left -= count;
+        }
+    }
+
+    @PostMapping("/{id}/replays")
+    @Operation(summary = "Play a recording on the map (operator)")
+    public ResponseEntity<ReplayView> replay(
+            @PathVariable String id,
+            @Parameter(description = "1 to 100 times real time") @RequestParam(required = false) @Nullable Double speed)
+            throws IOException {
+        ReplayView replay = recordings.replay(current.principal(), id, speed);
+        return ResponseEntity.accepted()
+                .location(URI.create("/api/v1/replays/" + replay.id()))
+                .body(replay);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Delete a recording for ever (operator)")
+    public void delete(
+            @PathVariable String id,
+            @Parameter(description = "must be true") @RequestParam(required = false) @Nullable Boolean confirm)
+            throws IOException {
+        recordings.delete(current.principal(), id, Boolean.TRUE.equals(confirm));
+    }
+}

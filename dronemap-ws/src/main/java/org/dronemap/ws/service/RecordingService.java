@@ -1,0 +1,74 @@
+package org.dronemap.ws.service;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.recording.Recording;
+import org.dronemap.core.recording.RecordingArchive;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around recordings of flights. Any thread. */
+public final class RecordingService {
+    private final RecordingArchive archive;
+    private final ReplayService replays;
+
+    /** The bytes of a recording under a name that says whose it is. */
+    public record Download(Path file, String name) {}
+
+    public RecordingService(RecordingArchive archive, ReplayService replays) {
+        this.archive = archive;
+        this.replays = replays;
+    }
+
+    /** Newest first; {@code drone} null: of all drones. */
+    public RecordingView.Page recordings(@Nullable String drone) {
+        List<RecordingView> views = archive.recordings().stream()
+                .filter(recording -> drone == null || recording.drone().value().equals(drone))
+                .map(RecordingView::of)
+                .toList();
+        return new RecordingView.Page(views, RecordingView.RoomView.of(archive.room()));
+    }
+
+    public RecordingView recording(String id) {
+        return RecordingView.of(find(id));
+    }
+
+    public Download download(String id) throws IOException {
+        Recording recording = find(id);
+        return new Download(
+                file(id), recording.droneName().replaceAll("[^A-Za-z0-9-]+", "-") + "_" + recording.id() + ".tlog");
+    }
+
+    /** Deleting is for ever, so it wants to be said twice. */
+    public void delete(Principal principal, String id, boolean confirmed) throws IOException {
+        Roles.require(principal, Role.OPERATOR);
+        find(id);
+        if (!confirmed) {
+            throw new InvalidInput(
+                    "confirm",
+                    "true",
+                    "A deleted recording cannot be brought back; say confirm=true if that is meant.");
+        }
+        Optional<String> refusal = archive.delete(id);
+        if (refusal.isPresent()) {
+            throw Rejection.conflict(refusal.get());
+        }
+    }
+
+    public ReplayView replay(Principal principal, String id, @Nullable Double speed) throws IOException {
+        Roles.require(principal, Role.OPERATOR);
+        return replays.play(principal, find(id).id() + ".tlog", speed, file(id));
+    }
+
+    private Recording find(String id) {
+        return archive.recording(id).orElseThrow(() -> Rejection.unknown("recording", id));
+    }
+
+    private Path file(String id) throws IOException {
+        return archive.file(id)
+                .orElseThrow(() -> Rejection.conflict("The file of recording " + id + " is not there any more."));
+    }
+}
