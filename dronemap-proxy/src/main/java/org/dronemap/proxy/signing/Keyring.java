@@ -1,7 +1,6 @@
 package org.dronemap.proxy.signing;
 
 import java.time.InstantSource;
-import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
@@ -31,7 +30,7 @@ final class Keyring {
     private final Keeper keeper;
     private final SigningClock clock;
     private final Refusals refusals = new Refusals();
-    private final Set<LinkGuard> links = new HashSet<>();
+    private final Set<LinkGuard> links;
     private int systemId;
     private LinkPolicy policy;
     private @Nullable HeldKey current;
@@ -50,8 +49,10 @@ final class Keyring {
     /** A key for the vehicle, or null to take its key away, and the time that its signatures begin with. */
     record Request(@Nullable LinkKey key, long timestamp) {}
 
-    Keyring(LinkSecurity security, int systemId, InstantSource wall, Keeper keeper) {
+    /** {@code links}: those that are bound to the drone now; others change the set at any time. */
+    Keyring(LinkSecurity security, int systemId, InstantSource wall, Keeper keeper, Set<LinkGuard> links) {
         this.drone = security.drone();
+        this.links = links;
         this.systemId = systemId;
         this.keeper = keeper;
         // Ahead of the clock when stopped: up to a minute of it may not have been stored.
@@ -204,7 +205,6 @@ final class Keyring {
 
     /** What is to be sent to the vehicle now, over this link; null: nothing. */
     synchronized @Nullable Request tick(LinkGuard link, long nowNanos) {
-        links.add(link);
         if (current != null && (stampedNanos == 0 || nowNanos - stampedNanos > STAMP_NANOS)) {
             stampedNanos = nowNanos;
             keeper.stamp().accept(security());
@@ -222,10 +222,6 @@ final class Keyring {
         return now.kind() == ChangeKind.REVOKE || wanted == null
                 ? new Request(null, 0)
                 : new Request(wanted, clock.next());
-    }
-
-    synchronized void lose(LinkGuard link) {
-        links.remove(link);
     }
 
     private boolean hasSafeLink() {

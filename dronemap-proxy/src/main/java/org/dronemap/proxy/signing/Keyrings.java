@@ -2,6 +2,7 @@ package org.dronemap.proxy.signing;
 
 import java.time.InstantSource;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
@@ -28,6 +29,7 @@ public final class Keyrings implements AutoCloseable {
     private final Keeping keeping;
     private final InstantSource wall;
     private final ConcurrentHashMap<DroneId, Keyring> rings = new ConcurrentHashMap<>();
+    private final ConcurrentHashMap<DroneId, Set<LinkGuard>> links = new ConcurrentHashMap<>();
 
     /**
      * Where keyrings keep things and what they ask.
@@ -66,7 +68,8 @@ public final class Keyrings implements AutoCloseable {
                                         "the signing time of " + drone,
                                         () -> keeping.store().saveStamp(drone, now.stamp()),
                                         () -> {}),
-                        sentence -> warn(drone, sentence)));
+                        sentence -> warn(drone, sentence)),
+                links(drone));
     }
 
     private void warn(DroneId drone, String sentence) {
@@ -80,6 +83,11 @@ public final class Keyrings implements AutoCloseable {
     /** A guard for a new link; {@code linkId}, 0 to 255, tells the kinds of links of one vehicle apart. */
     public LinkGuard guard(int linkId, boolean safe) {
         return new LinkGuard(this, linkId, safe);
+    }
+
+    /** The links that are bound to a drone now; safe to change from any thread. */
+    Set<LinkGuard> links(DroneId drone) {
+        return links.computeIfAbsent(drone, id -> ConcurrentHashMap.newKeySet());
     }
 
     @Nullable
@@ -177,6 +185,7 @@ public final class Keyrings implements AutoCloseable {
     /** A drone was removed, and with it what was stored of it. */
     public void removed(DroneId drone) {
         rings.remove(drone);
+        links.remove(drone);
     }
 
     /** Stores the time that signatures have reached. */

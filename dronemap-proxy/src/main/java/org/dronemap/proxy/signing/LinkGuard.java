@@ -94,6 +94,7 @@ public final class LinkGuard {
 
     public void bound(DroneId drone, int systemId) {
         bound = drone;
+        keyrings.links(drone).add(this);
         Keyring ring = keyrings.find(drone);
         if (ring != null && proven) {
             ring.bound(systemId);
@@ -144,9 +145,8 @@ public final class LinkGuard {
 
     /** The link has ended. */
     public void leave() {
-        Keyring ring = bound == null ? null : keyring();
-        if (ring != null) {
-            ring.lose(this);
+        if (bound != null) {
+            keyrings.links(bound).remove(this);
         }
     }
 }
