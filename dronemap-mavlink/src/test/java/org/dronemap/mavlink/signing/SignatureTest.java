@@ -86,6 +86,21 @@ class SignatureTest {
     }
 
     @Test
+    void aRefusedFrameOpensTheDoorForNoOther() {
+        long ticks = SigningClock.ticks(now);
+        Frame first = signed(key, 0, ticks);
+        Frame second = signed(key, 0, ticks + 5);
+        Frame old = signed(key, 9, ticks - MINUTE - 1);
+        check.judge(first);
+        check.judge(second);
+
+        assertThat(check.judge(first)).isEqualTo(Verdict.REPLAYED);
+        assertThat(check.judge(second)).isEqualTo(Verdict.REPLAYED);
+        assertThat(check.judge(old)).isEqualTo(Verdict.TOO_OLD);
+        assertThat(check.judge(signed(key, 9, ticks - MINUTE - 1))).isEqualTo(Verdict.TOO_OLD);
+    }
+
+    @Test
     void refusesAnUnsignedFrameAndAForeignKey() {
         assertThat(check.judge(read(new FrameWriter(1, 1, 2).frame(BEAT)))).isEqualTo(Verdict.UNSIGNED);
         assertThat(check.judge(read(new FrameWriter(1, 1, 1).frame(BEAT)))).isEqualTo(Verdict.UNSIGNED);
