@@ -25,8 +25,7 @@ public final class Proxy implements AutoCloseable {
     public record EndpointStatus(EndpointUrl url, EndpointCounters.Counts counts) {}
 
     /** {@code taps} hear every frame of every session. */
-    public Proxy(
-            CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings, FrameTap.Factory taps) {
+    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings, FrameTap.Factory taps) {
         this.urls = List.copyOf(urls);
         this.keyrings = keyrings;
         sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime, keyrings, taps));

@@ -381,8 +381,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
                 report.progress(done, total);
             }
         };
-        Cockpit cockpit =
-                new Cockpit(status, parameters, target, observer, this::tell, missions::changedByCloud, telemetry::remark);
+        Cockpit cockpit = new Cockpit(
+                status, parameters, target, observer, this::tell, missions::changedByCloud, telemetry::remark);
         errands.begin(id, command, autopilot.plan(command, cockpit), report, surroundings.now());
     }
 
