@@ -92,6 +92,7 @@ def _figures(c: Configuration, before: machine.Sample, after: machine.Sample, ot
         "cpuMicrosPerMessage": round(1e6 * used / messages, 2),
         "threadsPercentOfOneCore": dict(top),
         "kernelDrops": after.drops - before.drops,
+        "kernelDropsWhileWarmingUp": before.drops,
         "foreignLoadPercentOfMachine": round(
             100 * max(0.0, busy - used - others) / (after.machine_all - before.machine_all), 1
         ),

@@ -161,7 +161,8 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     private void write(Tape tape, boolean all) {
         DroneId drone = tape.drone();
-        if (drone == null) {
+        // One that was bound only since the round began has its turn in the next, or its file would be ended at once.
+        if (drone == null || !newest.containsKey(drone)) {
             return;
         }
         TlogBuffer full = tape.take(spare, all);
