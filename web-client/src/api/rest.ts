@@ -1,4 +1,5 @@
 import { Problem } from './problem';
+import type { RecordingPage } from './recordings';
 import type {
   AccessKey,
   Command,
@@ -11,7 +12,6 @@ import type {
   NewLinkKey,
   NewUser,
   ProblemBody,
-  RecordingPage,
   Role,
   SavedMission,
   Session,

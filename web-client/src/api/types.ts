@@ -270,26 +270,6 @@ export interface Settings {
   publicMode: boolean;
 }
 
-/** A flight as it was recorded; what is null is not known yet. */
-export interface Recording {
-  id: string;
-  drone: string;
-  droneName: string;
-  start: string;
-  end: string | null;
-  seconds: number | null;
-  bytes: number;
-  frames: number;
-  drops: number;
-  state: 'running' | 'complete' | 'incomplete';
-  notice: string | null;
-}
-
-export interface RecordingPage {
-  recordings: Recording[];
-  room: { usedBytes: number; mostBytes: number; keepDays: number; removed: number; notice: string | null };
-}
-
 /** RFC 9457 problem details, with the field at fault and its allowed range where there is one. */
 export interface ProblemBody {
   type?: string;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Recording } from '../api/types';
+import type { Recording } from '../api/recordings';
 import { flightLine, size } from './flight-line';
 
 const FLIGHT: Recording = {

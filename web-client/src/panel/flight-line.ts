@@ -1,4 +1,4 @@
-import type { Recording } from '../api/types';
+import type { Recording } from '../api/recordings';
 import { span } from '../ui/format';
 
 /** When the flight was, how long it took and how large it is, in one line. */
