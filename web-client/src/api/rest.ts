@@ -7,6 +7,8 @@ import type {
   Drone,
   LinkPolicy,
   LinkSecurity,
+  Endpoint,
+  LinkKey,
   MissionItem,
   NewAccessKey,
   NewLinkKey,
@@ -163,6 +165,30 @@ export class RestClient {
 
   revokeAccessKey(id: string): Promise<void> {
     return this.#call('DELETE', `/access-keys/${encodeURIComponent(id)}`);
+  }
+
+  async endpoints(): Promise<Endpoint[]> {
+    return (await this.#call<{ endpoints: Endpoint[] }>('GET', '/endpoints')).endpoints;
+  }
+
+  addEndpoint(url: string): Promise<Endpoint> {
+    return this.#call('POST', '/endpoints', { url });
+  }
+
+  removeEndpoint(id: string): Promise<void> {
+    return this.#call('DELETE', `/endpoints/${encodeURIComponent(id)}`);
+  }
+
+  async linkKeys(): Promise<LinkKey[]> {
+    return (await this.#call<{ linkKeys: LinkKey[] }>('GET', '/link-keys')).linkKeys;
+  }
+
+  createLinkKey(label: string): Promise<LinkKey> {
+    return this.#call('POST', '/link-keys', { label });
+  }
+
+  revokeLinkKey(identity: string): Promise<void> {
+    return this.#call('DELETE', `/link-keys/${encodeURIComponent(identity)}`);
   }
 
   async #call<T>(method: string, path: string, body?: unknown): Promise<T> {

@@ -6,11 +6,13 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.endpoint.LinkKeys;
 import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.record.Replays;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.proxy.session.SessionTable;
 import org.dronemap.proxy.session.Surroundings;
+import org.dronemap.proxy.session.VehicleTraffic;
 import org.dronemap.proxy.signing.Keyrings;
 
 /** The links to vehicles: opens the configured endpoints and keeps them until closed. Any thread. */
@@ -26,11 +28,22 @@ public final class Proxy implements AutoCloseable {
 
     /** {@code taps} hear every frame of every session. */
     public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings, FrameTap.Factory taps) {
+        this(cloud, lanes, urls, keyrings, taps, LinkKeys.none());
+    }
+
+    /** {@code linkKeys} are what vehicles prove themselves with on authenticated links. */
+    public Proxy(
+            CloudManager cloud,
+            Lanes lanes,
+            List<EndpointUrl> urls,
+            Keyrings keyrings,
+            FrameTap.Factory taps,
+            LinkKeys linkKeys) {
         this.urls = List.copyOf(urls);
         this.keyrings = keyrings;
         sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime, keyrings, taps));
         replays = new Replays(sessions);
-        links = new Links(sessions);
+        links = new Links(sessions, linkKeys);
     }
 
     /**
@@ -58,6 +71,11 @@ public final class Proxy implements AutoCloseable {
         return links.all().stream()
                 .map(link -> new EndpointStatus(link.url(), link.counts()))
                 .toList();
+    }
+
+    /** What went over the link of each vehicle. */
+    public List<VehicleTraffic> traffic() {
+        return sessions.traffic();
     }
 
     /** Recordings that play or have played. */

@@ -54,7 +54,8 @@ final class HouseRules {
                     "org.dronemap.core.event..",
                     "org.dronemap.core.command..",
                     "org.dronemap.core.access..",
-                    "org.dronemap.core.recording..")
+                    "org.dronemap.core.recording..",
+                    "org.dronemap.core.link..")
             .layer("cloud")
             .definedBy("org.dronemap.core.cloud..")
             .whereLayer("cloud")

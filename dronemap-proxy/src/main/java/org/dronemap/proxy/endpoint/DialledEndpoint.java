@@ -6,7 +6,6 @@ import java.nio.channels.ClosedSelectorException;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -33,7 +32,6 @@ final class DialledEndpoint implements Endpoint {
     private final CountDownLatch closing = new CountDownLatch(1);
     private final Thread thread;
     private volatile EndpointState state = new EndpointState(EndpointState.Phase.CONNECTING, "It is being connected.");
-    private volatile @Nullable Line line;
 
     DialledEndpoint(EndpointUrl url, Line.Dialler dialler, PeerHandler.Factory handlers) {
         this.url = url;
@@ -74,14 +72,12 @@ final class DialledEndpoint implements Endpoint {
         while (!isClosed()) {
             long began = System.nanoTime();
             try (Line dialled = dialler.dial(url)) {
-                line = dialled;
                 state = EndpointState.OPEN;
                 serve(dialled);
             } catch (IOException | RuntimeException e) {
                 pause = System.nanoTime() - began > STEADY_NANOS ? FIRST_PAUSE_MILLIS : pause;
                 failed(e, pause);
             }
-            line = null;
             peers.clear();
             pauseFor(pause);
             pause = Math.min(2 * pause, LONGEST_PAUSE_MILLIS);
@@ -153,10 +149,7 @@ final class DialledEndpoint implements Endpoint {
     @Override
     public void close() {
         closing.countDown();
-        Line open = line;
-        if (open != null) {
-            open.close();
-        }
+        // The thread looks often, and closes its line itself: closing a device may take its time.
         try {
             thread.join(1000);
         } catch (InterruptedException e) {

@@ -2,16 +2,23 @@ package org.dronemap.proxy.endpoint;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.OptionalLong;
 
 /** A door for vehicles: one socket or line and the one thread that reads it. */
 public interface Endpoint extends AutoCloseable {
-    /** Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do. */
-    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
+    /**
+     * Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do.
+     */
+    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, LinkKeys keys) throws IOException {
         return switch (url.kind()) {
             case UDPSERVER -> UdpServerEndpoint.open(url, handlers);
             case TCPSERVER -> TcpServerEndpoint.open(url, handlers);
             case UDPCLIENT -> new DialledEndpoint(url, UdpLine::dial, handlers).start();
             case TCPCLIENT -> new DialledEndpoint(url, TcpLine::dial, handlers).start();
+            case SERIAL -> new DialledEndpoint(url, SerialLine::dial, handlers).start();
+            case WSSERVER -> WebSocketServerEndpoint.open(url, handlers);
+            case WSCLIENT -> new DialledEndpoint(url, WebSocketLine::dial, handlers).start();
+            case DTLSSERVER -> DtlsServerEndpoint.open(url, handlers, keys);
         };
     }
 
@@ -23,6 +30,16 @@ public interface Endpoint extends AutoCloseable {
     EndpointCounters counters();
 
     List<PeerStatus> peers();
+
+    /** Datagrams that the kernel threw away before they could be read; empty where nobody counts them. */
+    default OptionalLong kernelDrops() {
+        return OptionalLong.empty();
+    }
+
+    /** Ends every link that was proven with that identity: its key is no longer good. */
+    default void disconnect(String identity) {
+        // Most links prove nothing.
+    }
 
     @Override
     void close();

@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.LongAdder;
 public final class EndpointCounters {
     private final LongAdder framesIn = new LongAdder();
     private final LongAdder framesOut = new LongAdder();
+    private final LongAdder lost = new LongAdder();
     private final LongAdder brokenBytes = new LongAdder();
     private final LongAdder droppedIn = new LongAdder();
     private final LongAdder droppedOut = new LongAdder();
@@ -17,6 +18,7 @@ public final class EndpointCounters {
     /**
      * The counts at one moment.
      *
+     * @param lost messages missing from vehicles' sequence numbers
      * @param droppedIn frames that found no room on their way to the drone
      * @param droppedOut frames that the link did not take
      * @param throttled deliveries of peers that made too much work, dropped unread
@@ -26,6 +28,7 @@ public final class EndpointCounters {
             int peers,
             long framesIn,
             long framesOut,
+            long lost,
             long brokenBytes,
             long droppedIn,
             long droppedOut,
@@ -35,6 +38,10 @@ public final class EndpointCounters {
     void received(long frames, long broken) {
         framesIn.add(frames);
         brokenBytes.add(broken);
+    }
+
+    void lost(long messages) {
+        lost.add(messages);
     }
 
     void droppedIn() {
@@ -66,6 +73,7 @@ public final class EndpointCounters {
                 peers.get(),
                 framesIn.sum(),
                 framesOut.sum(),
+                lost.sum(),
                 brokenBytes.sum(),
                 droppedIn.sum(),
                 droppedOut.sum(),

@@ -17,6 +17,10 @@ import java.util.stream.Collectors;
  */
 public record EndpointUrl(Kind kind, String host, int port, String path, int baud) {
     private static final Pattern SCHEME = Pattern.compile("([a-zA-Z]+)://(.*)");
+    private static final Pattern DEVICE = Pattern.compile("(/[^?#\\s]+)(?:\\?baud=(\\d{1,8}))?");
+    private static final int DEFAULT_BAUD = 57_600;
+    private static final int SLOWEST_BAUD = 1_200;
+    private static final int FASTEST_BAUD = 4_000_000;
     private static final Pattern ADDRESS =
             Pattern.compile("(\\[[0-9a-fA-F:.]+]|[^:/?#@\\s\\[\\]]+):(\\d{1,5})(/[^?#\\s]*)?");
 
@@ -25,7 +29,11 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
         UDPSERVER("udp", "udpserver://ADDRESS:PORT"),
         UDPCLIENT("udp", "udpclient://HOST:PORT"),
         TCPSERVER("tcp", "tcpserver://ADDRESS:PORT"),
-        TCPCLIENT("tcp", "tcpclient://HOST:PORT");
+        TCPCLIENT("tcp", "tcpclient://HOST:PORT"),
+        SERIAL("serial", "serial:///dev/DEVICE?baud=57600"),
+        WSSERVER("websocket", "wsserver://ADDRESS:PORT"),
+        WSCLIENT("websocket", "wsclient://HOST:PORT/PATH"),
+        DTLSSERVER("dtls", "dtlsserver://ADDRESS:PORT");
 
         private final String transport;
         private final String form;
@@ -46,7 +54,7 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
 
         /** True when vehicles call in here; false when this end dials, again and again. */
         public boolean isListener() {
-            return this == UDPSERVER || this == TCPSERVER;
+            return this == UDPSERVER || this == TCPSERVER || this == WSSERVER || this == DTLSSERVER;
         }
 
         boolean isDatagram() {
@@ -80,12 +88,13 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
         Kind kind = Kind.ofScheme(scheme)
                 .orElseThrow(() -> new IllegalArgumentException(
                         "\"" + text + "\" begins with " + scheme + "://; known are " + Kind.forms() + "."));
-        return address(text, kind, parts.group(2));
+        return kind == Kind.SERIAL ? device(text, parts.group(2)) : address(text, kind, parts.group(2));
     }
 
     private static EndpointUrl address(String text, Kind kind, String rest) {
         Matcher address = ADDRESS.matcher(rest);
-        if (!address.matches() || !("" + address.group(3)).matches("null|/")) {
+        String path = address.matches() && address.group(3) != null ? address.group(3) : "";
+        if (!address.matches() || (kind != Kind.WSCLIENT && path.length() > 1)) {
             throw new IllegalArgumentException("\"" + text + "\" is no endpoint; write " + kind.form + ".");
         }
         int port = Integer.parseInt(address.group(2));
@@ -93,7 +102,21 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
             throw new IllegalArgumentException("\"" + text + "\" names port " + port + "; a port is "
                     + (kind.isListener() ? "0 to 65535 (0: any free one)." : "1 to 65535."));
         }
-        return new EndpointUrl(kind, address.group(1).toLowerCase(Locale.ROOT), port, "", 0);
+        String kept = path.length() > 1 ? path : "";
+        return new EndpointUrl(kind, address.group(1).toLowerCase(Locale.ROOT), port, kept, 0);
+    }
+
+    private static EndpointUrl device(String text, String rest) {
+        Matcher device = DEVICE.matcher(rest);
+        if (!device.matches()) {
+            throw new IllegalArgumentException("\"" + text + "\" is no endpoint; write " + Kind.SERIAL.form + ".");
+        }
+        int baud = device.group(2) == null ? DEFAULT_BAUD : Integer.parseInt(device.group(2));
+        if (baud < SLOWEST_BAUD || baud > FASTEST_BAUD) {
+            throw new IllegalArgumentException("\"" + text + "\" names " + baud + " baud; " + SLOWEST_BAUD + " to "
+                    + FASTEST_BAUD + " are allowed.");
+        }
+        return new EndpointUrl(Kind.SERIAL, "", 0, device.group(1), baud);
     }
 
     EndpointUrl withPort(int bound) {
@@ -102,6 +125,8 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
 
     @Override
     public String toString() {
-        return kind.scheme() + "://" + host + ":" + port + path;
+        return kind == Kind.SERIAL
+                ? "serial://" + path + "?baud=" + baud
+                : kind.scheme() + "://" + host + ":" + port + path;
     }
 }

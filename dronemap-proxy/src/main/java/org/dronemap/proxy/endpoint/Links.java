@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
@@ -21,6 +22,7 @@ public final class Links implements AutoCloseable {
     private static final EndpointCounters.Counts NOTHING = new EndpointCounters().counts();
 
     private final PeerHandler.Factory handlers;
+    private final LinkKeys keys;
     // guarded by this
     private final Map<String, Link> links = new LinkedHashMap<>();
     private @Nullable ScheduledExecutorService retries;
@@ -42,10 +44,16 @@ public final class Links implements AutoCloseable {
      * @param url as wanted, or with the port that was really taken
      */
     public record LinkStatus(
-            String id, EndpointUrl url, EndpointState state, EndpointCounters.Counts counts, List<PeerStatus> peers) {}
+            String id,
+            EndpointUrl url,
+            EndpointState state,
+            EndpointCounters.Counts counts,
+            OptionalLong kernelDrops,
+            List<PeerStatus> peers) {}
 
-    public Links(PeerHandler.Factory handlers) {
+    public Links(PeerHandler.Factory handlers, LinkKeys keys) {
         this.handlers = handlers;
+        this.keys = keys;
     }
 
     /**
@@ -55,7 +63,7 @@ public final class Links implements AutoCloseable {
      */
     public synchronized void open(String id, EndpointUrl url) throws IOException {
         Link link = room(id, url);
-        link.endpoint = Endpoint.open(url, handlers);
+        link.endpoint = Endpoint.open(url, handlers, keys);
         links.put(id, link);
     }
 
@@ -104,7 +112,7 @@ public final class Links implements AutoCloseable {
 
     private void attempt(Link link) {
         try {
-            link.endpoint = Endpoint.open(link.wanted, handlers);
+            link.endpoint = Endpoint.open(link.wanted, handlers, keys);
             LOG.info("{} is open", link.endpoint.url());
         } catch (IOException | RuntimeException e) {
             String why = String.valueOf(e.getMessage());
@@ -131,6 +139,16 @@ public final class Links implements AutoCloseable {
         return true;
     }
 
+    /** Ends every link that was proven with that identity: its key is no longer good. */
+    public synchronized void disconnect(String identity) {
+        for (Link link : links.values()) {
+            Endpoint endpoint = link.endpoint;
+            if (endpoint != null) {
+                endpoint.disconnect(identity);
+            }
+        }
+    }
+
     /** All, in the order in which they were added. */
     public synchronized List<LinkStatus> all() {
         List<LinkStatus> all = new ArrayList<>();
@@ -146,12 +164,14 @@ public final class Links implements AutoCloseable {
                         link.wanted,
                         new EndpointState(EndpointState.Phase.FAILED, link.failure),
                         NOTHING,
+                        OptionalLong.empty(),
                         List.of())
                 : new LinkStatus(
                         id,
                         endpoint.url(),
                         endpoint.state(),
                         endpoint.counters().counts(),
+                        endpoint.kernelDrops(),
                         endpoint.peers());
     }
 

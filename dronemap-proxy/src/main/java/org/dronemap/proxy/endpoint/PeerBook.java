@@ -31,7 +31,8 @@ final class PeerBook<K> {
     record Limits(int peers, int perHost) {}
 
     /** What a new seat needs. */
-    record Welcome(EndpointCounters counters, PeerHandler.Factory handlers, Allowance hostsStrangers, long now) {}
+    record Welcome(
+            EndpointCounters counters, PeerHandler.Factory handlers, String host, Allowance hostsStrangers, long now) {}
 
     /** What the peers of one host share. */
     private static final class Host {
@@ -68,11 +69,32 @@ final class PeerBook<K> {
             its = new Host(now);
             hosts.put(host, its);
         }
-        Seat seat = maker.apply(new Welcome(counters, handlers, its.strangers, now));
+        Seat seat = maker.apply(new Welcome(counters, handlers, host, its.strangers, now));
         its.peers++;
         seats.put(key, seat);
         counters.peers(seats.size());
         return seat;
+    }
+
+    /** Ends the longest silent peer of that host when it has all that it may have. */
+    synchronized void makeRoomFor(String host) {
+        Host its = hosts.get(host);
+        if (its != null && its.peers >= limits.perHost()) {
+            seats.entrySet().stream()
+                    .filter(entry -> entry.getValue().host().equals(host))
+                    .map(Map.Entry::getKey)
+                    .findFirst()
+                    .ifPresent(this::remove);
+        }
+    }
+
+    /** Ends every peer of that host. */
+    synchronized void removeAllOf(String host) {
+        List<K> its = seats.entrySet().stream()
+                .filter(entry -> entry.getValue().host().equals(host))
+                .map(Map.Entry::getKey)
+                .toList();
+        its.forEach(this::remove);
     }
 
     /** The peer is gone. */
@@ -111,7 +133,7 @@ final class PeerBook<K> {
 
     private void leave(Seat seat) {
         seat.end();
-        String host = seat.firstHost();
+        String host = seat.host();
         Host its = hosts.get(host);
         if (its != null && --its.peers == 0) {
             hosts.remove(host);

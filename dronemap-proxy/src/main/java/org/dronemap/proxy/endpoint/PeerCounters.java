@@ -9,6 +9,7 @@ public final class PeerCounters {
     private final LongAdder dropped = new LongAdder();
     private volatile long framesIn;
     private volatile long brokenBytes;
+    private volatile long lost;
 
     public PeerCounters(EndpointCounters endpoint) {
         this.endpoint = endpoint;
@@ -20,6 +21,15 @@ public final class PeerCounters {
         framesIn = framesIn + frames;
         brokenBytes = brokenBytes + broken;
         endpoint.received(frames, broken);
+    }
+
+    /** Messages found missing, or late after all when negative; on the endpoint's thread only. */
+    @SuppressWarnings("NonAtomicVolatileUpdate") // one thread writes
+    public void lost(long messages) {
+        if (messages != 0) {
+            lost = lost + messages;
+            endpoint.lost(messages);
+        }
     }
 
     /** A frame found no room on its way to the drone. */
@@ -49,6 +59,10 @@ public final class PeerCounters {
 
     long brokenBytes() {
         return brokenBytes;
+    }
+
+    long lost() {
+        return lost;
     }
 
     long framesOut() {

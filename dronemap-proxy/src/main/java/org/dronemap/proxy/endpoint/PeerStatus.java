@@ -2,14 +2,21 @@ package org.dronemap.proxy.endpoint;
 
 import org.jspecify.annotations.Nullable;
 
-/** One peer and what went between it and its endpoint; {@code identity} is null on links that prove nothing. */
+/**
+ * One peer and what went between it and its endpoint.
+ *
+ * @param identity null on links that prove nothing
+ * @param queue frames that wait to be sent
+ */
 public record PeerStatus(
         PeerAddress address,
         @Nullable String identity,
         long framesIn,
         long framesOut,
+        long lost,
         long brokenBytes,
         long dropped,
+        int queue,
         long silentMillis) {
     static PeerStatus of(Seat seat, long now) {
         PeerCounters counters = seat.counters();
@@ -18,8 +25,10 @@ public record PeerStatus(
                 seat.authenticatedIdentity().orElse(null),
                 counters.framesIn(),
                 counters.framesOut(),
+                counters.lost(),
                 counters.brokenBytes(),
                 counters.dropped(),
+                seat.wire().waiting(),
                 (now - seat.lastHeardNanos()) / 1_000_000);
     }
 }

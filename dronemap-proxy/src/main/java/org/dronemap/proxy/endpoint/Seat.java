@@ -18,7 +18,7 @@ final class Seat implements Peer {
     private final PeerHandler handler;
     private Allowance own;
     private boolean proven;
-    private final String firstHost;
+    private final String host;
     private volatile PeerAddress address;
     private volatile long lastHeardNanos;
     private volatile boolean ended;
@@ -32,7 +32,7 @@ final class Seat implements Peer {
 
     Seat(Place place, PeerAddress address, Wire wire, PeerBook.Welcome welcome) {
         this.place = place;
-        this.firstHost = address.host();
+        this.host = welcome.host();
         this.address = address;
         this.wire = wire;
         this.counters = new PeerCounters(welcome.counters());
@@ -86,13 +86,17 @@ final class Seat implements Peer {
         return lastHeardNanos;
     }
 
+    Wire wire() {
+        return wire;
+    }
+
     PeerCounters counters() {
         return counters;
     }
 
-    /** Where it was when it took its place. */
-    String firstHost() {
-        return firstHost;
+    /** Whose places it counts among: its first address, or the identity that it proved. */
+    String host() {
+        return host;
     }
 
     void movedTo(PeerAddress next) {

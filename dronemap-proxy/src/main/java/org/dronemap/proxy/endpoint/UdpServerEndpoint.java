@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
 import java.util.List;
+import java.util.OptionalLong;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -79,6 +80,11 @@ final class UdpServerEndpoint implements Endpoint {
     @Override
     public List<PeerStatus> peers() {
         return peers.status();
+    }
+
+    @Override
+    public OptionalLong kernelDrops() {
+        return KernelDrops.of(url.port());
     }
 
     private void run() {

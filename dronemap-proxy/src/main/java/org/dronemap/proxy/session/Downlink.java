@@ -20,6 +20,7 @@ final class Downlink {
     private @Nullable LinkGuard guard;
     private FrameTap tap = FrameTap.NONE;
     private boolean speaksVersion1;
+    private volatile long sent;
 
     Downlink(Peer peer) {
         this.peer = peer;
@@ -71,14 +72,25 @@ final class Downlink {
     }
 
     private void transmit(Message message) {
-        byte[] frame = frame(message);
-        peer.send(frame);
-        tap.said(frame);
+        tap.said(put(message));
     }
 
     /** Sends at once what nobody but the vehicle may see: no tap, no log. */
     void sendSecret(Message message) {
-        peer.send(frame(message));
+        put(message);
+    }
+
+    /** Messages handed to the link. Any thread. */
+    long sent() {
+        return sent;
+    }
+
+    @SuppressWarnings("NonAtomicVolatileUpdate") // the session's lane alone writes
+    private byte[] put(Message message) {
+        sent++;
+        byte[] frame = frame(message);
+        peer.send(frame);
+        return frame;
     }
 
     private byte[] frame(Message message) {

@@ -56,9 +56,11 @@ final class PeerSessions implements PeerHandler {
             beforehand.tell(opened, systemId);
             sessions.put(systemId, opened);
         }
+        long lostBefore = session.lost();
         if (!session.arrived(frame)) {
             counters.droppedIn();
         }
+        counters.lost(session.lost() - lostBefore);
     }
 
     /** The sessions run out by themselves: what is under way ends in its own time. */

@@ -1,9 +1,14 @@
 package org.dronemap.proxy.session;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -23,6 +28,7 @@ public final class SessionTable implements PeerHandler.Factory {
 
     private final Surroundings surroundings;
     private final FrameWriter greetings = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 2);
+    private final Set<VehicleSession> sessions = ConcurrentHashMap.newKeySet();
     private final AtomicInteger open = new AtomicInteger();
     private final LongAdder refused = new LongAdder();
     private final AtomicLong lastWordNanos = new AtomicLong(Long.MIN_VALUE);
@@ -48,6 +54,15 @@ public final class SessionTable implements PeerHandler.Factory {
         return new ReplayFeed(this, number);
     }
 
+    /** What went over the links of all vehicles, once for each key; recordings have no link. */
+    public List<VehicleTraffic> traffic() {
+        return List.copyOf(sessions.stream()
+                .map(VehicleSession::traffic)
+                .collect(Collectors.toMap(
+                        traffic -> traffic.key() + traffic.transport(), Function.identity(), VehicleTraffic::and))
+                .values());
+    }
+
     /** Sessions that are open now. */
     public int openCount() {
         return open.get();
@@ -70,7 +85,16 @@ public final class SessionTable implements PeerHandler.Factory {
             refuse(label);
             return Optional.empty();
         }
-        return Optional.of(new VehicleSession(surroundings, label, downlink, frame, open::decrementAndGet));
+        VehicleSession session = new VehicleSession(surroundings, label, downlink, frame, this::oneEnded);
+        if (!label.replay()) {
+            sessions.add(session);
+        }
+        return Optional.of(session);
+    }
+
+    private void oneEnded() {
+        sessions.removeIf(VehicleSession::isOver);
+        open.decrementAndGet();
     }
 
     private void refuse(LinkLabel label) {

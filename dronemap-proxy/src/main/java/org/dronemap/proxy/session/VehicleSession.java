@@ -1,9 +1,5 @@
 package org.dronemap.proxy.session;
 
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.cloud.DroneLink;
@@ -48,7 +44,6 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private static final int IDENTITY_ASKS = 8;
     private static final long GIVEN_UP_NANOS = 120 * SECOND_NANOS;
     private static final long TALKATIVE_NANOS = 3 * SECOND_NANOS;
-    private static final int MOST_EARLY_TEXTS = 20;
     private static final int REQUEST_MESSAGE = 512;
     private static final int REQUEST_CAPABILITIES = 520;
     private static final int AUTOPILOT_VERSION = 148;
@@ -71,8 +66,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private final MessageRates rates;
     private final MissionWatch missions;
     private final LinkMeter meter;
-    private final Map<Class<?>, DroneEvent> facts = new LinkedHashMap<>();
-    private final List<DroneEvent> earlyTexts = new ArrayList<>();
+    private final EarlyNews news = new EarlyNews();
     private final long bornNanos;
     private Lane lane;
     private volatile @Nullable DroneLink link;
@@ -306,9 +300,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         }
         lane.addTicker(this);
         telemetry.identified();
-        facts.values().forEach(bound::accept);
-        earlyTexts.forEach(bound::accept);
-        earlyTexts.clear();
+        news.tellTo(bound);
         missions.begin(surroundings.now());
     }
 
@@ -320,16 +312,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         DroneLink bound = link;
         if (bound != null) {
             bound.accept(event);
-        } else if (event instanceof DroneEvent.TextHeard && earlyTexts.size() < MOST_EARLY_TEXTS) {
-            earlyTexts.add(event);
         }
-        if (!(event instanceof DroneEvent.TextHeard
-                || event instanceof DroneEvent.MissionItemReached
-                || event instanceof DroneEvent.MissionRead
-                || event instanceof DroneEvent.OnBoardHeard
-                || event instanceof DroneEvent.Identified)) {
-            facts.put(event.getClass(), event);
-        }
+        news.heard(event, bound != null);
     }
 
     private void send(org.dronemap.mavlink.Message message) {
@@ -342,6 +326,16 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     Optional<DroneId> drone() {
         DroneLink bound = link;
         return bound == null ? Optional.empty() : Optional.of(bound.id());
+    }
+
+    /** Messages missing so far. Any thread. */
+    long lost() {
+        return meter.counts().lost();
+    }
+
+    /** What went over its link so far. Any thread. */
+    VehicleTraffic traffic() {
+        return VehicleTraffic.of(label, drone(), meter.counts(), downlink.sent(), mailbox);
     }
 
     /** Its recording is over. Any thread. */

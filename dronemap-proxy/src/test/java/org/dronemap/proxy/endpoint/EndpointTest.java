@@ -31,7 +31,20 @@ class EndpointTest {
     };
 
     @ParameterizedTest
-    @ValueSource(strings = {"14550", "udp://127.0.0.1:14550", "udpserver://127.0.0.1:99999", "udpserver://:1", ""})
+    @ValueSource(
+            strings = {
+                "14550",
+                "udp://127.0.0.1:14550",
+                "udpserver://127.0.0.1:99999",
+                "udpserver://:1",
+                "udpserver://127.0.0.1:1/path",
+                "tcpclient://host:0",
+                "serial://ttyUSB0",
+                "serial:///dev/ttyUSB0?baud=12",
+                "serial:///dev/ttyUSB0?parity=odd",
+                "wsclient://host:80/a b",
+                ""
+            })
     void saysWhatIsWrongWithAUrl(String text) {
         assertThatThrownBy(() -> EndpointUrl.parse(text))
                 .isInstanceOf(IllegalArgumentException.class)
@@ -45,12 +58,33 @@ class EndpointTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"udpserver", "tcpserver"})
+    @ValueSource(
+            strings = {
+                "udpserver://0.0.0.0:14550",
+                "udpclient://modem.example:14550",
+                "tcpclient://10.0.0.1:5760",
+                "serial:///dev/serial/by-id/usb-Holybro_Radio-if00?baud=921600",
+                "wsserver://127.0.0.1:5770",
+                "wsclient://relay.example:80/Fleet/7",
+                "dtlsserver://[::]:14556"
+            })
+    void writesAUrlAsItReadsIt(String text) {
+        assertThat(EndpointUrl.parse(text)).hasToString(text);
+    }
+
+    @Test
+    void knowsShorterFormsOfUrls() {
+        assertThat(EndpointUrl.parse("udpout://Host:1/")).hasToString("udpclient://host:1");
+        assertThat(EndpointUrl.parse("serial:///dev/ttyS0")).hasToString("serial:///dev/ttyS0?baud=57600");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"udpserver", "tcpserver", "wsserver", "dtlsserver"})
     void saysThatAPortIsTaken(String scheme) throws IOException {
-        try (Endpoint first = Endpoint.open(EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting)) {
+        try (Endpoint first = Endpoint.open(EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, LinkKeys.none())) {
             EndpointUrl taken = first.url();
 
-            assertThatThrownBy(() -> Endpoint.open(taken, counting))
+            assertThatThrownBy(() -> Endpoint.open(taken, counting, LinkKeys.none()))
                     .isInstanceOf(IOException.class)
                     .hasMessage("Cannot listen on " + taken + ": port " + taken.port()
                             + " is taken by another program; stop it or configure another port.");
@@ -59,7 +93,8 @@ class EndpointTest {
 
     @Test
     void answersATcpPeerAndNoticesThatItLeft() throws IOException {
-        try (Endpoint endpoint = Endpoint.open(EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting)) {
+        try (Endpoint endpoint =
+                Endpoint.open(EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, LinkKeys.none())) {
             try (Socket socket = new Socket("127.0.0.1", endpoint.url().port())) {
                 socket.getOutputStream().write(new byte[] {1, 2, 3});
                 assertThat(socket.getInputStream().read()).isEqualTo(1);

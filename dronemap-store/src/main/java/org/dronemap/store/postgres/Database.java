@@ -13,6 +13,7 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.store.StoreException;
@@ -92,6 +93,10 @@ public final class Database implements AutoCloseable {
 
     public RecordingStore recordings() {
         return new PostgresRecordingStore(pool);
+    }
+
+    public LinkStore links() {
+        return new PostgresLinkStore(pool);
     }
 
     public Backup backup() {

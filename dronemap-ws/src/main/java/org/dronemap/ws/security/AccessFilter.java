@@ -12,9 +12,10 @@ import org.dronemap.ws.service.Rejection;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
 
-/** Finds out who asks under /api/v1 before anything else happens, and turns away who may not. */
+/** Finds out who asks under /api/v1 and for /metrics before anything else happens, and turns away who may not. */
 public final class AccessFilter extends OncePerRequestFilter {
     private static final String API = "/api/v1/";
+    private static final String METRICS = "/metrics";
     private static final String BEARER = "Bearer ";
     private static final Set<String> READING = Set.of("GET", "HEAD", "OPTIONS");
 
@@ -28,7 +29,7 @@ public final class AccessFilter extends OncePerRequestFilter {
 
     @Override
     protected boolean shouldNotFilter(HttpServletRequest request) {
-        return !request.getRequestURI().startsWith(API);
+        return !request.getRequestURI().startsWith(API) && !isMetrics(request);
     }
 
     @Override
@@ -43,8 +44,14 @@ public final class AccessFilter extends OncePerRequestFilter {
         chain.doFilter(request, response);
     }
 
+    /** However it is written: whatever leads there must be guarded. */
+    private static boolean isMetrics(HttpServletRequest request) {
+        return METRICS.equals(request.getServletPath())
+                || request.getRequestURI().startsWith(METRICS);
+    }
+
     private void admit(HttpServletRequest request) {
-        String path = request.getRequestURI().substring(API.length());
+        String path = isMetrics(request) ? METRICS : request.getRequestURI().substring(API.length());
         if (path.equals("health")
                 || (path.equals("session") && request.getMethod().equals("POST"))) {
             return;

@@ -3,11 +3,14 @@ package org.dronemap.ws.wiring;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingArchive;
 import org.dronemap.ws.service.BackupService;
+import org.dronemap.ws.service.LinkKeyRing;
 import org.dronemap.ws.service.LinkSecurityControl;
 import org.dronemap.ws.service.Recordings;
+import org.dronemap.ws.service.VehicleLinks;
 
 /** Everything behind the faces, built and running. */
 public record House(
@@ -16,6 +19,11 @@ public record House(
         MissionStore missions,
         Recordings recordings,
         RecordingArchive archive,
+        LinkSide links,
         BooleanSupplier databaseUp,
         BackupService.BackupWriter backups,
-        LinkSecurityControl linkSecurity) {}
+        LinkSecurityControl linkSecurity) {
+
+    /** The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with. */
+    public record LinkSide(VehicleLinks vehicles, LinkStore store, LinkKeyRing keys) {}
+}

@@ -15,6 +15,8 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.SavedLink;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.record.Recorder;
@@ -24,6 +26,7 @@ import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
+import org.dronemap.ws.service.LinkKeyRing;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -38,6 +41,7 @@ final class HouseBuilder {
     private final List<EndpointUrl> endpoints;
     private final Lanes lanes = new Lanes(LANES);
     private @Nullable Proxy proxy;
+    private @Nullable LinkStore savedLinks;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
     HouseBuilder(Settings settings, Closing closing) {
@@ -66,25 +70,29 @@ final class HouseBuilder {
                 clock,
                 new CloudManager.Keeping(database.drones(), database.commands(), journal),
                 new DroneIds());
+        SecretBox box = ServerSecret.box(
+                settings.linkSecret() == null ? null : settings.linkSecret().text(),
+                settings.dataDirectory().resolve("link-secret"));
+        LinkKeyRing linkKeys = new LinkKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
-        Proxy links = new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal), recorder);
+        Proxy links =
+                new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal, box), recorder, linkKeys::secret);
         closing.add("the links", links);
         proxy = links;
+        savedLinks = database.links();
         return new House(
                 cloud,
                 database.access(),
                 database.missions(),
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
+                new House.LinkSide(new ProxyLinks(links), database.links(), linkKeys),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()));
     }
 
-    private Keyrings keyrings(CloudManager cloud, Database database, Journal journal) {
-        SecretBox box = ServerSecret.box(
-                settings.linkSecret() == null ? null : settings.linkSecret().text(),
-                settings.dataDirectory().resolve("link-secret"));
+    private Keyrings keyrings(CloudManager cloud, Database database, Journal journal, SecretBox box) {
         Keyrings keyrings = new Keyrings(
                 new Keyrings.Keeping(
                         database.linkSecurity(box),
@@ -159,11 +167,23 @@ final class HouseBuilder {
     /** Lets vehicles in. */
     void connect() {
         try {
-            if (proxy != null) {
+            if (proxy != null && savedLinks != null) {
                 proxy.start();
+                addSaved(proxy, savedLinks);
             }
         } catch (IOException e) {
             throw new SetupException(e.getMessage() + " (DRONEMAP_ENDPOINTS)", e);
+        }
+    }
+
+    /** What was added at run time; an endpoint that the settings name as well is there already. */
+    private static void addSaved(Proxy proxy, LinkStore saved) {
+        for (SavedLink link : saved.links()) {
+            try {
+                proxy.links().keep(link.id(), EndpointUrl.parse(link.url()));
+            } catch (IllegalStateException | IllegalArgumentException e) {
+                LOG.warn("The endpoint {} that {} added is left out: {}", link.url(), link.addedBy(), e.getMessage());
+            }
         }
     }
 

@@ -10,8 +10,10 @@ import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.FenceController;
+import org.dronemap.ws.rest.LinkController;
 import org.dronemap.ws.rest.LinkSecurityController;
 import org.dronemap.ws.rest.LogController;
+import org.dronemap.ws.rest.MetricsController;
 import org.dronemap.ws.rest.MissionController;
 import org.dronemap.ws.rest.ParameterController;
 import org.dronemap.ws.rest.ProblemAdvice;
@@ -51,6 +53,8 @@ import tools.jackson.databind.DeserializationFeature;
     LinkSecurityController.class,
     RecordingController.class,
     ReplayController.class,
+    LinkController.class,
+    MetricsController.class,
     SystemController.class,
     StreamTicketController.class,
     ProblemAdvice.class,

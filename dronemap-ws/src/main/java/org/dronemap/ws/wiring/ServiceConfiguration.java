@@ -15,7 +15,9 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.LinkKeyService;
 import org.dronemap.ws.service.LinkSecurityService;
+import org.dronemap.ws.service.LinkService;
 import org.dronemap.ws.service.LogService;
 import org.dronemap.ws.service.LogShelf;
 import org.dronemap.ws.service.MissionService;
@@ -24,6 +26,7 @@ import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.RecordingService;
 import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -150,5 +153,20 @@ public class ServiceConfiguration {
     @Bean
     ReplayService replayService(House house, Settings settings) {
         return new ReplayService(house.recordings(), settings.dataDirectory());
+    }
+
+    @Bean
+    LinkService linkService(House house, Clock clock) {
+        return new LinkService(house.links().vehicles(), house.links().store(), clock);
+    }
+
+    @Bean
+    LinkKeyService linkKeyService(House house, Clock clock) {
+        return new LinkKeyService(house.links().keys(), house.links().vehicles(), house.cloud(), clock);
+    }
+
+    @Bean
+    ServerMetrics serverMetrics(House house) {
+        return new ServerMetrics(house.cloud(), house.links().vehicles());
     }
 }

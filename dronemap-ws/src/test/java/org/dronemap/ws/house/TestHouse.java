@@ -22,9 +22,13 @@ import org.dronemap.proxy.record.Recorder;
 import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
+import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
+import org.dronemap.store.secret.SecretBox;
+import org.dronemap.ws.service.LinkKeyRing;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
 import org.dronemap.ws.wiring.House;
 import org.dronemap.ws.wiring.Settings;
@@ -38,6 +42,8 @@ public final class TestHouse implements AutoCloseable {
     private final Lanes lanes = new Lanes(2);
     private final Journal journal = new Journal();
     private final MemoryAccessStore access = new MemoryAccessStore();
+    private final MemoryLinkStore linkStore = new MemoryLinkStore();
+    private final ListedLinks links = new ListedLinks();
     private final AtomicInteger ids = new AtomicInteger();
     private final CloudManager cloud;
     private final ConfigurableApplicationContext faces;
@@ -64,6 +70,7 @@ public final class TestHouse implements AutoCloseable {
                 new MemoryMissionStore(),
                 new CountingRecordings(),
                 recorder.shelf(),
+                linkSide(),
                 () -> true,
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
                 new RecordedLinkSecurity());
@@ -95,8 +102,18 @@ public final class TestHouse implements AutoCloseable {
         return recorder;
     }
 
+    private House.LinkSide linkSide() {
+        BoxSealing sealing = new BoxSealing(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
+        return new House.LinkSide(links, linkStore, new LinkKeyRing(linkStore, sealing));
+    }
+
     public CloudManager cloud() {
         return cloud;
+    }
+
+    /** The ways in for vehicles, which open nothing here. */
+    public ListedLinks links() {
+        return links;
     }
 
     public Path data() {

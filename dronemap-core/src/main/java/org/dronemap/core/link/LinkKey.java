@@ -1,0 +1,17 @@
+package org.dronemap.core.link;
+
+import java.time.Instant;
+
+/**
+ * The key of one vehicle for authenticated links.
+ *
+ * @param identity what the vehicle calls itself, unique
+ * @param label what people call it
+ * @param sealedSecret the secret, encrypted by whoever made the key; never the secret itself
+ */
+public record LinkKey(String identity, String label, String sealedSecret, String madeBy, Instant madeAt) {
+    @Override
+    public String toString() {
+        return "LinkKey[" + identity + ", " + label + "]";
+    }
+}

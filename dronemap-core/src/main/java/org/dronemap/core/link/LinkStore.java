@@ -1,0 +1,24 @@
+package org.dronemap.core.link;
+
+import java.util.List;
+
+/** Keeps the links that were added, and the keys of vehicles; every write returns only after it is durable. */
+public interface LinkStore {
+    /** In the order in which they were added. */
+    List<SavedLink> links();
+
+    /** False when the id or the URL is taken. */
+    boolean addLink(SavedLink link);
+
+    /** True when there was one. */
+    boolean deleteLink(String id);
+
+    /** By the time they were made. */
+    List<LinkKey> keys();
+
+    /** Inserts, or replaces the key of the same identity. */
+    void saveKey(LinkKey key);
+
+    /** True when there was one. */
+    boolean deleteKey(String identity);
+}

@@ -1,0 +1,15 @@
+package org.dronemap.proxy.endpoint;
+
+import java.util.Optional;
+
+/** The secrets that vehicles prove themselves with on an authenticated link. Any thread; answers at once. */
+@FunctionalInterface
+public interface LinkKeys {
+    /** The secret of that identity; empty when there is none, or it was revoked. */
+    Optional<byte[]> secret(String identity);
+
+    /** Knows nobody. */
+    static LinkKeys none() {
+        return identity -> Optional.empty();
+    }
+}

@@ -1,0 +1,121 @@
+package org.dronemap.proxy.endpoint;
+
+import com.fazecast.jSerialComm.SerialPort;
+import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A serial device: a radio, or a flight controller on a cable. Its peer is called after the device, since there is no
+ * address. A device takes bytes as slowly as its rate, so frames wait in a queue of 64 for a thread that writes; a frame
+ * that finds no room is dropped.
+ */
+final class SerialLine implements Line {
+    private static final Logger LOG = LoggerFactory.getLogger(SerialLine.class);
+    private static final int READ_MILLIS = 200;
+    private static final int MOST_WAITING = 64;
+    private static final long WRITER_LOOKS_MILLIS = 200;
+
+    static {
+        // Not a name that others could foresee, in a directory that everybody can write to.
+        System.setProperty("jSerialComm.library.randomizeNativeName", "true");
+    }
+
+    private final SerialPort port;
+    private final String device;
+    private final ArrayBlockingQueue<byte[]> waiting = new ArrayBlockingQueue<>(MOST_WAITING);
+    private final Thread writer;
+    private volatile boolean closed;
+    private byte[] chunk = new byte[0];
+
+    private SerialLine(SerialPort port, String device) {
+        this.port = port;
+        this.device = device;
+        writer = new Thread(this::write, "serial-out");
+        writer.setDaemon(true);
+    }
+
+    static Line dial(EndpointUrl url) throws IOException {
+        String device = url.path();
+        if (!Files.exists(Path.of(device))) {
+            throw new IOException("there is no device " + device + "; is it plugged in?");
+        }
+        SerialPort port;
+        try {
+            port = SerialPort.getCommPort(device);
+        } catch (SerialPortInvalidPortException e) {
+            throw new IOException(device + " is no serial device", e);
+        }
+        port.setComPortParameters(url.baud(), 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
+        port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
+        port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, READ_MILLIS, 0);
+        if (!port.openPort(0)) {
+            throw new IOException(device + " cannot be opened (error " + port.getLastErrorCode()
+                    + "); does another program hold it, and may this one use it (group dialout)?");
+        }
+        SerialLine line = new SerialLine(port, device);
+        line.writer.start();
+        return line;
+    }
+
+    @Override
+    public PeerAddress address() {
+        return new PeerAddress(device, 0);
+    }
+
+    @Override
+    public boolean isLocal() {
+        return true;
+    }
+
+    @Override
+    public int read(ByteBuffer into, long patienceMillis) throws IOException {
+        if (chunk.length != into.remaining()) {
+            chunk = new byte[into.remaining()];
+        }
+        int count = port.readBytes(chunk, chunk.length);
+        if (count < 0) {
+            throw new IOException(device + " is gone");
+        }
+        into.put(chunk, 0, count);
+        return count;
+    }
+
+    @Override
+    public boolean send(byte[] frame) {
+        return !closed && waiting.offer(frame);
+    }
+
+    @Override
+    public int waiting() {
+        return waiting.size();
+    }
+
+    private void write() {
+        try {
+            while (!closed) {
+                byte[] frame = waiting.poll(WRITER_LOOKS_MILLIS, TimeUnit.MILLISECONDS);
+                if (frame != null && port.writeBytes(frame, frame.length) < 0) {
+                    LOG.debug("{} took no bytes", device);
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        waiting.clear();
+        // What is not sent yet would hold the closing up, for ever when nobody takes it.
+        port.flushIOBuffers();
+        port.closePort();
+    }
+}

@@ -1,0 +1,34 @@
+package org.dronemap.proxy.endpoint;
+
+import org.java_websocket.WebSocket;
+import org.java_websocket.WebSocketImpl;
+import org.java_websocket.exceptions.WebsocketNotConnectedException;
+import org.java_websocket.framing.CloseFrame;
+
+/** Frames into a WebSocket, whose own queue has no bound: above 256 waiting ones the new frame is dropped. */
+record WebSocketQueue(WebSocket socket) implements Wire {
+    private static final int MOST_WAITING = 256;
+
+    @Override
+    public boolean send(byte[] frame) {
+        if (waiting() >= MOST_WAITING) {
+            return false;
+        }
+        try {
+            socket.send(frame);
+            return true;
+        } catch (WebsocketNotConnectedException e) {
+            return false;
+        }
+    }
+
+    @Override
+    public int waiting() {
+        return socket instanceof WebSocketImpl connection ? connection.outQueue.size() : 0;
+    }
+
+    @Override
+    public void close() {
+        socket.close(CloseFrame.GOING_AWAY, "silent for too long, or the endpoint was closed");
+    }
+}

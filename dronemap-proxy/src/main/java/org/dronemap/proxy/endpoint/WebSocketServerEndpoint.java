@@ -1,0 +1,184 @@
+package org.dronemap.proxy.endpoint;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.java_websocket.WebSocket;
+import org.java_websocket.drafts.Draft;
+import org.java_websocket.drafts.Draft_6455;
+import org.java_websocket.exceptions.InvalidDataException;
+import org.java_websocket.extensions.IExtension;
+import org.java_websocket.framing.CloseFrame;
+import org.java_websocket.handshake.ClientHandshake;
+import org.java_websocket.handshake.ServerHandshakeBuilder;
+import org.java_websocket.protocols.Protocol;
+import org.java_websocket.server.WebSocketServer;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One WebSocket port for a bounded number of vehicles: MAVLink frames in binary messages, on any path. Browsers are turned
+ * away, so that no web page can play a vehicle to a server on its visitor's machine.
+ */
+final class WebSocketServerEndpoint implements Endpoint {
+    private static final Logger LOG = LoggerFactory.getLogger(WebSocketServerEndpoint.class);
+    private static final PeerBook.Limits LIMITS = new PeerBook.Limits(2_000, 1_000);
+    private static final int LARGEST_MESSAGE_BYTES = 65_536;
+    private static final int OPEN_SECONDS = 10;
+
+    private final EndpointUrl url;
+    private final EndpointCounters counters = new EndpointCounters();
+    private final PeerBook<WebSocket> peers;
+    private final Server server;
+    private int port;
+
+    private WebSocketServerEndpoint(EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers) {
+        this.url = url;
+        peers = new PeerBook<>(counters, handlers, LIMITS);
+        server = new Server(address, new Seat.Place(url, SocketAddresses.isLocal(address), false));
+    }
+
+    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
+        WebSocketServerEndpoint endpoint = new WebSocketServerEndpoint(url, SocketAddresses.resolve(url), handlers);
+        endpoint.start();
+        return endpoint;
+    }
+
+    private void start() throws IOException {
+        server.start();
+        try {
+            port = server.listening.get(OPEN_SECONDS, TimeUnit.SECONDS);
+        } catch (ExecutionException e) {
+            Throwable cause = e.getCause();
+            throw SocketAddresses.cannotListen(url, cause instanceof IOException io ? io : new IOException(cause));
+        } catch (TimeoutException e) {
+            close();
+            throw new IOException("Cannot listen on " + url + ": it took more than " + OPEN_SECONDS + " s.", e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException("Interrupted while opening " + url + ".", e);
+        }
+    }
+
+    @Override
+    public EndpointUrl url() {
+        return url.withPort(port);
+    }
+
+    @Override
+    public EndpointState state() {
+        return EndpointState.OPEN;
+    }
+
+    @Override
+    public EndpointCounters counters() {
+        return counters;
+    }
+
+    @Override
+    public List<PeerStatus> peers() {
+        return peers.status();
+    }
+
+    @Override
+    public void close() {
+        try {
+            server.stop(1_000);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        peers.clear();
+    }
+
+    /** The library's server; with one worker all peers are served by one thread. */
+    private final class Server extends WebSocketServer {
+        private final Seat.Place place;
+        private final CompletableFuture<Integer> listening = new CompletableFuture<>();
+
+        Server(InetSocketAddress address, Seat.Place place) {
+            super(
+                    address,
+                    1,
+                    List.<Draft>of(
+                            new Draft_6455(List.<IExtension>of(), List.of(new Protocol("")), LARGEST_MESSAGE_BYTES)));
+            this.place = place;
+            setReuseAddr(true);
+            setTcpNoDelay(true);
+            setDaemon(true);
+            setConnectionLostTimeout(30);
+        }
+
+        @Override
+        protected boolean onConnect(SelectionKey key) {
+            boolean room = getConnections().size() < LIMITS.peers();
+            if (!room) {
+                counters.refusedPeer();
+            }
+            return room;
+        }
+
+        @Override
+        public ServerHandshakeBuilder onWebsocketHandshakeReceivedAsServer(
+                WebSocket socket, Draft draft, ClientHandshake request) throws InvalidDataException {
+            if (!request.getFieldValue("Origin").isEmpty()) {
+                counters.refusedPeer();
+                throw new InvalidDataException(CloseFrame.POLICY_VALIDATION, "vehicles only, no web pages");
+            }
+            return super.onWebsocketHandshakeReceivedAsServer(socket, draft, request);
+        }
+
+        @Override
+        public void onOpen(WebSocket socket, ClientHandshake handshake) {
+            InetSocketAddress remote = socket.getRemoteSocketAddress();
+            if (remote == null) {
+                return;
+            }
+            PeerAddress address = PeerAddress.of(remote);
+            WebSocketQueue queue = new WebSocketQueue(socket);
+            Seat seat = peers.add(
+                    socket, address.host(), System.nanoTime(), welcome -> new Seat(place, address, queue, welcome));
+            if (seat == null) {
+                socket.close(CloseFrame.TRY_AGAIN_LATER, "there is no room for more vehicles");
+            }
+        }
+
+        @Override
+        public void onMessage(WebSocket socket, ByteBuffer bytes) {
+            Seat seat = peers.find(socket);
+            long now = System.nanoTime();
+            if (seat != null) {
+                seat.received(bytes, now);
+            }
+            peers.sweep(now);
+        }
+
+        @Override
+        public void onMessage(WebSocket socket, String text) {
+            socket.close(CloseFrame.REFUSE, "send MAVLink frames in binary messages");
+        }
+
+        @Override
+        public void onClose(WebSocket socket, int code, String reason, boolean remote) {
+            peers.remove(socket);
+        }
+
+        @Override
+        public void onError(@Nullable WebSocket socket, Exception e) {
+            if (socket != null || !listening.completeExceptionally(e)) {
+                LOG.debug("{}: a connection broke", url, e);
+            }
+        }
+
+        @Override
+        public void onStart() {
+            listening.complete(getPort());
+        }
+    }
+}

@@ -1,0 +1,36 @@
+package org.dronemap.proxy.session;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.cloud.DroneLink;
+import org.dronemap.core.event.DroneEvent;
+
+/** What a vehicle said of itself so far, for the drone that it will be bound to. Owned by the session's lane. */
+final class EarlyNews {
+    private static final int MOST_TEXTS = 20;
+
+    private final Map<Class<?>, DroneEvent> facts = new LinkedHashMap<>();
+    private final List<DroneEvent> texts = new ArrayList<>();
+
+    /** Keeps the newest of each fact, and the first sentences as long as no drone has heard them. */
+    void heard(DroneEvent event, boolean told) {
+        if (event instanceof DroneEvent.TextHeard) {
+            if (!told && texts.size() < MOST_TEXTS) {
+                texts.add(event);
+            }
+        } else if (!(event instanceof DroneEvent.MissionItemReached
+                || event instanceof DroneEvent.MissionRead
+                || event instanceof DroneEvent.OnBoardHeard
+                || event instanceof DroneEvent.Identified)) {
+            facts.put(event.getClass(), event);
+        }
+    }
+
+    void tellTo(DroneLink link) {
+        facts.values().forEach(link::accept);
+        texts.forEach(link::accept);
+        texts.clear();
+    }
+}

@@ -1,0 +1,81 @@
+package org.dronemap.proxy.endpoint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.dronemap.proxy.TestCloud;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Endpoints that come and go at run time. */
+class LinksTest {
+    private final Links links = new Links(new Gathering(), LinkKeys.none());
+
+    @AfterEach
+    void close() {
+        links.close();
+    }
+
+    private Links.LinkStatus only() {
+        assertThat(links.all()).hasSize(1);
+        return links.all().get(0);
+    }
+
+    @Test
+    void triesAnEndpointAgainUntilItCanOpen() throws IOException {
+        try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            links.keep("a", EndpointUrl.parse("tcpserver://127.0.0.1:" + other.getLocalPort()));
+
+            assertThat(only().state().phase()).isEqualTo(EndpointState.Phase.FAILED);
+            assertThat(only().state().reason()).contains("taken by another program");
+        }
+        TestCloud.await(
+                Duration.ofSeconds(20), () -> only().state().equals(EndpointState.OPEN), () -> "it is " + only());
+    }
+
+    @Test
+    void opensNoEndpointTwiceAndForgetsARemovedOne() {
+        links.keep("a", EndpointUrl.parse("udpserver://127.0.0.1:0"));
+        EndpointUrl taken = only().url();
+
+        assertThatThrownBy(() -> links.keep("b", taken))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("There is an endpoint " + taken + " already.");
+        assertThat(links.remove("a")).isTrue();
+        assertThat(links.remove("a")).isFalse();
+        links.keep("b", taken);
+        assertThat(only().state()).isEqualTo(EndpointState.OPEN);
+    }
+
+    @Test
+    void asksTheSystemForTheDropsOfAUdpSocket() {
+        links.keep("a", EndpointUrl.parse("udpserver://127.0.0.1:0"));
+
+        assertThat(only().kernelDrops().isPresent()).isEqualTo(Files.isReadable(Path.of("/proc/net/udp6")));
+    }
+
+    @Test
+    void readsTheDropsOfOnePortOutOfTheSystemsTables(@TempDir Path proc) throws IOException {
+        String head = "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout inode"
+                + " ref pointer drops\n";
+        Files.writeString(
+                proc.resolve("udp"),
+                head + " 1234: 0100007F:38D6 00000000:0000 07 00000000:00000000 00:00000000 00000000     0        0"
+                        + " 7001 2 0000000000000000 17\n");
+        Files.writeString(
+                proc.resolve("udp6"),
+                head + " 4321: 0000000000000000FFFF00000100007F:38D7 00000000000000000000000000000000:0000 07"
+                        + " 00000000:00000000 00:00000000 00000000     0        0 7002 2 0000000000000000 5\n");
+
+        assertThat(KernelDrops.of(proc, 14_550)).hasValue(17);
+        assertThat(KernelDrops.of(proc, 14_551)).hasValue(5);
+        assertThat(KernelDrops.of(proc, 14_552)).isEmpty();
+    }
+}

@@ -1,0 +1,59 @@
+package org.dronemap.store.memory;
+
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.SavedLink;
+import org.dronemap.store.StoredInstant;
+
+/** Links and vehicles' keys in memory. Thread-safe: every method holds the object's lock. */
+public final class MemoryLinkStore implements LinkStore {
+    private final Map<String, SavedLink> links = new HashMap<>();
+    private final Map<String, LinkKey> keys = new HashMap<>();
+
+    @Override
+    public synchronized List<SavedLink> links() {
+        return links.values().stream()
+                .sorted(Comparator.comparing(SavedLink::addedAt).thenComparing(SavedLink::id))
+                .toList();
+    }
+
+    @Override
+    public synchronized boolean addLink(SavedLink link) {
+        boolean taken = links.values().stream()
+                .anyMatch(other -> other.id().equals(link.id()) || other.url().equals(link.url()));
+        if (!taken) {
+            links.put(
+                    link.id(), new SavedLink(link.id(), link.url(), link.addedBy(), StoredInstant.of(link.addedAt())));
+        }
+        return !taken;
+    }
+
+    @Override
+    public synchronized boolean deleteLink(String id) {
+        return links.remove(id) != null;
+    }
+
+    @Override
+    public synchronized List<LinkKey> keys() {
+        return keys.values().stream()
+                .sorted(Comparator.comparing(LinkKey::madeAt).thenComparing(LinkKey::identity))
+                .toList();
+    }
+
+    @Override
+    public synchronized void saveKey(LinkKey key) {
+        keys.put(
+                key.identity(),
+                new LinkKey(
+                        key.identity(), key.label(), key.sealedSecret(), key.madeBy(), StoredInstant.of(key.madeAt())));
+    }
+
+    @Override
+    public synchronized boolean deleteKey(String identity) {
+        return keys.remove(identity) != null;
+    }
+}

@@ -1,0 +1,64 @@
+package org.dronemap.store.postgres;
+
+import java.util.List;
+import javax.sql.DataSource;
+import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.SavedLink;
+
+/** Links and vehicles' keys in PostgreSQL. Thread-safe. */
+public final class PostgresLinkStore implements LinkStore {
+    private final Sql sql;
+
+    public PostgresLinkStore(DataSource dataSource) {
+        this.sql = new Sql(dataSource);
+    }
+
+    @Override
+    public List<SavedLink> links() {
+        return sql.list(
+                "SELECT * FROM link ORDER BY added_at, id COLLATE \"C\"",
+                row -> new SavedLink(row.text("id"), row.text("url"), row.text("added_by"), row.time("added_at")));
+    }
+
+    @Override
+    public boolean addLink(SavedLink link) {
+        return sql.update(
+                        "INSERT INTO link (id, url, added_by, added_at) VALUES (?, ?, ?, ?) ON CONFLICT DO NOTHING",
+                        link.id(),
+                        link.url(),
+                        link.addedBy(),
+                        link.addedAt())
+                == 1;
+    }
+
+    @Override
+    public boolean deleteLink(String id) {
+        return sql.update("DELETE FROM link WHERE id = ?", id) > 0;
+    }
+
+    @Override
+    public List<LinkKey> keys() {
+        return sql.list(
+                "SELECT * FROM link_key ORDER BY made_at, identity COLLATE \"C\"",
+                row -> new LinkKey(
+                        row.text("identity"),
+                        row.text("label"),
+                        row.text("sealed_secret"),
+                        row.text("made_by"),
+                        row.time("made_at")));
+    }
+
+    @Override
+    public void saveKey(LinkKey key) {
+        sql.update("""
+                INSERT INTO link_key (identity, label, sealed_secret, made_by, made_at) VALUES (?, ?, ?, ?, ?)
+                ON CONFLICT (identity) DO UPDATE SET label = excluded.label, sealed_secret = excluded.sealed_secret,
+                    made_by = excluded.made_by, made_at = excluded.made_at""", key.identity(), key.label(), key.sealedSecret(), key.madeBy(), key.madeAt());
+    }
+
+    @Override
+    public boolean deleteKey(String identity) {
+        return sql.update("DELETE FROM link_key WHERE identity = ?", identity) > 0;
+    }
+}

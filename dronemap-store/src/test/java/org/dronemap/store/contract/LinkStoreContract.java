@@ -1,0 +1,76 @@
+package org.dronemap.store.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.SavedLink;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** What every {@link LinkStore} keeps to. */
+public abstract class LinkStoreContract {
+    private static final Instant THEN = Instant.parse("2026-03-04T05:06:07.123456Z");
+
+    private LinkStore store;
+
+    /** An empty store. */
+    protected abstract LinkStore emptyStore();
+
+    @BeforeEach
+    void open() {
+        store = emptyStore();
+    }
+
+    private static SavedLink link(String id, String url, int second) {
+        return new SavedLink(id, url, "alice", THEN.plusSeconds(second));
+    }
+
+    private static LinkKey key(String identity, String sealed, int second) {
+        return new LinkKey(identity, "Copter", sealed, "alice", THEN.plusSeconds(second));
+    }
+
+    @Test
+    void givesLinksBackInTheOrderInWhichTheyWereAdded() {
+        SavedLink later = link("a", "udpserver://0.0.0.0:1", 2);
+        SavedLink earlier = link("b", "serial:///dev/ttyUSB0?baud=57600", 1);
+
+        assertThat(store.addLink(later)).isTrue();
+        assertThat(store.addLink(earlier)).isTrue();
+
+        assertThat(store.links()).containsExactly(earlier, later);
+    }
+
+    @Test
+    void takesNoUrlAndNoIdTwice() {
+        SavedLink first = link("a", "udpserver://0.0.0.0:1", 1);
+        assertThat(store.addLink(first)).isTrue();
+
+        assertThat(store.addLink(link("b", "udpserver://0.0.0.0:1", 2))).isFalse();
+        assertThat(store.addLink(link("a", "udpserver://0.0.0.0:2", 2))).isFalse();
+
+        assertThat(store.links()).containsExactly(first);
+    }
+
+    @Test
+    void forgetsALink() {
+        store.addLink(link("a", "udpserver://0.0.0.0:1", 1));
+
+        assertThat(store.deleteLink("a")).isTrue();
+        assertThat(store.deleteLink("a")).isFalse();
+        assertThat(store.links()).isEmpty();
+    }
+
+    @Test
+    void keepsOneKeyAnIdentityAndForgetsIt() {
+        store.saveKey(key("one", "sealed 1", 1));
+        store.saveKey(key("two", "sealed 2", 2));
+        store.saveKey(key("one", "sealed 3", 3));
+
+        assertThat(store.keys()).containsExactly(key("two", "sealed 2", 2), key("one", "sealed 3", 3));
+        assertThat(store.deleteKey("one")).isTrue();
+        assertThat(store.deleteKey("one")).isFalse();
+        assertThat(store.keys()).containsExactly(key("two", "sealed 2", 2));
+    }
+}

@@ -1,0 +1,104 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.EndpointView;
+import org.dronemap.ws.service.LinkKeyService;
+import org.dronemap.ws.service.LinkService;
+import org.dronemap.ws.service.TrafficView;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Ways in for vehicles, and the keys that vehicles prove themselves with. */
+@RestController
+@RequestMapping("/api/v1")
+@Tag(name = "Links", description = "Ways in for vehicles and their counters (administrator).")
+public class LinkController {
+    private final LinkService links;
+    private final LinkKeyService keys;
+    private final CurrentPrincipal current;
+
+    /** All endpoints. */
+    public record Endpoints(List<EndpointView> endpoints) {}
+
+    /** The traffic of all vehicles. */
+    public record Traffic(List<TrafficView> vehicles) {}
+
+    /** All keys of vehicles. */
+    public record LinkKeys(List<LinkKeyService.LinkKeyView> linkKeys) {}
+
+    public LinkController(LinkService links, LinkKeyService keys, CurrentPrincipal current) {
+        this.links = links;
+        this.keys = keys;
+        this.current = current;
+    }
+
+    @GetMapping("/endpoints")
+    @Operation(summary = "List the endpoints with their state and counters (administrator)")
+    public Endpoints endpoints() {
+        return new Endpoints(links.endpoints(current.principal()));
+    }
+
+    @GetMapping("/endpoints/{id}")
+    @Operation(summary = "Look at one endpoint (administrator)")
+    public EndpointView endpoint(@PathVariable String id) {
+        return links.endpoint(current.principal(), id);
+    }
+
+    @PostMapping("/endpoints")
+    @Operation(
+            summary = "Add an endpoint (administrator)",
+            description = "It stays over restarts. While it cannot open it is listed as failed, and tried again.")
+    public ResponseEntity<EndpointView> add(@RequestBody LinkService.EndpointRequest request) {
+        EndpointView endpoint = links.add(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/endpoints/" + endpoint.id()))
+                .body(endpoint);
+    }
+
+    @DeleteMapping("/endpoints/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove an endpoint that was added (administrator)")
+    public void remove(@PathVariable String id) {
+        links.remove(current.principal(), id);
+    }
+
+    @GetMapping("/traffic")
+    @Operation(summary = "What went over the link of each vehicle (administrator)")
+    public Traffic traffic() {
+        return new Traffic(links.traffic(current.principal()));
+    }
+
+    @GetMapping("/link-keys")
+    @Operation(summary = "List the keys of vehicles (administrator)")
+    public LinkKeys linkKeys() {
+        return new LinkKeys(keys.keys(current.principal()));
+    }
+
+    @PostMapping("/link-keys")
+    @Operation(
+            summary = "Make the key of a vehicle (administrator)",
+            description = "For DTLS. The secret is in this answer and never shown again; a drone's key before is void.")
+    public ResponseEntity<LinkKeyService.LinkKeyView> makeKey(@RequestBody LinkKeyService.KeyRequest request) {
+        LinkKeyService.LinkKeyView key = keys.make(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/link-keys/" + key.identity()))
+                .body(key);
+    }
+
+    @DeleteMapping("/link-keys/{identity}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Revoke the key of a vehicle; its links end at once (administrator)")
+    public void revoke(@PathVariable String identity) {
+        keys.revoke(current.principal(), identity);
+    }
+}

@@ -1,0 +1,37 @@
+package org.dronemap.ws.rest;
+
+import io.prometheus.metrics.expositionformats.PrometheusTextFormatWriter;
+import io.prometheus.metrics.model.snapshots.MetricSnapshots;
+import io.swagger.v3.oas.annotations.Hidden;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.ServerMetrics;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Metrics as Prometheus reads them; any access key will do, a viewer's is enough. */
+@RestController
+@Hidden
+public class MetricsController {
+    private static final PrometheusTextFormatWriter WRITER = PrometheusTextFormatWriter.create();
+
+    private final ServerMetrics metrics;
+    private final CurrentPrincipal current;
+
+    public MetricsController(ServerMetrics metrics, CurrentPrincipal current) {
+        this.metrics = metrics;
+        this.current = current;
+    }
+
+    @GetMapping("/metrics")
+    public void metrics(HttpServletResponse response) throws IOException {
+        current.principal();
+        MetricSnapshots now = metrics.now();
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        WRITER.write(text, now);
+        response.setContentType(PrometheusTextFormatWriter.CONTENT_TYPE);
+        response.getOutputStream().write(text.toByteArray());
+    }
+}

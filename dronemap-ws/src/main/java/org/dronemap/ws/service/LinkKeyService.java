@@ -1,0 +1,112 @@
+package org.dronemap.ws.service;
+
+import java.security.SecureRandom;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Set;
+import java.util.UUID;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.link.LinkKey;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around the keys that vehicles prove themselves with, for administrators. Any thread. */
+public final class LinkKeyService {
+    private static final int SECRET_BYTES = 32;
+
+    private final LinkKeyRing ring;
+    private final VehicleLinks links;
+    private final CloudManager cloud;
+    private final Clock clock;
+    private final SecureRandom random = new SecureRandom();
+
+    /** A new key: for a drone that is known, whose key before is revoked, or for a vehicle still to come. */
+    public record KeyRequest(
+            @Nullable String label, @Nullable String drone) {}
+
+    /**
+     * A key as administrators see it.
+     *
+     * @param identity what the vehicle has to call itself
+     * @param secret 32 bytes in hexadecimal, once, in the answer that made it
+     */
+    public record LinkKeyView(
+            String identity,
+            String label,
+            String madeBy,
+            Instant madeAt,
+            boolean connected,
+            @Nullable String secret) {}
+
+    public LinkKeyService(LinkKeyRing ring, VehicleLinks links, CloudManager cloud, Clock clock) {
+        this.ring = ring;
+        this.links = links;
+        this.cloud = cloud;
+        this.clock = clock;
+    }
+
+    public List<LinkKeyView> keys(Principal principal) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        Set<String> connected = links.all().stream()
+                .flatMap(status -> status.peers().stream())
+                .flatMap(peer -> Stream.ofNullable(peer.identity()))
+                .collect(Collectors.toSet());
+        return ring.keys().stream()
+                .map(key -> view(key, connected.contains(key.identity()), null))
+                .toList();
+    }
+
+    public LinkKeyView make(Principal principal, KeyRequest request) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        String drone = request.drone();
+        DroneState known = drone == null ? null : known(drone);
+        String identity = known == null ? fresh() : known.id().value();
+        String label =
+                Names.checked("label", request.label() == null && known != null ? known.name() : request.label(), 60);
+        byte[] secret = new byte[SECRET_BYTES];
+        random.nextBytes(secret);
+        LinkKey key = new LinkKey(identity, label, "", principal.name(), clock.instant());
+        ring.put(key, secret);
+        // What was proven with an older key is not proven any more.
+        links.disconnect(identity);
+        LinkKeyView view = view(key, false, HexFormat.of().formatHex(secret));
+        Arrays.fill(secret, (byte) 0);
+        return view;
+    }
+
+    private DroneState known(String drone) {
+        return cloud.drone(new DroneId(drone)).orElseThrow(() -> Rejection.unknown("drone", drone));
+    }
+
+    private static String fresh() {
+        return "v" + UUID.randomUUID().toString().replace("-", "").substring(0, 16);
+    }
+
+    /** The vehicle's links end at once. */
+    public void revoke(Principal principal, String identity) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        if (!ring.remove(identity)) {
+            throw Rejection.unknown("link key", identity);
+        }
+        links.disconnect(identity);
+    }
+
+    private static LinkKeyView view(LinkKey key, boolean connected, @Nullable String secret) {
+        return new LinkKeyView(
+                key.identity(),
+                key.label(),
+                key.madeBy(),
+                key.madeAt().truncatedTo(ChronoUnit.MILLIS),
+                connected,
+                secret);
+    }
+}

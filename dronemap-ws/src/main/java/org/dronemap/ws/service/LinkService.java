@@ -1,0 +1,107 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.SavedLink;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around the ways in for vehicles, for administrators. Any thread. */
+public final class LinkService {
+    private static final String URL_FORM = "the URL of an endpoint, such as udpserver://0.0.0.0:14550";
+    private static final int ID_LETTERS = 10;
+
+    private final VehicleLinks links;
+    private final LinkStore store;
+    private final Clock clock;
+
+    /** A new endpoint as an administrator writes it. */
+    public record EndpointRequest(@Nullable String url) {}
+
+    public LinkService(VehicleLinks links, LinkStore store, Clock clock) {
+        this.links = links;
+        this.store = store;
+        this.clock = clock;
+    }
+
+    public List<EndpointView> endpoints(Principal principal) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        Map<String, SavedLink> saved =
+                store.links().stream().collect(Collectors.toMap(SavedLink::id, Function.identity()));
+        return links.all().stream()
+                .map(status -> view(status, saved.get(status.id())))
+                .toList();
+    }
+
+    public EndpointView endpoint(Principal principal, String id) {
+        return endpoints(principal).stream()
+                .filter(endpoint -> endpoint.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown("endpoint", id));
+    }
+
+    /** Kept from now on, also over restarts; listed as failed, with the reason, while it cannot open. */
+    public EndpointView add(Principal principal, EndpointRequest request) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        String url = checked(request.url());
+        String id = "e" + UUID.randomUUID().toString().replace("-", "").substring(0, ID_LETTERS);
+        if (!store.addLink(new SavedLink(id, url, principal.name(), clock.instant()))) {
+            throw Rejection.conflict("There is an endpoint " + url + " already.");
+        }
+        try {
+            links.keep(id, url);
+        } catch (IllegalStateException noRoom) {
+            store.deleteLink(id);
+            throw Rejection.conflict(String.valueOf(noRoom.getMessage()));
+        }
+        return endpoint(principal, id);
+    }
+
+    private String checked(@Nullable String url) {
+        if (url == null) {
+            throw InvalidInput.missing("url", URL_FORM);
+        }
+        try {
+            return links.checked(url);
+        } catch (IllegalArgumentException e) {
+            throw new InvalidInput("url", URL_FORM, String.valueOf(e.getMessage()));
+        }
+    }
+
+    public void remove(Principal principal, String id) {
+        EndpointView endpoint = endpoint(principal, id);
+        if (!store.deleteLink(id)) {
+            throw Rejection.conflict(endpoint.url() + " is set by DRONEMAP_ENDPOINTS; change the setting.");
+        }
+        links.remove(id);
+    }
+
+    /** What went over the link of each vehicle. */
+    public List<TrafficView> traffic(Principal principal) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        return links.traffic();
+    }
+
+    private static EndpointView view(VehicleLinks.Status status, @Nullable SavedLink saved) {
+        Instant addedAt = saved == null ? null : saved.addedAt().truncatedTo(ChronoUnit.MILLIS);
+        return new EndpointView(
+                status.id(),
+                status.url(),
+                status.transport(),
+                saved == null ? "configured" : "added",
+                saved == null ? null : saved.addedBy(),
+                addedAt,
+                status.state(),
+                status.reason(),
+                status.counts(),
+                status.peers());
+    }
+}

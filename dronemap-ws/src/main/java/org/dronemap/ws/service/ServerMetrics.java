@@ -1,0 +1,178 @@
+package org.dronemap.ws.service;
+
+import io.prometheus.metrics.model.snapshots.CounterSnapshot;
+import io.prometheus.metrics.model.snapshots.GaugeSnapshot;
+import io.prometheus.metrics.model.snapshots.Labels;
+import io.prometheus.metrics.model.snapshots.MetricSnapshot;
+import io.prometheus.metrics.model.snapshots.MetricSnapshots;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.LinkState;
+
+/** What a monitoring system wants to know, gathered when it asks. Any thread. */
+public final class ServerMetrics {
+    private final CloudManager cloud;
+    private final VehicleLinks links;
+
+    public ServerMetrics(CloudManager cloud, VehicleLinks links) {
+        this.cloud = cloud;
+        this.links = links;
+    }
+
+    public MetricSnapshots now() {
+        List<MetricSnapshot> all = new ArrayList<>();
+        all.add(drones());
+        endpoints(all);
+        vehicles(all);
+        process(all);
+        return new MetricSnapshots(all);
+    }
+
+    private MetricSnapshot drones() {
+        GaugeSnapshot.Builder gauge =
+                GaugeSnapshot.builder().name("dronemap_drones").help("Drones by the state of their link.");
+        for (LinkState state : LinkState.values()) {
+            long count = cloud.drones().stream()
+                    .filter(drone -> drone.link().state() == state)
+                    .count();
+            gauge.dataPoint(point((double) count, Labels.of("state", WireNames.camel(state))));
+        }
+        return gauge.build();
+    }
+
+    private void endpoints(List<MetricSnapshot> all) {
+        List<VehicleLinks.Status> now = links.all();
+        all.add(endpointGauge(
+                "up", "1 while it is open.", now, status -> status.state().equals("open") ? 1 : 0));
+        all.add(endpointGauge(
+                "peers", "Addresses heard.", now, status -> status.counts().peers()));
+        all.add(endpointGauge(
+                "queue",
+                "Frames that wait to be sent.",
+                now,
+                status -> status.counts().queue()));
+        all.add(endpointCounter("frames_in", "Good frames received.", now, counts -> counts.framesIn()));
+        all.add(endpointCounter("frames_out", "Frames sent.", now, counts -> counts.framesOut()));
+        all.add(endpointGauge(
+                "frames_lost",
+                "Frames missing from sequence numbers; one that comes late is taken off again.",
+                now,
+                status -> status.counts().lost()));
+        all.add(endpointCounter("broken_bytes", "Bytes that belong to no frame.", now, counts -> counts.brokenBytes()));
+        all.add(endpointCounter("dropped_in", "Frames that found no room inside.", now, counts -> counts.droppedIn()));
+        all.add(endpointCounter(
+                "dropped_out", "Frames that the link did not take.", now, counts -> counts.droppedOut()));
+        all.add(endpointCounter(
+                "throttled", "Deliveries of peers that made too much work.", now, counts -> counts.throttled()));
+        all.add(endpointCounter(
+                "refused_peers", "Deliveries of addresses beyond the bound.", now, counts -> counts.refusedPeers()));
+        all.add(endpointCounter(
+                "kernel_drops",
+                "Datagrams thrown away by the system, where it tells.",
+                now.stream()
+                        .filter(status -> status.counts().kernelDrops() != null)
+                        .toList(),
+                ServerMetrics::kernelDrops));
+    }
+
+    private static double kernelDrops(EndpointView.Counts counts) {
+        Long drops = counts.kernelDrops();
+        return drops == null ? 0 : drops.doubleValue();
+    }
+
+    private void vehicles(List<MetricSnapshot> all) {
+        List<TrafficView> now = links.traffic();
+        all.add(vehicleCounter("received", "Messages received.", now, TrafficView::received));
+        all.add(vehicleCounter("sent", "Messages sent.", now, TrafficView::sent));
+        all.add(vehicleCounter("doubled", "Copies of messages.", now, TrafficView::doubled));
+        all.add(vehicleCounter("dropped", "Messages that found no room inside.", now, TrafficView::dropped));
+        all.add(vehicleGauge("lost", "Messages missing from sequence numbers.", now, TrafficView::lost));
+        all.add(vehicleGauge("queue", "Messages that wait inside.", now, TrafficView::queue));
+    }
+
+    private static void process(List<MetricSnapshot> all) {
+        all.add(GaugeSnapshot.builder()
+                .name("jvm_memory_heap_used_bytes")
+                .help("Heap in use.")
+                .dataPoint(point(
+                        (double) ManagementFactory.getMemoryMXBean()
+                                .getHeapMemoryUsage()
+                                .getUsed(),
+                        Labels.EMPTY))
+                .build());
+        all.add(GaugeSnapshot.builder()
+                .name("jvm_threads")
+                .help("Threads alive.")
+                .dataPoint(point(ManagementFactory.getThreadMXBean().getThreadCount(), Labels.EMPTY))
+                .build());
+        all.add(GaugeSnapshot.builder()
+                .name("process_uptime_seconds")
+                .help("Time since the start.")
+                .dataPoint(point(ManagementFactory.getRuntimeMXBean().getUptime() / 1000.0, Labels.EMPTY))
+                .build());
+    }
+
+    private static MetricSnapshot endpointGauge(
+            String name, String help, List<VehicleLinks.Status> all, ToDoubleFunction<VehicleLinks.Status> value) {
+        GaugeSnapshot.Builder gauge =
+                GaugeSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
+        all.forEach(status -> gauge.dataPoint(point(value.applyAsDouble(status), endpointLabels(status))));
+        return gauge.build();
+    }
+
+    private static MetricSnapshot endpointCounter(
+            String name, String help, List<VehicleLinks.Status> all, ToDoubleFunction<EndpointView.Counts> value) {
+        CounterSnapshot.Builder counter =
+                CounterSnapshot.builder().name("dronemap_endpoint_" + name).help(help);
+        all.forEach(status -> counter.dataPoint(count(value.applyAsDouble(status.counts()), endpointLabels(status))));
+        return counter.build();
+    }
+
+    private static Labels endpointLabels(VehicleLinks.Status status) {
+        return Labels.of("endpoint", status.id(), "url", status.url());
+    }
+
+    private static MetricSnapshot vehicleCounter(
+            String name, String help, List<TrafficView> all, ToDoubleFunction<TrafficView> value) {
+        CounterSnapshot.Builder counter =
+                CounterSnapshot.builder().name("dronemap_vehicle_" + name).help(help);
+        all.forEach(traffic -> counter.dataPoint(count(value.applyAsDouble(traffic), vehicleLabels(traffic))));
+        return counter.build();
+    }
+
+    private static MetricSnapshot vehicleGauge(
+            String name, String help, List<TrafficView> all, ToDoubleFunction<TrafficView> value) {
+        GaugeSnapshot.Builder gauge =
+                GaugeSnapshot.builder().name("dronemap_vehicle_" + name).help(help);
+        all.forEach(traffic -> gauge.dataPoint(point(value.applyAsDouble(traffic), vehicleLabels(traffic))));
+        return gauge.build();
+    }
+
+    private static Labels vehicleLabels(TrafficView traffic) {
+        String drone = traffic.drone();
+        return Labels.of(
+                "drone",
+                drone == null ? "" : drone,
+                "session",
+                traffic.address() + ":" + traffic.port() + ":" + traffic.systemId(),
+                "transport",
+                traffic.transport());
+    }
+
+    private static GaugeSnapshot.GaugeDataPointSnapshot point(double value, Labels labels) {
+        return GaugeSnapshot.GaugeDataPointSnapshot.builder()
+                .value(value)
+                .labels(labels)
+                .build();
+    }
+
+    private static CounterSnapshot.CounterDataPointSnapshot count(double value, Labels labels) {
+        return CounterSnapshot.CounterDataPointSnapshot.builder()
+                .value(value)
+                .labels(labels)
+                .build();
+    }
+}

@@ -1,0 +1,17 @@
+package org.dronemap.ws.service;
+
+import org.jspecify.annotations.Nullable;
+
+/** What went between one vehicle and the cloud over one link since its session began, in messages. */
+public record TrafficView(
+        @Nullable String drone,
+        String address,
+        int port,
+        int systemId,
+        String transport,
+        long received,
+        long sent,
+        long lost,
+        long doubled,
+        long dropped,
+        int queue) {}

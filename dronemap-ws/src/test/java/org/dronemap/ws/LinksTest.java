@@ -1,0 +1,158 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.HexFormat;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ListedLinks;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Endpoints, keys of vehicles and metrics over HTTP. */
+class LinksTest {
+    @TempDir
+    static Path data;
+
+    private static TestHouse house;
+    private static Http administrator;
+
+    @BeforeAll
+    static void open() {
+        house = new TestHouse(data, false);
+        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+    }
+
+    @AfterAll
+    static void close() {
+        house.close();
+    }
+
+    private static Http.Answer delete(Http http, String path) {
+        return http.send(path, HttpRequest.Builder::DELETE);
+    }
+
+    @Test
+    void addsListsAndRemovesAnEndpoint() {
+        Http.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"tcpserver://127.0.0.1:5999\"}");
+        assertThat(added.status()).isEqualTo(201);
+        assertThat(added.text("origin")).isEqualTo("added");
+        assertThat(added.text("addedBy")).startsWith("user");
+        String path = "/api/v1/endpoints/" + added.text("id");
+        assertThat(administrator.get(path).text("url")).isEqualTo("tcpserver://127.0.0.1:5999");
+        assertThat(administrator
+                        .get(path)
+                        .json()
+                        .path("counts")
+                        .path("kernelDrops")
+                        .asInt())
+                .isEqualTo(11);
+
+        assertThat(delete(administrator, path).status()).isEqualTo(204);
+        assertThat(administrator.get(path).status()).isEqualTo(404);
+    }
+
+    @Test
+    void listsAnEndpointThatCannotOpenWithTheReason() {
+        Http.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"serial:///dev/none?baud=57600\"}");
+
+        assertThat(added.status()).isEqualTo(201);
+        assertThat(added.text("state")).isEqualTo("failed");
+        assertThat(added.text("reason")).isEqualTo("there is no device");
+        assertThat(delete(administrator, "/api/v1/endpoints/" + added.text("id"))
+                        .status())
+                .isEqualTo(204);
+    }
+
+    @Test
+    void refusesWhatIsNoUrlAndWhatIsThereAlready() {
+        Http.Answer wrong = administrator.post("/api/v1/endpoints", "{\"url\":\"here\"}");
+        assertThat(wrong.status()).isEqualTo(422);
+        assertThat(wrong.text("field")).isEqualTo("url");
+        assertThat(administrator.post("/api/v1/endpoints", "{}").status()).isEqualTo(422);
+        assertThat(administrator
+                        .post("/api/v1/endpoints", "{\"url\":\"" + ListedLinks.CONFIGURED + "\"}")
+                        .status())
+                .isEqualTo(409);
+        Http.Answer configured = delete(administrator, "/api/v1/endpoints/configured-1");
+        assertThat(configured.status()).isEqualTo(409);
+        assertThat(configured.text("detail")).contains("DRONEMAP_ENDPOINTS");
+    }
+
+    @Test
+    void isForAdministratorsOnly() {
+        Http operator = new Http(house, house.key(Role.OPERATOR));
+
+        assertThat(operator.get("/api/v1/endpoints").status()).isEqualTo(403);
+        assertThat(operator.get("/api/v1/traffic").status()).isEqualTo(403);
+        assertThat(operator.get("/api/v1/link-keys").status()).isEqualTo(403);
+        assertThat(operator.post("/api/v1/endpoints", "{\"url\":\"udpserver://127.0.0.1:1\"}")
+                        .status())
+                .isEqualTo(403);
+        assertThat(operator.post("/api/v1/link-keys", "{\"label\":\"x\"}").status())
+                .isEqualTo(403);
+        assertThat(delete(operator, "/api/v1/endpoints/configured-1").status()).isEqualTo(403);
+    }
+
+    @Test
+    void showsTheSecretOfANewKeyOnceAndEndsItsLinksWhenItIsRevoked() {
+        Http.Answer made = administrator.post("/api/v1/link-keys", "{\"label\":\"Survey copter\"}");
+        assertThat(made.status()).isEqualTo(201);
+        String identity = made.text("identity");
+        assertThat(HexFormat.of().parseHex(made.text("secret"))).hasSize(32);
+
+        Http.Answer listed = administrator.get("/api/v1/link-keys");
+        assertThat(listed.raw().body())
+                .contains(identity)
+                .contains("Survey copter")
+                .doesNotContain(made.text("secret"));
+
+        assertThat(delete(administrator, "/api/v1/link-keys/" + identity).status())
+                .isEqualTo(204);
+        assertThat(delete(administrator, "/api/v1/link-keys/" + identity).status())
+                .isEqualTo(404);
+        assertThat(house.links().disconnected()).contains(identity);
+    }
+
+    @Test
+    void makesTheKeyOfAKnownDroneUnderItsOwnId() {
+        String drone = ScriptedVehicle.connect(house.cloud(), 14699).id();
+
+        Http.Answer made = administrator.post("/api/v1/link-keys", "{\"drone\":\"" + drone + "\"}");
+
+        assertThat(made.text("identity")).isEqualTo(drone);
+        assertThat(made.text("label")).isNotEmpty();
+        assertThat(administrator
+                        .post("/api/v1/link-keys", "{\"drone\":\"nobody\"}")
+                        .status())
+                .isEqualTo(404);
+    }
+
+    @Test
+    void givesMetricsToAnyKeyButToNobodyWithoutOne() {
+        Http viewer = new Http(house, house.key(Role.VIEWER));
+
+        Http.Answer metrics = viewer.get("/metrics");
+
+        assertThat(metrics.status()).isEqualTo(200);
+        assertThat(metrics.raw().headers().firstValue("Content-Type").orElse(""))
+                .startsWith("text/plain");
+        assertThat(metrics.raw().body())
+                .contains("dronemap_endpoint_frames_in_total{endpoint=\"configured-1\",url=\"" + ListedLinks.CONFIGURED
+                        + "\"} 2.0")
+                .contains("dronemap_endpoint_kernel_drops_total")
+                .contains("dronemap_vehicle_received_total{drone=\"drone-1\",session=\"127.0.0.1:14601:1\"")
+                .contains("dronemap_drones{state=\"live\"}")
+                .contains("jvm_memory_heap_used_bytes");
+        for (String path : new String[] {"/metrics", "/metrics/", "/metrics;x=1", "//metrics"}) {
+            assertThat(new Http(house, "").get(path).raw().body()).doesNotContain("dronemap_endpoint");
+        }
+        assertThat(new Http(house, "").get("/metrics").status()).isEqualTo(401);
+    }
+}
