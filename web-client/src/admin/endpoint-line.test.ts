@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Endpoint } from '../api/types';
+import type { Endpoint } from '../api/endpoints';
 import { endpointLine } from './endpoint-line';
 
 const QUIET: Endpoint = {

@@ -1,4 +1,4 @@
-import type { Endpoint } from '../api/types';
+import type { Endpoint } from '../api/endpoints';
 
 const COUNT = new Intl.NumberFormat('en-GB');
 

@@ -1,3 +1,4 @@
+import type { Endpoint, LinkKey } from './endpoints';
 import { Problem } from './problem';
 import type { RecordingPage } from './recordings';
 import type {
@@ -7,8 +8,6 @@ import type {
   Drone,
   LinkPolicy,
   LinkSecurity,
-  Endpoint,
-  LinkKey,
   MissionItem,
   NewAccessKey,
   NewLinkKey,

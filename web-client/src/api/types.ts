@@ -23,40 +23,6 @@ export interface AccessKey {
   role: Role;
 }
 
-/** A way in for vehicles with its state and counters. */
-export interface Endpoint {
-  id: string;
-  url: string;
-  transport: string;
-  origin: 'configured' | 'added';
-  addedBy: string | null;
-  state: 'open' | 'connecting' | 'failed';
-  reason: string | null;
-  counts: {
-    peers: number;
-    framesIn: number;
-    framesOut: number;
-    lost: number;
-    brokenBytes: number;
-    droppedIn: number;
-    droppedOut: number;
-    throttled: number;
-    refusedPeers: number;
-    queue: number;
-    kernelDrops: number | null;
-  };
-}
-
-/** What one vehicle proves itself with on an encrypted link. */
-export interface LinkKey {
-  identity: string;
-  label: string;
-  madeBy: string;
-  connected: boolean;
-  /** Only in the answer that made it. */
-  secret: string | null;
-}
-
 /** What creating a key answers: the key itself is shown this once and never again. */
 export interface NewAccessKey extends AccessKey {
   key: string;

@@ -1,0 +1,33 @@
+/** A way in for vehicles with its state and counters. */
+export interface Endpoint {
+  id: string;
+  url: string;
+  transport: string;
+  origin: 'configured' | 'added';
+  addedBy: string | null;
+  state: 'open' | 'connecting' | 'failed';
+  reason: string | null;
+  counts: {
+    peers: number;
+    framesIn: number;
+    framesOut: number;
+    lost: number;
+    brokenBytes: number;
+    droppedIn: number;
+    droppedOut: number;
+    throttled: number;
+    refusedPeers: number;
+    queue: number;
+    kernelDrops: number | null;
+  };
+}
+
+/** What one vehicle proves itself with on an encrypted link. */
+export interface LinkKey {
+  identity: string;
+  label: string;
+  madeBy: string;
+  connected: boolean;
+  /** Only in the answer that made it. */
+  secret: string | null;
+}
