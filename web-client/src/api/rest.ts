@@ -178,15 +178,15 @@ export class RestClient {
     return this.#call('DELETE', `/endpoints/${encodeURIComponent(id)}`);
   }
 
-  async linkKeys(): Promise<LinkKey[]> {
+  async dtlsKeys(): Promise<LinkKey[]> {
     return (await this.#call<{ linkKeys: LinkKey[] }>('GET', '/link-keys')).linkKeys;
   }
 
-  createLinkKey(label: string): Promise<LinkKey> {
+  createDtlsKey(label: string): Promise<LinkKey> {
     return this.#call('POST', '/link-keys', { label });
   }
 
-  revokeLinkKey(identity: string): Promise<void> {
+  revokeDtlsKey(identity: string): Promise<void> {
     return this.#call('DELETE', `/link-keys/${encodeURIComponent(identity)}`);
   }
 
