@@ -162,6 +162,7 @@ class CommandGateTest {
     @Test
     void doesNotSayThatAVehicleCannotWhatItWasNotAskedYet() {
         link = cloud.connect(session(false, 5002), Fixtures.copter(null));
+        hear(new DroneEvent.ModeHeard("GUIDED", false));
 
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("early-001"), new Command.Arm());
 

@@ -243,8 +243,12 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         }
     }
 
+    /** Ends what is being recorded; a second time does nothing. */
     @Override
     public void close() {
+        if (writer.isShutdown()) {
+            return;
+        }
         try {
             writer.submit(this::endAll).get(10, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
