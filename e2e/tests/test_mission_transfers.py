@@ -104,8 +104,8 @@ def test_an_item_that_the_vehicle_silently_altered_is_told(bench: Bench) -> None
 
 @pytest.mark.parametrize(
     ("count", "seconds"),
-    [(15, 180), pytest.param(200, 1800, marks=pytest.mark.soak)],
-    ids=["15 items", "200 items"],
+    [(6, 120), pytest.param(200, 1800, marks=pytest.mark.soak)],
+    ids=["6 items", "200 items"],
 )
 def test_a_mission_goes_up_a_bad_link(bench: Bench, count: int, seconds: float) -> None:
     items = waypoints(count)

@@ -3,6 +3,7 @@
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -68,6 +69,8 @@ def test_a_flight_is_recorded_byte_for_byte_in_both_directions(
     api: Api, tap: Tap, copter: Json, tmp_path: Path
 ) -> None:
     drone = copter["id"]
+    began = time.monotonic()
+    wait_for("it was heard for some seconds before the flight", lambda: tap.heard(up=True, since=began + 4))
     fly(api, drone)
     done = wait_for("the recording is complete", lambda: recording_of(api, drone, "complete"), 60)
 

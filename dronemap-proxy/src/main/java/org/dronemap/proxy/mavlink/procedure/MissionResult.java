@@ -11,7 +11,7 @@ final class MissionResult {
 
     /** What may be cured by beginning again. */
     static boolean isPassing(int result) {
-        return result == ERROR || result == INVALID_SEQUENCE || result == CANCELLED;
+        return result == ERROR || result == CANCELLED;
     }
 
     static String words(int result) {

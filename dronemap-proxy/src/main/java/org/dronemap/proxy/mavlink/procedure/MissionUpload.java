@@ -159,8 +159,8 @@ public final class MissionUpload implements Exchange {
         } else if (allAsked() && tries > 1) {
             // The last word was lost and the vehicle wonders about the repetition: reading back must tell.
             outcome = new Outcome.Succeeded();
-        } else if (ack.type() == MissionResult.INVALID_SEQUENCE && asked >= 0) {
-            // It overlooks an item that came twice or late, and asks for the one that it wants.
+        } else if (ack.type() == MissionResult.INVALID_SEQUENCE) {
+            // An item came twice or late, maybe of an earlier round; the vehicle asks for the one that it wants.
             lastSentNanos = nowNanos;
         } else if (MissionResult.isPassing(ack.type()) && rounds < ROUNDS) {
             // The tick begins again after a pause, so that two sides never chase each other.

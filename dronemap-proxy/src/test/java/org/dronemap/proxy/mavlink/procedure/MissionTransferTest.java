@@ -159,6 +159,22 @@ class MissionTransferTest {
     }
 
     @Test
+    void overlooksThatItemsOfAnEarlierRoundCameLate() {
+        wire.peer((w, message) -> {
+            if (message instanceof MissionCount) {
+                for (int late = 0; late < ITEMS; late++) {
+                    w.answer(new MissionAck(255, 190, 13, 0));
+                }
+            }
+            vehicle(w, message);
+        });
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(held.values()).containsExactlyElementsOf(items());
+    }
+
+    @Test
     void ignoresFencesAndRallyPoints() {
         wire.peer((w, message) -> {
             w.answer(new MissionCount(255, 190, 3, 1));
