@@ -69,7 +69,8 @@ def test_loss_and_round_trip_are_measured(api: Api, talkative: Peer) -> None:
         return quality if quality and None not in quality.values() else None
 
     good = wait_for("the quality is known", known, 20)
-    assert good["lossShort"] == good["lossLong"] == 0
+    # A busy machine may lose a datagram even on loopback.
+    assert good["lossShort"] < 0.05 and good["lossLong"] < 0.05
     assert ANSWER_SECONDS * 1000 <= good["rttMs"] < 400
 
     talkative.link.file = Lossy(talkative, 4)
