@@ -206,7 +206,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     private void endWhenOver(FlightFile file) {
         Tape tape = newest.get(file.recording().drone());
-        if (tape == null || !tape.isRecording()) {
+        if (tape == null || tape.isOver()) {
             boolean lost = tape != null && tape.isEnded() && tape.isArmed();
             finish(file, lost ? CONTACT_LOST : null);
         } else if (policy.when() == RecordingPolicy.When.ALWAYS

@@ -105,6 +105,11 @@ final class Tape implements FrameTap {
         return recording && !ended;
     }
 
+    /** Nothing more is recorded, and nothing that was waits for the writer: only then may its file be ended. */
+    synchronized boolean isOver() {
+        return !isRecording() && waiting.frames() == 0;
+    }
+
     /** The vehicle said that it is armed and has not taken it back. */
     synchronized boolean isArmed() {
         return armed;

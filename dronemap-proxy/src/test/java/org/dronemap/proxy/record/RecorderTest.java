@@ -8,22 +8,15 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.ZoneId;
-import java.time.ZoneOffset;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
-import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -48,9 +41,9 @@ class RecorderTest {
     @TempDir
     Path directory;
 
-    private final Store store = new Store();
+    private final ListedRecordings store = new ListedRecordings();
     private final Journal journal = new Journal();
-    private final Hands clock = new Hands();
+    private final StandingClock clock = new StandingClock(START);
     private final AtomicLong freeBytes = new AtomicLong(Long.MAX_VALUE);
     private final FrameWriter vehicle = new FrameWriter(1, 1, 2);
     private final FrameWriter cloud = new FrameWriter(255, 190, 2);
@@ -171,6 +164,19 @@ class RecorderTest {
         recorder.flush();
         assertThat(recorder.shelf().recordings()).hasSize(1);
         assertThat(read(done)).hasSize(4);
+    }
+
+    @Test
+    void leavesTheLastSecondsInTheFileWhenTimeRunsOutInTheMiddleOfARound() throws IOException {
+        recorder.start();
+        FrameTap tap = armed();
+        recorder.flush();
+        hears(tap, heartbeat(false), true);
+        clock.passAfterTheNextLookOf("recorder", 10);
+        Recording done = awaitEnd();
+        recorder.flush();
+        assertThat(recorder.shelf().recordings()).hasSize(1);
+        assertThat(read(done)).hasSize(2);
     }
 
     @Test
@@ -335,55 +341,5 @@ class RecorderTest {
         assertThat(reader.counts().brokenBytes()).isZero();
         assertThat(records).extracting(TlogReader.Timed::frame).allMatch(Frame::verified);
         return records;
-    }
-
-    /** A clock that stands until it is told. */
-    private static final class Hands extends Clock {
-        private volatile Instant now = START;
-
-        void pass(int seconds) {
-            now = now.plusSeconds(seconds);
-        }
-
-        @Override
-        public ZoneId getZone() {
-            return ZoneOffset.UTC;
-        }
-
-        @Override
-        public Clock withZone(ZoneId zone) {
-            return this;
-        }
-
-        @Override
-        public Instant instant() {
-            return now;
-        }
-    }
-
-    private static final class Store implements RecordingStore {
-        private final ConcurrentHashMap<String, Recording> all = new ConcurrentHashMap<>();
-
-        @Override
-        public List<Recording> recordings() {
-            return all.values().stream()
-                    .sorted(Comparator.comparing(Recording::start).reversed())
-                    .toList();
-        }
-
-        @Override
-        public Optional<Recording> recording(String id) {
-            return Optional.ofNullable(all.get(id));
-        }
-
-        @Override
-        public void save(Recording recording) {
-            all.put(recording.id(), recording);
-        }
-
-        @Override
-        public boolean delete(String id) {
-            return all.remove(id) != null;
-        }
     }
 }
