@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import signal
 import socket
 import subprocess
 from collections.abc import Iterator
@@ -16,6 +17,14 @@ JARS = ("dronemap-ws/target/dronemap.jar", "dronemap-sim/target/dronemap-sim.jar
 needs_root = pytest.mark.skipif(
     os.geteuid() != 0, reason="mounts, namespaces and other users need root rights"
 )
+
+
+@pytest.fixture(scope="session", autouse=True)
+def interruptible() -> Iterator[None]:
+    """A shell lets what it runs in the background ignore interruptions, and children would inherit that."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 def free_port(kind: int = socket.SOCK_STREAM) -> int:
