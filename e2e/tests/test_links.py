@@ -200,13 +200,13 @@ def test_lets_nobody_in_by_dtls_with_a_wrong_or_revoked_key(api: Api) -> None:
         with pytest.raises(HandshakeError):
             DtlsClient(server, "nobody", secret, timeout=2)
 
-        assert api.call("DELETE", f"/link-keys/{key['identity']}").status_code == 204
+        assert api.call("DELETE", f"/dtls-keys/{key['identity']}").status_code == 204
         with pytest.raises(HandshakeError):
             DtlsClient(server, key["identity"], secret, timeout=2)
 
 
 def _key(api: Api, label: str) -> Json:
-    answer = api.call("POST", "/link-keys", {"label": label})
+    answer = api.call("POST", "/dtls-keys", {"label": label})
     assert answer.status_code == 201, answer.text
     key: Json = answer.json()
     return key

@@ -23,7 +23,7 @@ export interface Endpoint {
 }
 
 /** What one vehicle proves itself with on an encrypted link. */
-export interface LinkKey {
+export interface DtlsKey {
   identity: string;
   label: string;
   madeBy: string;

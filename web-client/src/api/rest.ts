@@ -1,4 +1,4 @@
-import type { Endpoint, LinkKey } from './endpoints';
+import type { DtlsKey, Endpoint } from './endpoints';
 import { Problem } from './problem';
 import type { RecordingPage } from './recordings';
 import type {
@@ -178,16 +178,16 @@ export class RestClient {
     return this.#call('DELETE', `/endpoints/${encodeURIComponent(id)}`);
   }
 
-  async dtlsKeys(): Promise<LinkKey[]> {
-    return (await this.#call<{ linkKeys: LinkKey[] }>('GET', '/link-keys')).linkKeys;
+  async dtlsKeys(): Promise<DtlsKey[]> {
+    return (await this.#call<{ dtlsKeys: DtlsKey[] }>('GET', '/dtls-keys')).dtlsKeys;
   }
 
-  createDtlsKey(label: string): Promise<LinkKey> {
-    return this.#call('POST', '/link-keys', { label });
+  createDtlsKey(label: string): Promise<DtlsKey> {
+    return this.#call('POST', '/dtls-keys', { label });
   }
 
   revokeDtlsKey(identity: string): Promise<void> {
-    return this.#call('DELETE', `/link-keys/${encodeURIComponent(identity)}`);
+    return this.#call('DELETE', `/dtls-keys/${encodeURIComponent(identity)}`);
   }
 
   async #call<T>(method: string, path: string, body?: unknown): Promise<T> {

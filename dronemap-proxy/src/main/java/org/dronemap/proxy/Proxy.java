@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
-import org.dronemap.proxy.endpoint.LinkKeys;
 import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.record.Replays;
 import org.dronemap.proxy.session.FrameTap;
@@ -28,22 +28,22 @@ public final class Proxy implements AutoCloseable {
 
     /** {@code taps} hear every frame of every session. */
     public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings, FrameTap.Factory taps) {
-        this(cloud, lanes, urls, keyrings, taps, LinkKeys.none());
+        this(cloud, lanes, urls, keyrings, taps, DtlsKeys.none());
     }
 
-    /** {@code linkKeys} are what vehicles prove themselves with on authenticated links. */
+    /** {@code dtlsKeys} are what vehicles prove themselves with on authenticated links. */
     public Proxy(
             CloudManager cloud,
             Lanes lanes,
             List<EndpointUrl> urls,
             Keyrings keyrings,
             FrameTap.Factory taps,
-            LinkKeys linkKeys) {
+            DtlsKeys dtlsKeys) {
         this.urls = List.copyOf(urls);
         this.keyrings = keyrings;
         sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime, keyrings, taps));
         replays = new Replays(sessions);
-        links = new Links(sessions, linkKeys);
+        links = new Links(sessions, dtlsKeys);
     }
 
     /**

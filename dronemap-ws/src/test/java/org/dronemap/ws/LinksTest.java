@@ -91,31 +91,31 @@ class LinksTest {
 
         assertThat(operator.get("/api/v1/endpoints").status()).isEqualTo(403);
         assertThat(operator.get("/api/v1/traffic").status()).isEqualTo(403);
-        assertThat(operator.get("/api/v1/link-keys").status()).isEqualTo(403);
+        assertThat(operator.get("/api/v1/dtls-keys").status()).isEqualTo(403);
         assertThat(operator.post("/api/v1/endpoints", "{\"url\":\"udpserver://127.0.0.1:1\"}")
                         .status())
                 .isEqualTo(403);
-        assertThat(operator.post("/api/v1/link-keys", "{\"label\":\"x\"}").status())
+        assertThat(operator.post("/api/v1/dtls-keys", "{\"label\":\"x\"}").status())
                 .isEqualTo(403);
         assertThat(delete(operator, "/api/v1/endpoints/configured-1").status()).isEqualTo(403);
     }
 
     @Test
     void showsTheSecretOfANewKeyOnceAndEndsItsLinksWhenItIsRevoked() {
-        Http.Answer made = administrator.post("/api/v1/link-keys", "{\"label\":\"Survey copter\"}");
+        Http.Answer made = administrator.post("/api/v1/dtls-keys", "{\"label\":\"Survey copter\"}");
         assertThat(made.status()).isEqualTo(201);
         String identity = made.text("identity");
         assertThat(HexFormat.of().parseHex(made.text("secret"))).hasSize(32);
 
-        Http.Answer listed = administrator.get("/api/v1/link-keys");
+        Http.Answer listed = administrator.get("/api/v1/dtls-keys");
         assertThat(listed.raw().body())
                 .contains(identity)
                 .contains("Survey copter")
                 .doesNotContain(made.text("secret"));
 
-        assertThat(delete(administrator, "/api/v1/link-keys/" + identity).status())
+        assertThat(delete(administrator, "/api/v1/dtls-keys/" + identity).status())
                 .isEqualTo(204);
-        assertThat(delete(administrator, "/api/v1/link-keys/" + identity).status())
+        assertThat(delete(administrator, "/api/v1/dtls-keys/" + identity).status())
                 .isEqualTo(404);
         assertThat(house.links().disconnected()).contains(identity);
     }
@@ -124,12 +124,12 @@ class LinksTest {
     void makesTheKeyOfAKnownDroneUnderItsOwnId() {
         String drone = ScriptedVehicle.connect(house.cloud(), 14699).id();
 
-        Http.Answer made = administrator.post("/api/v1/link-keys", "{\"drone\":\"" + drone + "\"}");
+        Http.Answer made = administrator.post("/api/v1/dtls-keys", "{\"drone\":\"" + drone + "\"}");
 
         assertThat(made.text("identity")).isEqualTo(drone);
         assertThat(made.text("label")).isNotEmpty();
         assertThat(administrator
-                        .post("/api/v1/link-keys", "{\"drone\":\"nobody\"}")
+                        .post("/api/v1/dtls-keys", "{\"drone\":\"nobody\"}")
                         .status())
                 .isEqualTo(404);
     }

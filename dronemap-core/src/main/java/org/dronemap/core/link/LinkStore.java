@@ -14,10 +14,10 @@ public interface LinkStore {
     boolean deleteLink(String id);
 
     /** By the time they were made. */
-    List<LinkKey> keys();
+    List<DtlsKey> keys();
 
     /** Inserts, or replaces the key of the same identity. */
-    void saveKey(LinkKey key);
+    void saveKey(DtlsKey key);
 
     /** True when there was one. */
     boolean deleteKey(String identity);

@@ -41,13 +41,13 @@ final class DtlsServerEndpoint implements Endpoint {
     private final DTLSConnector connector;
     private final boolean local;
     private final EndpointCounters counters = new EndpointCounters();
-    private final PeerBook<LinkKey> peers;
+    private final PeerBook<Handshake> peers;
 
-    /** One handshake of one vehicle. */
-    private record LinkKey(String identity, long handshakeMillis) {}
+    /** What tells one link from another: a vehicle has a new one with each handshake. */
+    private record Handshake(String identity, long atMillis) {}
 
     private DtlsServerEndpoint(
-            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, LinkKeys keys) {
+            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, DtlsKeys keys) {
         this.url = url;
         this.local = SocketAddresses.isLocal(address);
         peers = new PeerBook<>(counters, handlers, LIMITS);
@@ -56,7 +56,7 @@ final class DtlsServerEndpoint implements Endpoint {
         connector.setRawDataReceiver(this::received);
     }
 
-    static DtlsServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, LinkKeys keys) throws IOException {
+    static DtlsServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, DtlsKeys keys) throws IOException {
         DtlsServerEndpoint endpoint = new DtlsServerEndpoint(url, SocketAddresses.resolve(url), handlers, keys);
         try {
             endpoint.connector.start();
@@ -67,7 +67,7 @@ final class DtlsServerEndpoint implements Endpoint {
         return endpoint;
     }
 
-    private static DtlsConnectorConfig config(InetSocketAddress address, LinkKeys keys) {
+    private static DtlsConnectorConfig config(InetSocketAddress address, DtlsKeys keys) {
         DtlsConnectorConfig.Builder config = DtlsConnectorConfig.builder(new Configuration(DtlsConfig.DEFINITIONS));
         config.setAddress(address)
                 .set(DtlsConfig.DTLS_ROLE, DtlsRole.SERVER_ONLY)
@@ -117,15 +117,15 @@ final class DtlsServerEndpoint implements Endpoint {
     /** The one connector thread brings all data. */
     private void received(RawData data) {
         EndpointContext context = data.getEndpointContext();
-        Long handshake = context.get(DtlsEndpointContext.KEY_HANDSHAKE_TIMESTAMP);
-        if (!(data.getSenderIdentity() instanceof PreSharedKeyIdentity identity) || handshake == null) {
+        Long handshakeMillis = context.get(DtlsEndpointContext.KEY_HANDSHAKE_TIMESTAMP);
+        if (!(data.getSenderIdentity() instanceof PreSharedKeyIdentity identity) || handshakeMillis == null) {
             return;
         }
         long now = System.nanoTime();
-        LinkKey key = new LinkKey(identity.getIdentity(), handshake);
-        Seat seat = peers.find(key);
+        Handshake handshake = new Handshake(identity.getIdentity(), handshakeMillis);
+        Seat seat = peers.find(handshake);
         if (seat == null) {
-            seat = welcome(key, context, now);
+            seat = welcome(handshake, context, now);
         }
         if (seat != null) {
             follow(seat, context);
@@ -134,13 +134,13 @@ final class DtlsServerEndpoint implements Endpoint {
         peers.sweep(now);
     }
 
-    private @Nullable Seat welcome(LinkKey key, EndpointContext context, long now) {
-        peers.makeRoomFor(key.identity());
-        Seat.Place place = new Seat.Place(url.kind().transport(), local, true, Optional.of(key.identity()));
+    private @Nullable Seat welcome(Handshake handshake, EndpointContext context, long now) {
+        peers.makeRoomFor(handshake.identity());
+        Seat.Place place = new Seat.Place(url.kind().transport(), local, true, Optional.of(handshake.identity()));
         DtlsWire wire = new DtlsWire(connector, context, counters);
         return peers.add(
-                key,
-                key.identity(),
+                handshake,
+                handshake.identity(),
                 now,
                 welcome -> new Seat(place, PeerAddress.of(context.getPeerAddress()), wire, welcome));
     }

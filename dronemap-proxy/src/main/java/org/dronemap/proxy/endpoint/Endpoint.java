@@ -9,7 +9,7 @@ public interface Endpoint extends AutoCloseable {
     /**
      * Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do.
      */
-    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, LinkKeys keys) throws IOException {
+    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, DtlsKeys keys) throws IOException {
         return switch (url.kind()) {
             case UDPSERVER -> UdpServerEndpoint.open(url, handlers);
             case TCPSERVER -> TcpServerEndpoint.open(url, handlers);

@@ -22,7 +22,7 @@ public final class Links implements AutoCloseable {
     private static final EndpointCounters.Counts NOTHING = new EndpointCounters().counts();
 
     private final PeerHandler.Factory handlers;
-    private final LinkKeys keys;
+    private final DtlsKeys keys;
     // guarded by this
     private final Map<String, Link> links = new LinkedHashMap<>();
     private @Nullable ScheduledExecutorService retries;
@@ -51,7 +51,7 @@ public final class Links implements AutoCloseable {
             OptionalLong kernelDrops,
             List<PeerStatus> peers) {}
 
-    public Links(PeerHandler.Factory handlers, LinkKeys keys) {
+    public Links(PeerHandler.Factory handlers, DtlsKeys keys) {
         this.handlers = handlers;
         this.keys = keys;
     }

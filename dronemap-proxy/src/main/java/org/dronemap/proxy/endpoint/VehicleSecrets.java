@@ -14,9 +14,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Tells the DTLS library the key of a vehicle; an identity that is not known fails its handshake. */
 final class VehicleSecrets implements AdvancedPskStore {
-    private final LinkKeys keys;
+    private final DtlsKeys keys;
 
-    VehicleSecrets(LinkKeys keys) {
+    VehicleSecrets(DtlsKeys keys) {
         this.keys = keys;
     }
 

@@ -81,10 +81,10 @@ class EndpointTest {
     @ParameterizedTest
     @ValueSource(strings = {"udpserver", "tcpserver", "wsserver", "dtlsserver"})
     void saysThatAPortIsTaken(String scheme) throws IOException {
-        try (Endpoint first = Endpoint.open(EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, LinkKeys.none())) {
+        try (Endpoint first = Endpoint.open(EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, DtlsKeys.none())) {
             EndpointUrl taken = first.url();
 
-            assertThatThrownBy(() -> Endpoint.open(taken, counting, LinkKeys.none()))
+            assertThatThrownBy(() -> Endpoint.open(taken, counting, DtlsKeys.none()))
                     .isInstanceOf(IOException.class)
                     .hasMessage("Cannot listen on " + taken + ": port " + taken.port()
                             + " is taken by another program; stop it or configure another port.");
@@ -94,7 +94,7 @@ class EndpointTest {
     @Test
     void answersATcpPeerAndNoticesThatItLeft() throws IOException {
         try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, LinkKeys.none())) {
+                Endpoint.open(EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, DtlsKeys.none())) {
             try (Socket socket = new Socket("127.0.0.1", endpoint.url().port())) {
                 socket.getOutputStream().write(new byte[] {1, 2, 3});
                 assertThat(socket.getInputStream().read()).isEqualTo(1);

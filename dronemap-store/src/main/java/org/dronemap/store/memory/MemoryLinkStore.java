@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
 import org.dronemap.store.StoredInstant;
@@ -12,7 +12,7 @@ import org.dronemap.store.StoredInstant;
 /** Links and vehicles' keys in memory. Thread-safe: every method holds the object's lock. */
 public final class MemoryLinkStore implements LinkStore {
     private final Map<String, SavedLink> links = new HashMap<>();
-    private final Map<String, LinkKey> keys = new HashMap<>();
+    private final Map<String, DtlsKey> keys = new HashMap<>();
 
     @Override
     public synchronized List<SavedLink> links() {
@@ -38,17 +38,17 @@ public final class MemoryLinkStore implements LinkStore {
     }
 
     @Override
-    public synchronized List<LinkKey> keys() {
+    public synchronized List<DtlsKey> keys() {
         return keys.values().stream()
-                .sorted(Comparator.comparing(LinkKey::madeAt).thenComparing(LinkKey::identity))
+                .sorted(Comparator.comparing(DtlsKey::madeAt).thenComparing(DtlsKey::identity))
                 .toList();
     }
 
     @Override
-    public synchronized void saveKey(LinkKey key) {
+    public synchronized void saveKey(DtlsKey key) {
         keys.put(
                 key.identity(),
-                new LinkKey(
+                new DtlsKey(
                         key.identity(), key.label(), key.sealedSecret(), key.madeBy(), StoredInstant.of(key.madeAt())));
     }
 

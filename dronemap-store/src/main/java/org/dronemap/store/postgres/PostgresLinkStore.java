@@ -2,7 +2,7 @@ package org.dronemap.store.postgres;
 
 import java.util.List;
 import javax.sql.DataSource;
-import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
 
@@ -38,10 +38,10 @@ public final class PostgresLinkStore implements LinkStore {
     }
 
     @Override
-    public List<LinkKey> keys() {
+    public List<DtlsKey> keys() {
         return sql.list(
                 "SELECT * FROM link_key ORDER BY made_at, identity COLLATE \"C\"",
-                row -> new LinkKey(
+                row -> new DtlsKey(
                         row.text("identity"),
                         row.text("label"),
                         row.text("sealed_secret"),
@@ -50,7 +50,7 @@ public final class PostgresLinkStore implements LinkStore {
     }
 
     @Override
-    public void saveKey(LinkKey key) {
+    public void saveKey(DtlsKey key) {
         sql.update("""
                 INSERT INTO link_key (identity, label, sealed_secret, made_by, made_at) VALUES (?, ?, ?, ?, ?)
                 ON CONFLICT (identity) DO UPDATE SET label = excluded.label, sealed_secret = excluded.sealed_secret,

@@ -3,7 +3,7 @@ package org.dronemap.store.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Instant;
-import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
 import org.junit.jupiter.api.BeforeEach;
@@ -27,8 +27,8 @@ public abstract class LinkStoreContract {
         return new SavedLink(id, url, "alice", THEN.plusSeconds(second));
     }
 
-    private static LinkKey key(String identity, String sealed, int second) {
-        return new LinkKey(identity, "Copter", sealed, "alice", THEN.plusSeconds(second));
+    private static DtlsKey key(String identity, String sealed, int second) {
+        return new DtlsKey(identity, "Copter", sealed, "alice", THEN.plusSeconds(second));
     }
 
     @Test

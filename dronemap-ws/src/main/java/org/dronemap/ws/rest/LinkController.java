@@ -5,8 +5,8 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.DtlsKeyService;
 import org.dronemap.ws.service.EndpointView;
-import org.dronemap.ws.service.LinkKeyService;
 import org.dronemap.ws.service.LinkService;
 import org.dronemap.ws.service.TrafficView;
 import org.springframework.http.HttpStatus;
@@ -20,13 +20,13 @@ import org.springframework.web.bind.annotation.RequestMapping;
 import org.springframework.web.bind.annotation.ResponseStatus;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Ways in for vehicles, and the keys that vehicles prove themselves with. */
+/** Ways in for vehicles, and the keys that vehicles prove themselves with on encrypted ones. */
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Links", description = "Ways in for vehicles and their counters (administrator).")
 public class LinkController {
     private final LinkService links;
-    private final LinkKeyService keys;
+    private final DtlsKeyService keys;
     private final CurrentPrincipal current;
 
     /** All endpoints. */
@@ -35,10 +35,10 @@ public class LinkController {
     /** The traffic of all vehicles. */
     public record Traffic(List<TrafficView> vehicles) {}
 
-    /** All keys of vehicles. */
-    public record LinkKeys(List<LinkKeyService.LinkKeyView> linkKeys) {}
+    /** All DTLS keys. */
+    public record DtlsKeys(List<DtlsKeyService.DtlsKeyView> dtlsKeys) {}
 
-    public LinkController(LinkService links, LinkKeyService keys, CurrentPrincipal current) {
+    public LinkController(LinkService links, DtlsKeyService keys, CurrentPrincipal current) {
         this.links = links;
         this.keys = keys;
         this.current = current;
@@ -79,25 +79,25 @@ public class LinkController {
         return new Traffic(links.traffic(current.principal()));
     }
 
-    @GetMapping("/link-keys")
-    @Operation(summary = "List the keys of vehicles (administrator)")
-    public LinkKeys linkKeys() {
-        return new LinkKeys(keys.keys(current.principal()));
+    @GetMapping("/dtls-keys")
+    @Operation(summary = "List the DTLS keys of vehicles (administrator)")
+    public DtlsKeys dtlsKeys() {
+        return new DtlsKeys(keys.keys(current.principal()));
     }
 
-    @PostMapping("/link-keys")
+    @PostMapping("/dtls-keys")
     @Operation(
-            summary = "Make the key of a vehicle (administrator)",
-            description = "For DTLS. The secret is in this answer and never shown again; a drone's key before is void.")
-    public ResponseEntity<LinkKeyService.LinkKeyView> makeKey(@RequestBody LinkKeyService.KeyRequest request) {
-        LinkKeyService.LinkKeyView key = keys.make(current.principal(), request);
-        return ResponseEntity.created(URI.create("/api/v1/link-keys/" + key.identity()))
+            summary = "Make the DTLS key of a vehicle (administrator)",
+            description = "The secret is in this answer and never shown again; a drone's key before is void.")
+    public ResponseEntity<DtlsKeyService.DtlsKeyView> makeKey(@RequestBody DtlsKeyService.KeyRequest request) {
+        DtlsKeyService.DtlsKeyView key = keys.make(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/dtls-keys/" + key.identity()))
                 .body(key);
     }
 
-    @DeleteMapping("/link-keys/{identity}")
+    @DeleteMapping("/dtls-keys/{identity}")
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Revoke the key of a vehicle; its links end at once (administrator)")
+    @Operation(summary = "Revoke the DTLS key of a vehicle; its links end at once (administrator)")
     public void revoke(@PathVariable String identity) {
         keys.revoke(current.principal(), identity);
     }

@@ -7,7 +7,7 @@ import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingArchive;
 import org.dronemap.ws.service.BackupService;
-import org.dronemap.ws.service.LinkKeyRing;
+import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.LinkSecurityControl;
 import org.dronemap.ws.service.Recordings;
 import org.dronemap.ws.service.VehicleLinks;
@@ -25,5 +25,5 @@ public record House(
         LinkSecurityControl linkSecurity) {
 
     /** The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with. */
-    public record LinkSide(VehicleLinks vehicles, LinkStore store, LinkKeyRing keys) {}
+    public record LinkSide(VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys) {}
 }

@@ -26,7 +26,7 @@ import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
-import org.dronemap.ws.service.LinkKeyRing;
+import org.dronemap.ws.service.DtlsKeyRing;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -73,10 +73,10 @@ final class HouseBuilder {
         SecretBox box = ServerSecret.box(
                 settings.linkSecret() == null ? null : settings.linkSecret().text(),
                 settings.dataDirectory().resolve("link-secret"));
-        LinkKeyRing linkKeys = new LinkKeyRing(database.links(), new BoxSealing(box));
+        DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
         Proxy links =
-                new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal, box), recorder, linkKeys::secret);
+                new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal, box), recorder, dtlsKeys::secret);
         closing.add("the links", links);
         proxy = links;
         savedLinks = database.links();
@@ -86,7 +86,7 @@ final class HouseBuilder {
                 database.missions(),
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
-                new House.LinkSide(new ProxyLinks(links), database.links(), linkKeys),
+                new House.LinkSide(new ProxyLinks(links), database.links(), dtlsKeys),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()));

@@ -12,10 +12,10 @@ import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.DtlsKeyService;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.JsonReader;
-import org.dronemap.ws.service.LinkKeyService;
 import org.dronemap.ws.service.LinkSecurityService;
 import org.dronemap.ws.service.LinkService;
 import org.dronemap.ws.service.LogService;
@@ -161,8 +161,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    LinkKeyService linkKeyService(House house, Clock clock) {
-        return new LinkKeyService(house.links().keys(), house.links().vehicles(), house.cloud(), clock);
+    DtlsKeyService dtlsKeyService(House house, Clock clock) {
+        return new DtlsKeyService(house.links().keys(), house.links().vehicles(), house.cloud(), clock);
     }
 
     @Bean

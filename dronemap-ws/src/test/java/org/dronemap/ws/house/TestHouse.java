@@ -26,7 +26,7 @@ import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
 import org.dronemap.store.secret.SecretBox;
-import org.dronemap.ws.service.LinkKeyRing;
+import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
@@ -104,7 +104,7 @@ public final class TestHouse implements AutoCloseable {
 
     private House.LinkSide linkSide() {
         BoxSealing sealing = new BoxSealing(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
-        return new House.LinkSide(links, linkStore, new LinkKeyRing(linkStore, sealing));
+        return new House.LinkSide(links, linkStore, new DtlsKeyRing(linkStore, sealing));
     }
 
     public CloudManager cloud() {

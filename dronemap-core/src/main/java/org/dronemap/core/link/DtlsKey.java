@@ -9,9 +9,9 @@ import java.time.Instant;
  * @param label what people call it
  * @param sealedSecret the secret, encrypted by whoever made the key; never the secret itself
  */
-public record LinkKey(String identity, String label, String sealedSecret, String madeBy, Instant madeAt) {
+public record DtlsKey(String identity, String label, String sealedSecret, String madeBy, Instant madeAt) {
     @Override
     public String toString() {
-        return "LinkKey[" + identity + ", " + label + "]";
+        return "DtlsKey[" + identity + ", " + label + "]";
     }
 }

@@ -4,21 +4,22 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** The keys that vehicles prove themselves with on authenticated links: kept sealed, opened when one is asked for. Any thread. */
-public final class LinkKeyRing {
-    private static final Logger LOG = LoggerFactory.getLogger(LinkKeyRing.class);
+public final class DtlsKeyRing {
+    private static final Logger LOG = LoggerFactory.getLogger(DtlsKeyRing.class);
+    /** Part of what seals a secret: with other words, the secrets sealed before would not open. */
     private static final String PURPOSE = "link key of ";
 
     private final LinkStore store;
     private final Sealing sealing;
-    private final Map<String, LinkKey> keys = new ConcurrentHashMap<>();
+    private final Map<String, DtlsKey> keys = new ConcurrentHashMap<>();
 
-    public LinkKeyRing(LinkStore store, Sealing sealing) {
+    public DtlsKeyRing(LinkStore store, Sealing sealing) {
         this.store = store;
         this.sealing = sealing;
         store.keys().forEach(key -> keys.put(key.identity(), key));
@@ -26,7 +27,7 @@ public final class LinkKeyRing {
 
     /** The secret of that vehicle; empty when it has no key, or the key was revoked. */
     public Optional<byte[]> secret(String identity) {
-        LinkKey key = keys.get(identity);
+        DtlsKey key = keys.get(identity);
         if (key == null) {
             return Optional.empty();
         }
@@ -37,13 +38,13 @@ public final class LinkKeyRing {
         return secret;
     }
 
-    List<LinkKey> keys() {
+    List<DtlsKey> keys() {
         return store.keys();
     }
 
     /** Returns once the key is durable. */
-    void put(LinkKey unsealed, byte[] secret) {
-        LinkKey key = new LinkKey(
+    void put(DtlsKey unsealed, byte[] secret) {
+        DtlsKey key = new DtlsKey(
                 unsealed.identity(),
                 unsealed.label(),
                 sealing.seal(PURPOSE + unsealed.identity(), secret),

@@ -16,14 +16,14 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.link.LinkKey;
+import org.dronemap.core.link.DtlsKey;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around the keys that vehicles prove themselves with, for administrators. Any thread. */
-public final class LinkKeyService {
+public final class DtlsKeyService {
     private static final int SECRET_BYTES = 32;
 
-    private final LinkKeyRing ring;
+    private final DtlsKeyRing ring;
     private final VehicleLinks links;
     private final CloudManager cloud;
     private final Clock clock;
@@ -39,7 +39,7 @@ public final class LinkKeyService {
      * @param identity what the vehicle has to call itself
      * @param secret 32 bytes in hexadecimal, once, in the answer that made it
      */
-    public record LinkKeyView(
+    public record DtlsKeyView(
             String identity,
             String label,
             String madeBy,
@@ -47,14 +47,14 @@ public final class LinkKeyService {
             boolean connected,
             @Nullable String secret) {}
 
-    public LinkKeyService(LinkKeyRing ring, VehicleLinks links, CloudManager cloud, Clock clock) {
+    public DtlsKeyService(DtlsKeyRing ring, VehicleLinks links, CloudManager cloud, Clock clock) {
         this.ring = ring;
         this.links = links;
         this.cloud = cloud;
         this.clock = clock;
     }
 
-    public List<LinkKeyView> keys(Principal principal) {
+    public List<DtlsKeyView> keys(Principal principal) {
         Roles.require(principal, Role.ADMINISTRATOR);
         Set<String> connected = links.all().stream()
                 .flatMap(status -> status.peers().stream())
@@ -65,7 +65,7 @@ public final class LinkKeyService {
                 .toList();
     }
 
-    public LinkKeyView make(Principal principal, KeyRequest request) {
+    public DtlsKeyView make(Principal principal, KeyRequest request) {
         Roles.require(principal, Role.ADMINISTRATOR);
         String drone = request.drone();
         DroneState known = drone == null ? null : known(drone);
@@ -74,11 +74,11 @@ public final class LinkKeyService {
                 Names.checked("label", request.label() == null && known != null ? known.name() : request.label(), 60);
         byte[] secret = new byte[SECRET_BYTES];
         random.nextBytes(secret);
-        LinkKey key = new LinkKey(identity, label, "", principal.name(), clock.instant());
+        DtlsKey key = new DtlsKey(identity, label, "", principal.name(), clock.instant());
         ring.put(key, secret);
         // What was proven with an older key is not proven any more.
         links.disconnect(identity);
-        LinkKeyView view = view(key, false, HexFormat.of().formatHex(secret));
+        DtlsKeyView view = view(key, false, HexFormat.of().formatHex(secret));
         Arrays.fill(secret, (byte) 0);
         return view;
     }
@@ -95,13 +95,13 @@ public final class LinkKeyService {
     public void revoke(Principal principal, String identity) {
         Roles.require(principal, Role.ADMINISTRATOR);
         if (!ring.remove(identity)) {
-            throw Rejection.unknown("link key", identity);
+            throw Rejection.unknown("DTLS key", identity);
         }
         links.disconnect(identity);
     }
 
-    private static LinkKeyView view(LinkKey key, boolean connected, @Nullable String secret) {
-        return new LinkKeyView(
+    private static DtlsKeyView view(DtlsKey key, boolean connected, @Nullable String secret) {
+        return new DtlsKeyView(
                 key.identity(),
                 key.label(),
                 key.madeBy(),
