@@ -2,6 +2,8 @@ package org.dronemap.ws.rest;
 
 import java.net.URI;
 import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.InvalidInput;
 import org.jspecify.annotations.Nullable;
@@ -19,6 +21,14 @@ final class CommandAnswer {
         return ResponseEntity.status(status)
                 .location(URI.create("/api/v1/commands/" + command.id()))
                 .body(command);
+    }
+
+    /** The outcome, if it comes in that time; else the command under way. */
+    static CompletableFuture<ResponseEntity<CommandView>> within(
+            Duration longest, CommandService commands, CommandView command) {
+        return longest.isZero()
+                ? CompletableFuture.completedFuture(of(command))
+                : commands.awaitEnd(command, longest).thenApply(CommandAnswer::of);
     }
 
     static Duration wait(@Nullable Double seconds) {

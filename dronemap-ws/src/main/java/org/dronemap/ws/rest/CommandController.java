@@ -50,23 +50,20 @@ public class CommandController {
             @RequestBody CommandRequest request) {
         Duration longest = CommandAnswer.wait(wait);
         CommandView command = commands.submit(current.principal(), current.face(), id, request);
-        if (longest.isZero()) {
-            return CompletableFuture.completedFuture(CommandAnswer.of(command));
-        }
-        return commands.awaitEnd(command, longest).thenApply(CommandAnswer::of);
+        return CommandAnswer.within(longest, commands, command);
     }
 
     @GetMapping("/drones/{id}/commands")
     @Operation(summary = "List a drone's last commands", description = "Newest first, at most 50.")
     public Commands commandsOf(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return new Commands(commands.commandsOf(id));
     }
 
     @GetMapping("/commands/{id}")
     @Operation(summary = "Look at one command")
     public CommandView command(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return commands.command(id);
     }
 }

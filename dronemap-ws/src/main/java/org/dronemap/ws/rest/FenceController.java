@@ -3,7 +3,6 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import org.dronemap.ws.security.CurrentPrincipal;
-import org.dronemap.ws.service.Caller;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FenceView;
@@ -35,55 +34,51 @@ public class FenceController {
     @GetMapping("/fence")
     @Operation(summary = "Look at the fence", description = "As last read from the vehicle; null until it first was.")
     public FenceView fence(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return fences.fence(id);
     }
 
     @PostMapping("/fence/refresh")
     @Operation(summary = "Read the fence from the vehicle (operator)")
     public ResponseEntity<CommandView> readFence(@PathVariable String id) {
-        return CommandAnswer.of(fences.readFence(caller(), id));
+        return CommandAnswer.of(fences.readFence(current.caller(), id));
     }
 
     @PutMapping("/fence")
     @Operation(summary = "Replace the fence (operator)", description = "Up to 50 polygons and circles.")
     public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
-        return CommandAnswer.of(fences.setFence(caller(), id, fence));
+        return CommandAnswer.of(fences.setFence(current.caller(), id, fence));
     }
 
     @DeleteMapping("/fence")
     @Operation(summary = "Take the fence away (operator)")
     public ResponseEntity<CommandView> clearFence(@PathVariable String id) {
-        return CommandAnswer.of(fences.clearFence(caller(), id));
+        return CommandAnswer.of(fences.clearFence(current.caller(), id));
     }
 
     @GetMapping("/rally-points")
     @Operation(summary = "Look at the rally points", description = "As last read; null until they first were.")
     public FenceView.RallyView rallyPoints(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return fences.rallyPoints(id);
     }
 
     @PostMapping("/rally-points/refresh")
     @Operation(summary = "Read the rally points from the vehicle (operator)")
     public ResponseEntity<CommandView> readRallyPoints(@PathVariable String id) {
-        return CommandAnswer.of(fences.readRallyPoints(caller(), id));
+        return CommandAnswer.of(fences.readRallyPoints(current.caller(), id));
     }
 
     @PutMapping("/rally-points")
     @Operation(summary = "Replace the rally points (operator)", description = "Up to 50.")
     public ResponseEntity<CommandView> setRallyPoints(
             @PathVariable String id, @RequestBody FenceView.RallyView points) {
-        return CommandAnswer.of(fences.setRallyPoints(caller(), id, points));
+        return CommandAnswer.of(fences.setRallyPoints(current.caller(), id, points));
     }
 
     @DeleteMapping("/rally-points")
     @Operation(summary = "Take the rally points away (operator)")
     public ResponseEntity<CommandView> clearRallyPoints(@PathVariable String id) {
-        return CommandAnswer.of(fences.clearRallyPoints(caller(), id));
-    }
-
-    private Caller caller() {
-        return new Caller(current.principal(), current.face());
+        return CommandAnswer.of(fences.clearRallyPoints(current.caller(), id));
     }
 }

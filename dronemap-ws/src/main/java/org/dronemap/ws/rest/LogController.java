@@ -4,7 +4,6 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.nio.file.Path;
 import org.dronemap.ws.security.CurrentPrincipal;
-import org.dronemap.ws.service.Caller;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.LogService;
 import org.dronemap.ws.service.LogsView;
@@ -39,14 +38,14 @@ public class LogController {
     @GetMapping
     @Operation(summary = "List the logs on board", description = "As last listed; null until they first were.")
     public LogsView logs(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return logs.logs(id);
     }
 
     @PostMapping("/refresh")
     @Operation(summary = "Ask the vehicle for the list of its logs (operator)")
     public ResponseEntity<CommandView> refresh(@PathVariable String id) {
-        return CommandAnswer.of(logs.refresh(caller(), id));
+        return CommandAnswer.of(logs.refresh(current.caller(), id));
     }
 
     @PostMapping("/{number}/download")
@@ -55,13 +54,13 @@ public class LogController {
             description =
                     "The command's progress counts bytes and is streamed; a later attempt goes on where one ended.")
     public ResponseEntity<CommandView> download(@PathVariable String id, @PathVariable int number) {
-        return CommandAnswer.of(logs.download(caller(), id, number));
+        return CommandAnswer.of(logs.download(current.caller(), id, number));
     }
 
     @GetMapping("/{number}/file")
     @Operation(summary = "Save a log that was fetched")
     public ResponseEntity<Resource> file(@PathVariable String id, @PathVariable int number) {
-        current.principal();
+        current.requireSignedIn();
         Path file = logs.file(id, number);
         return ResponseEntity.ok()
                 .contentType(MediaType.APPLICATION_OCTET_STREAM)
@@ -78,10 +77,6 @@ public class LogController {
     @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(summary = "Remove the server's copy of a log (operator)")
     public void remove(@PathVariable String id, @PathVariable int number) {
-        logs.remove(caller(), id, number);
-    }
-
-    private Caller caller() {
-        return new Caller(current.principal(), current.face());
+        logs.remove(current.caller(), id, number);
     }
 }

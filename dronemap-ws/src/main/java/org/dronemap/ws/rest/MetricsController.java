@@ -27,7 +27,7 @@ public class MetricsController {
 
     @GetMapping("/metrics")
     public void metrics(HttpServletResponse response) throws IOException {
-        current.principal();
+        current.requireSignedIn();
         MetricSnapshots now = metrics.now();
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         WRITER.write(text, now);

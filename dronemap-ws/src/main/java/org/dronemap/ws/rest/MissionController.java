@@ -37,14 +37,14 @@ public class MissionController {
     @GetMapping
     @Operation(summary = "List the saved missions")
     public Missions missions() {
-        current.principal();
+        current.requireSignedIn();
         return new Missions(missions.missions());
     }
 
     @GetMapping("/{id}")
     @Operation(summary = "Look at one saved mission")
     public MissionService.SavedMissionView mission(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return missions.mission(id);
     }
 

@@ -9,7 +9,6 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.ws.security.CurrentPrincipal;
-import org.dronemap.ws.service.Caller;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ParameterService;
@@ -51,7 +50,7 @@ public class ParameterController {
             @PathVariable String id,
             @Parameter(description = "Words that the name has in it") @RequestParam(required = false) @Nullable
                     String search) {
-        current.principal();
+        current.requireSignedIn();
         return parameters.parameters(id, search);
     }
 
@@ -60,7 +59,7 @@ public class ParameterController {
     public CompletableFuture<ResponseEntity<CommandView>> refresh(
             @PathVariable String id, @RequestParam(required = false) @Nullable Double wait) {
         Duration longest = CommandAnswer.wait(wait);
-        return answer(parameters.refresh(caller(), id), longest);
+        return CommandAnswer.within(longest, commands, parameters.refresh(current.caller(), id));
     }
 
     @PutMapping("/{name}")
@@ -73,7 +72,7 @@ public class ParameterController {
             @RequestParam(required = false) @Nullable Double wait,
             @RequestBody ParameterService.ValueRequest request) {
         Duration longest = CommandAnswer.wait(wait);
-        return answer(parameters.set(caller(), id, name, request), longest);
+        return CommandAnswer.within(longest, commands, parameters.set(current.caller(), id, name, request));
     }
 
     @GetMapping("/file")
@@ -81,7 +80,7 @@ public class ParameterController {
             summary = "Save the parameters as a file",
             description = "form: list (the default; Mission Planner, MAVProxy) or table (QGroundControl).")
     public ResponseEntity<String> file(@PathVariable String id, @RequestParam(required = false) @Nullable String form) {
-        current.principal();
+        current.requireSignedIn();
         String text = parameters.file(id, form);
         String name = id + ("table".equals(form) ? ".params" : ".param");
         return ResponseEntity.ok()
@@ -104,17 +103,7 @@ public class ParameterController {
             throws IOException {
         String text = new String(request.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         ParametersView.FileView result =
-                dryRun ? parameters.compare(caller(), id, text) : parameters.load(caller(), id, text);
+                dryRun ? parameters.compare(current.caller(), id, text) : parameters.load(current.caller(), id, text);
         return ResponseEntity.status(result.command() == null ? 200 : 202).body(result);
-    }
-
-    private Caller caller() {
-        return new Caller(current.principal(), current.face());
-    }
-
-    private CompletableFuture<ResponseEntity<CommandView>> answer(CommandView command, Duration longest) {
-        return longest.isZero()
-                ? CompletableFuture.completedFuture(CommandAnswer.of(command))
-                : commands.awaitEnd(command, longest).thenApply(CommandAnswer::of);
     }
 }

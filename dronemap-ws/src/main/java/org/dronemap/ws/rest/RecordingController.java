@@ -42,14 +42,14 @@ public class RecordingController {
     public RecordingView.Page recordings(
             @Parameter(description = "only those of this drone") @RequestParam(required = false) @Nullable
                     String drone) {
-        current.principal();
+        current.requireSignedIn();
         return recordings.recordings(drone);
     }
 
     @GetMapping("/{id}")
     @Operation(summary = "Look at one recording")
     public RecordingView recording(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return recordings.recording(id);
     }
 
@@ -60,7 +60,7 @@ public class RecordingController {
                     + " read it.")
     public void file(@PathVariable String id, @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        current.principal();
+        current.requireSignedIn();
         RecordingService.Download download = recordings.download(id);
         try (InputStream in = Files.newInputStream(download.file())) {
             // The length of now: a flight that goes on makes the file longer while it is sent.

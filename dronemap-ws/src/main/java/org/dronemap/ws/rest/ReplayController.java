@@ -56,14 +56,14 @@ public class ReplayController {
     @GetMapping
     @Operation(summary = "List the replays")
     public Replays replays() {
-        current.principal();
+        current.requireSignedIn();
         return new Replays(replays.replays());
     }
 
     @GetMapping("/{id}")
     @Operation(summary = "Look at one replay")
     public ReplayView replay(@PathVariable String id) {
-        current.principal();
+        current.requireSignedIn();
         return replays.replay(id);
     }
 

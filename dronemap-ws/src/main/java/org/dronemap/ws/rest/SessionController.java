@@ -4,9 +4,9 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import org.dronemap.ws.security.Authentication;
-import org.dronemap.ws.security.Caller;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.SessionCookie;
+import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.AccessService;
 import org.springframework.http.HttpHeaders;
 import org.springframework.http.ResponseEntity;
@@ -45,13 +45,13 @@ public class SessionController {
     @GetMapping
     @Operation(summary = "Who is signed in")
     public Authentication.SessionView session() {
-        return authentication.session(current.caller());
+        return authentication.session(current.signedIn());
     }
 
     @DeleteMapping
     @Operation(summary = "Sign out")
     public ResponseEntity<Void> signOut(HttpServletRequest request) {
-        authentication.signOut(current.caller());
+        authentication.signOut(current.signedIn());
         return ResponseEntity.noContent()
                 .header(HttpHeaders.SET_COOKIE, SessionCookie.clear(request.isSecure()))
                 .build();
@@ -60,7 +60,7 @@ public class SessionController {
     @PostMapping("/password")
     @Operation(summary = "Change one's own password", description = "Ends all other sessions of the user.")
     public ResponseEntity<Void> changePassword(@RequestBody AccessService.PasswordRequest request) {
-        Caller caller = current.caller();
+        SignedIn caller = current.signedIn();
         String session = caller.sessionHash();
         access.changePassword(caller.principal(), session == null ? "" : session, request);
         return ResponseEntity.noContent().build();

@@ -27,6 +27,6 @@ public class StreamTicketController {
     @PostMapping
     @Operation(summary = "Get a ticket for the stream", description = "Good for one connection within 30 s.")
     public Ticket ticket() {
-        return new Ticket(tickets.issue(current.caller()));
+        return new Ticket(tickets.issue(current.signedIn()));
     }
 }

@@ -30,7 +30,7 @@ public class SystemController {
     @GetMapping("/settings")
     @Operation(summary = "What a client has to know of the server")
     public SystemService.SettingsView settings() {
-        current.principal();
+        current.requireSignedIn();
         return system.settings();
     }
 }

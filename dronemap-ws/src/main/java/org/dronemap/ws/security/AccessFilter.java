@@ -56,7 +56,7 @@ public final class AccessFilter extends OncePerRequestFilter {
                 || (path.equals("session") && request.getMethod().equals("POST"))) {
             return;
         }
-        Caller caller = identify(request).orElseThrow(() -> noCaller(request));
+        SignedIn caller = identify(request).orElseThrow(() -> noCaller(request));
         if (!path.equals("session") && !path.equals("session/password")) {
             authentication.requireOpen();
         }
@@ -69,12 +69,12 @@ public final class AccessFilter extends OncePerRequestFilter {
                 : Rejection.notSignedIn("Sign in first, or send an access key.");
     }
 
-    private Optional<Caller> identify(HttpServletRequest request) {
+    private Optional<SignedIn> identify(HttpServletRequest request) {
         String header = request.getHeader("Authorization");
         if (header != null) {
             return Optional.of(authentication.byKey(bearer(header)));
         }
-        Optional<Caller> caller = SessionCookie.read(request).flatMap(authentication::bySession);
+        Optional<SignedIn> caller = SessionCookie.read(request).flatMap(authentication::bySession);
         if (caller.isPresent() && !READING.contains(request.getMethod()) && request.getHeader("X-Dronemap") == null) {
             throw Rejection.forbidden(
                     "A change with a browser's session needs the header X-Dronemap: 1, which other sites cannot send.");

@@ -66,39 +66,39 @@ public final class Authentication {
         return new NewSession(token, view(user));
     }
 
-    public void signOut(Caller caller) {
+    public void signOut(SignedIn caller) {
         String hash = caller.sessionHash();
         if (hash != null) {
             store.deleteSignIn(hash);
         }
     }
 
-    public SessionView session(Caller caller) {
+    public SessionView session(SignedIn caller) {
         Principal principal = caller.principal();
         return store.user(principal.name())
-                .filter(user -> caller.proof() != Caller.Proof.KEY)
+                .filter(user -> caller.proof() != SignedIn.Proof.KEY)
                 .map(Authentication::view)
                 .orElseGet(() -> new SessionView(principal.name(), WireNames.camel(principal.role()), false));
     }
 
     /** Empty when there is no such session any more. */
-    public Optional<Caller> bySession(String token) {
+    public Optional<SignedIn> bySession(String token) {
         String hash = Secrets.hash(token);
         return store.signIn(hash, clock.instant())
                 .flatMap(signIn -> store.user(signIn.user()))
-                .map(user -> new Caller(new Principal(user.name(), user.role()), Caller.Proof.SESSION, hash));
+                .map(user -> new SignedIn(new Principal(user.name(), user.role()), SignedIn.Proof.SESSION, hash));
     }
 
     /** A key never does more than its owner may now. */
-    public Caller byKey(String key) {
+    public SignedIn byKey(String key) {
         String hash = Secrets.hash(key);
         if (hash.equals(localKeyHash)) {
-            return new Caller(new Principal(administrator(), Role.ADMINISTRATOR), Caller.Proof.KEY, null);
+            return new SignedIn(new Principal(administrator(), Role.ADMINISTRATOR), SignedIn.Proof.KEY, null);
         }
         return store.accessKey(hash)
                 .flatMap(found -> store.user(found.owner())
                         .map(owner -> owner.role().includes(found.role()) ? found.role() : owner.role())
-                        .map(role -> new Caller(new Principal(found.owner(), role), Caller.Proof.KEY, null)))
+                        .map(role -> new SignedIn(new Principal(found.owner(), role), SignedIn.Proof.KEY, null)))
                 .orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
     }
 
@@ -111,9 +111,9 @@ public final class Authentication {
                 .orElse(FirstStart.ADMIN);
     }
 
-    public Caller byPassword(String name, String password, String address) {
+    public SignedIn byPassword(String name, String password, String address) {
         User user = check(new Credentials(name, password), address);
-        return new Caller(new Principal(user.name(), user.role()), Caller.Proof.PASSWORD, null);
+        return new SignedIn(new Principal(user.name(), user.role()), SignedIn.Proof.PASSWORD, null);
     }
 
     /** Refuses everything but sign-in and password change while the first password is in use on an open network. */

@@ -26,14 +26,14 @@ public final class StreamTickets {
         }
     };
 
-    private record Ticket(Caller caller, Instant until) {}
+    private record Ticket(SignedIn caller, Instant until) {}
 
     public StreamTickets(Secrets secrets, Clock clock) {
         this.secrets = secrets;
         this.clock = clock;
     }
 
-    public synchronized String issue(Caller caller) {
+    public synchronized String issue(SignedIn caller) {
         Instant now = clock.instant();
         tickets.values().removeIf(ticket -> !ticket.until().isAfter(now));
         String token = secrets.token();
@@ -42,7 +42,7 @@ public final class StreamTickets {
     }
 
     /** Empty when there is no such ticket, or it was used, or it is too old. */
-    public synchronized Optional<Caller> redeem(String token) {
+    public synchronized Optional<SignedIn> redeem(String token) {
         return Optional.ofNullable(tickets.remove(Secrets.hash(token)))
                 .filter(ticket -> ticket.until().isAfter(clock.instant()))
                 .map(Ticket::caller);

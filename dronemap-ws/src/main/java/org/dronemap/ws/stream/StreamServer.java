@@ -9,7 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.ws.security.Authentication;
-import org.dronemap.ws.security.Caller;
+import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
@@ -124,7 +124,7 @@ final class StreamServer extends WebSocketServer {
         listening.complete(getPort());
     }
 
-    private Optional<Caller> identify(ClientHandshake handshake) {
+    private Optional<SignedIn> identify(ClientHandshake handshake) {
         String address = handshake.getResourceDescriptor();
         int query = address.indexOf(TICKET);
         if (query > 0) {

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param sessionHash the hash of the session's token; null for a key or a password
  */
-public record Caller(
+public record SignedIn(
         Principal principal, Proof proof, @Nullable String sessionHash) {
 
     /** What the caller showed. */
