@@ -60,4 +60,40 @@ public record CommandRequest(
     public static CommandRequest simple(String type) {
         return new CommandRequest(type, null, null, null, null, null, null, null, null, null, null, null, null, null);
     }
+
+    public static CommandRequest disarm(@Nullable Boolean force) {
+        return new CommandRequest(
+                "disarm", null, force, null, null, null, null, null, null, null, null, null, null, null);
+    }
+
+    public static CommandRequest setMode(@Nullable String mode) {
+        return new CommandRequest(
+                "setMode", null, null, mode, null, null, null, null, null, null, null, null, null, null);
+    }
+
+    public static CommandRequest takeOff(@Nullable Double altitude) {
+        return new CommandRequest(
+                "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null, null);
+    }
+
+    public static CommandRequest goTo(
+            @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude) {
+        return new CommandRequest(
+                "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null, null);
+    }
+
+    public static CommandRequest uploadMission(@Nullable List<MissionItemView> items) {
+        return new CommandRequest(
+                "uploadMission", null, null, null, null, null, null, null, items, null, null, null, null, null);
+    }
+
+    public static CommandRequest turn(@Nullable Double degrees) {
+        return new CommandRequest(
+                "turn", null, null, null, null, null, null, null, null, null, degrees, null, null, null);
+    }
+
+    public static CommandRequest setRelay(@Nullable Integer relay, @Nullable String setting) {
+        return new CommandRequest(
+                "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting, null);
+    }
 }

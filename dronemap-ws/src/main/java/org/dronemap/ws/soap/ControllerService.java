@@ -56,26 +56,17 @@ public class ControllerService implements MAVLinkController {
 
     @Override
     public SoapOutcome disarm(String droneId, @Nullable Boolean force) throws DronemapFault {
-        return act(
-                droneId,
-                new CommandRequest(
-                        "disarm", null, force, null, null, null, null, null, null, null, null, null, null, null));
+        return act(droneId, CommandRequest.disarm(force));
     }
 
     @Override
     public SoapOutcome setMode(String droneId, String mode) throws DronemapFault {
-        return act(
-                droneId,
-                new CommandRequest(
-                        "setMode", null, null, mode, null, null, null, null, null, null, null, null, null, null));
+        return act(droneId, CommandRequest.setMode(mode));
     }
 
     @Override
     public SoapOutcome takeoff(String droneId, @Nullable Double altitude) throws DronemapFault {
-        return act(
-                droneId,
-                new CommandRequest(
-                        "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null, null));
+        return act(droneId, CommandRequest.takeOff(altitude));
     }
 
     @Override
@@ -97,11 +88,7 @@ public class ControllerService implements MAVLinkController {
     public SoapOutcome goTo(
             String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude)
             throws DronemapFault {
-        return act(
-                droneId,
-                new CommandRequest(
-                        "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null,
-                        null));
+        return act(droneId, CommandRequest.goTo(latitude, longitude, altitude));
     }
 
     @Override
@@ -109,23 +96,7 @@ public class ControllerService implements MAVLinkController {
         List<MissionItemView> items = waypoints == null
                 ? null
                 : waypoints.stream().map(SoapWaypoint::view).toList();
-        return act(
-                droneId,
-                new CommandRequest(
-                        "uploadMission",
-                        null,
-                        null,
-                        null,
-                        null,
-                        null,
-                        null,
-                        null,
-                        items,
-                        null,
-                        null,
-                        null,
-                        null,
-                        null));
+        return act(droneId, CommandRequest.uploadMission(items));
     }
 
     @Override
@@ -157,10 +128,7 @@ public class ControllerService implements MAVLinkController {
 
     @Override
     public SoapOutcome turn(String droneId, @Nullable Double degrees) throws DronemapFault {
-        return act(
-                droneId,
-                new CommandRequest(
-                        "turn", null, null, null, null, null, null, null, null, null, degrees, null, null, null));
+        return act(droneId, CommandRequest.turn(degrees));
     }
 
     @Override
@@ -171,10 +139,7 @@ public class ControllerService implements MAVLinkController {
     @Override
     public SoapOutcome setRelay(String droneId, @Nullable Integer relay, @Nullable String setting)
             throws DronemapFault {
-        return act(
-                droneId,
-                new CommandRequest(
-                        "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting, null));
+        return act(droneId, CommandRequest.setRelay(relay, setting));
     }
 
     @Override
