@@ -95,11 +95,6 @@ final class DtlsServerEndpoint implements Endpoint {
     }
 
     @Override
-    public EndpointState state() {
-        return EndpointState.OPEN;
-    }
-
-    @Override
     public EndpointCounters counters() {
         return counters;
     }

@@ -5,25 +5,21 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** A TCP connection to a vehicle, modem or router that listens. */
-final class TcpLine implements Line {
+final class TcpLine implements NetworkLine {
     private static final Logger LOG = LoggerFactory.getLogger(TcpLine.class);
     private static final int PATIENCE_MILLIS = 5_000;
 
-    private final SocketChannel channel;
-    private final Selector selector;
+    private final PatientReader reader;
     private final InetSocketAddress remote;
     private final TcpWire wire;
 
-    private TcpLine(SocketChannel channel, Selector selector, InetSocketAddress remote) {
-        this.channel = channel;
-        this.selector = selector;
+    private TcpLine(SocketChannel channel, PatientReader reader, InetSocketAddress remote) {
+        this.reader = reader;
         this.remote = remote;
         this.wire = new TcpWire(channel);
     }
@@ -33,12 +29,9 @@ final class TcpLine implements Line {
         SocketChannel channel = SocketChannel.open();
         try {
             channel.socket().connect(remote, PATIENCE_MILLIS);
-            channel.configureBlocking(false);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
             channel.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
-            Selector selector = Selector.open();
-            channel.register(selector, SelectionKey.OP_READ);
-            return new TcpLine(channel, selector, remote);
+            return new TcpLine(channel, PatientReader.of(channel), remote);
         } catch (IOException e) {
             channel.close();
             throw e;
@@ -46,23 +39,13 @@ final class TcpLine implements Line {
     }
 
     @Override
-    public PeerAddress address() {
-        return PeerAddress.of(remote);
-    }
-
-    @Override
-    public boolean isLocal() {
-        return SocketAddresses.isLocal(remote);
+    public InetSocketAddress remote() {
+        return remote;
     }
 
     @Override
     public int read(ByteBuffer into, long patienceMillis) throws IOException {
-        int count = channel.read(into);
-        if (count == 0) {
-            selector.select(patienceMillis);
-            selector.selectedKeys().clear();
-            count = channel.read(into);
-        }
+        int count = reader.read(into, patienceMillis);
         if (count < 0) {
             throw new EOFException("the other side closed the connection");
         }
@@ -78,7 +61,7 @@ final class TcpLine implements Line {
     public void close() {
         wire.close();
         try {
-            selector.close();
+            reader.close();
         } catch (IOException e) {
             LOG.debug("The connection to {} did not close cleanly", remote, e);
         }

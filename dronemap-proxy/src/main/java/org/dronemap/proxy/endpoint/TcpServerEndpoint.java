@@ -72,11 +72,6 @@ final class TcpServerEndpoint implements Endpoint {
     }
 
     @Override
-    public EndpointState state() {
-        return EndpointState.OPEN;
-    }
-
-    @Override
     public EndpointCounters counters() {
         return counters;
     }

@@ -6,23 +6,21 @@ import java.net.PortUnreachableException;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.Selector;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** A UDP socket that hears one address only, the one that it sends to. */
-final class UdpLine implements Line {
+final class UdpLine implements NetworkLine {
     private static final Logger LOG = LoggerFactory.getLogger(UdpLine.class);
     private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;
 
     private final DatagramChannel channel;
-    private final Selector selector;
+    private final PatientReader reader;
     private final InetSocketAddress remote;
 
-    private UdpLine(DatagramChannel channel, Selector selector, InetSocketAddress remote) {
+    private UdpLine(DatagramChannel channel, PatientReader reader, InetSocketAddress remote) {
         this.channel = channel;
-        this.selector = selector;
+        this.reader = reader;
         this.remote = remote;
     }
 
@@ -32,10 +30,7 @@ final class UdpLine implements Line {
         try {
             channel.setOption(StandardSocketOptions.SO_RCVBUF, RECEIVE_BUFFER_BYTES);
             channel.connect(remote);
-            channel.configureBlocking(false);
-            Selector selector = Selector.open();
-            channel.register(selector, SelectionKey.OP_READ);
-            return new UdpLine(channel, selector, remote);
+            return new UdpLine(channel, PatientReader.of(channel), remote);
         } catch (IOException e) {
             channel.close();
             throw e;
@@ -43,25 +38,14 @@ final class UdpLine implements Line {
     }
 
     @Override
-    public PeerAddress address() {
-        return PeerAddress.of(remote);
-    }
-
-    @Override
-    public boolean isLocal() {
-        return SocketAddresses.isLocal(remote);
+    public InetSocketAddress remote() {
+        return remote;
     }
 
     @Override
     public int read(ByteBuffer into, long patienceMillis) throws IOException {
         try {
-            int count = channel.read(into);
-            if (count == 0) {
-                selector.select(patienceMillis);
-                selector.selectedKeys().clear();
-                count = channel.read(into);
-            }
-            return count;
+            return reader.read(into, patienceMillis);
         } catch (PortUnreachableException e) {
             // Nobody listens there just now; somebody may tomorrow.
             LOG.debug("{} does not listen", remote, e);
@@ -83,7 +67,7 @@ final class UdpLine implements Line {
     public void close() {
         try {
             channel.close();
-            selector.close();
+            reader.close();
         } catch (IOException e) {
             LOG.debug("The socket to {} did not close cleanly", remote, e);
         }

@@ -68,11 +68,6 @@ final class UdpServerEndpoint implements Endpoint {
     }
 
     @Override
-    public EndpointState state() {
-        return EndpointState.OPEN;
-    }
-
-    @Override
     public EndpointCounters counters() {
         return counters;
     }

@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
  * A WebSocket that this end opened. Messages wait in a queue of 64 for the endpoint's thread; while it is full the library
  * does not read on, which holds the other side back.
  */
-final class WebSocketLine implements Line {
+final class WebSocketLine implements NetworkLine {
     private static final Logger LOG = LoggerFactory.getLogger(WebSocketLine.class);
     private static final int MOST_WAITING = 64;
     private static final int LARGEST_MESSAGE_BYTES = 65_536;
@@ -55,13 +55,8 @@ final class WebSocketLine implements Line {
     }
 
     @Override
-    public PeerAddress address() {
-        return PeerAddress.of(remote);
-    }
-
-    @Override
-    public boolean isLocal() {
-        return SocketAddresses.isLocal(remote);
+    public InetSocketAddress remote() {
+        return remote;
     }
 
     @Override

@@ -73,11 +73,6 @@ final class WebSocketServerEndpoint implements Endpoint {
     }
 
     @Override
-    public EndpointState state() {
-        return EndpointState.OPEN;
-    }
-
-    @Override
     public EndpointCounters counters() {
         return counters;
     }
