@@ -43,6 +43,10 @@ public record MissionItem(
                 (float) frame.altitudeAmsl());
     }
 
+    public MissionItem with(int otherFrame, float otherZ) {
+        return new MissionItem(command, otherFrame, autocontinue, param1, param2, param3, param4, x, y, otherZ);
+    }
+
     /** True for items that are flown, false for those that only set something. */
     public boolean isNavigation() {
         return command < 95;

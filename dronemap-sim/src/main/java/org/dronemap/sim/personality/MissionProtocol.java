@@ -173,19 +173,10 @@ final class MissionProtocol {
         return item.isNavigation() && offEarth ? INVALID_PARAM5 : ACCEPTED;
     }
 
-    private MissionItem toItem(MissionItemInt m) {
-        boolean placeless = m.command() == MissionItem.RETURN_TO_LAUNCH;
-        return new MissionItem(
-                m.command(),
-                placeless ? 0 : asPlainFrame(m.frame()),
-                m.autocontinue(),
-                m.param1(),
-                m.param2(),
-                m.param3(),
-                m.param4(),
-                m.x(),
-                m.y(),
-                alterations.keptAltitude(m.seq(), m.z()));
+    private MissionItem toItem(MissionItemInt message) {
+        MissionItem item = ItemMessages.read(message);
+        boolean placeless = item.command() == MissionItem.RETURN_TO_LAUNCH;
+        return item.with(placeless ? 0 : asPlainFrame(item.frame()), alterations.keptAltitude(message.seq(), item.z()));
     }
 
     /** The INT frames mean the same and read back as the plain ones. */
@@ -229,22 +220,7 @@ final class MissionProtocol {
         MissionItem item = index == 0 && style.firstItemIsHome()
                 ? MissionItem.home(autopilot.craft().home())
                 : plan.item(index);
-        MissionItemInt message = new MissionItemInt(
-                toSystem,
-                toComponent,
-                index,
-                item.frame(),
-                item.command(),
-                0,
-                item.autocontinue(),
-                item.param1(),
-                item.param2(),
-                item.param3(),
-                item.param4(),
-                item.x(),
-                item.y(),
-                item.z(),
-                0);
+        MissionItemInt message = ItemMessages.write(item, new ItemMessages.Address(index, 0, toSystem, toComponent));
         if (inFloats && style.overwritesInPlace()) {
             say(Severity.WARNING, "got MISSION_REQUEST; use MISSION_REQUEST_INT!");
         }

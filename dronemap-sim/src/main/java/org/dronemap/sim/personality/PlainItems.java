@@ -8,6 +8,7 @@ import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.sim.flight.MissionItem;
 
 /** A fence or rally points: kept as they come, the old ones until the new ones are whole. Nothing heeds them. */
 final class PlainItems {
@@ -19,8 +20,8 @@ final class PlainItems {
 
     private final int missionType;
     private final Consumer<Message> out;
-    private final List<MissionItemInt> arriving = new ArrayList<>();
-    private List<MissionItemInt> held = List.of();
+    private final List<MissionItem> arriving = new ArrayList<>();
+    private List<MissionItem> held = List.of();
     private int total = -1;
     private int peerSystem;
     private int peerComponent;
@@ -60,7 +61,7 @@ final class PlainItems {
             return;
         }
         if (item.seq() == arriving.size()) {
-            arriving.add(item);
+            arriving.add(ItemMessages.read(item));
             lastItemAt = nowMillis;
         }
         if (arriving.size() < total) {
@@ -81,23 +82,8 @@ final class PlainItems {
             out.accept(new MissionAck(toSystem, toComponent, INVALID, missionType));
             return;
         }
-        MissionItemInt item = held.get(seq);
-        out.accept(new MissionItemInt(
-                toSystem,
-                toComponent,
-                seq,
-                item.frame(),
-                item.command(),
-                0,
-                item.autocontinue(),
-                item.param1(),
-                item.param2(),
-                item.param3(),
-                item.param4(),
-                item.x(),
-                item.y(),
-                item.z(),
-                missionType));
+        out.accept(
+                ItemMessages.write(held.get(seq), new ItemMessages.Address(seq, missionType, toSystem, toComponent)));
     }
 
     void clear(int toSystem, int toComponent) {

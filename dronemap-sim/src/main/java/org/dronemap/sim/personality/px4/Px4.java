@@ -174,6 +174,10 @@ public final class Px4 implements Autopilot {
         if ((baseMode & 1) == 0 || mode == null) {
             return Result.UNSUPPORTED;
         }
+        return changed(mode);
+    }
+
+    Result changed(Px4Mode mode) {
         return change(mode) ? Result.ACCEPTED : Result.TEMPORARILY_REJECTED;
     }
 

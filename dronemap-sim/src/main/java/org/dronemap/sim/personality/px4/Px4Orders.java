@@ -29,9 +29,9 @@ final class Px4Orders {
             case Cmd.ARM_DISARM -> armOrDisarm(order);
             case Cmd.SET_MODE -> px4.setMode((int) order.param1(), (int) order.param2(), (int) order.param3());
             case Cmd.TAKEOFF -> takeOff(order);
-            case Cmd.LAND -> changed(Px4Mode.LAND);
-            case Cmd.RETURN_TO_LAUNCH -> changed(Px4Mode.RETURN);
-            case Cmd.LOITER_UNLIMITED -> changed(Px4Mode.HOLD);
+            case Cmd.LAND -> px4.changed(Px4Mode.LAND);
+            case Cmd.RETURN_TO_LAUNCH -> px4.changed(Px4Mode.RETURN);
+            case Cmd.LOITER_UNLIMITED -> px4.changed(Px4Mode.HOLD);
             case Cmd.REPOSITION -> reposition(order);
             case Cmd.CHANGE_SPEED -> changeSpeed(order);
             case Cmd.PAUSE_CONTINUE -> pauseOrContinue(order);
@@ -41,10 +41,6 @@ final class Px4Orders {
             case Cmd.RUN_PREARM_CHECKS -> Result.ACCEPTED;
             default -> Result.UNSUPPORTED;
         };
-    }
-
-    private Result changed(Px4Mode mode) {
-        return px4.change(mode) ? Result.ACCEPTED : Result.TEMPORARILY_REJECTED;
     }
 
     private Result armOrDisarm(Order order) {
@@ -61,7 +57,7 @@ final class Px4Orders {
             return Result.DENIED;
         }
         flight.setTakeOffHeight(above);
-        return changed(Px4Mode.TAKEOFF);
+        return px4.changed(Px4Mode.TAKEOFF);
     }
 
     private Result reposition(Order order) {
@@ -98,7 +94,7 @@ final class Px4Orders {
     }
 
     private Result pauseOrContinue(Order order) {
-        return changed(order.param1() == 0 ? Px4Mode.HOLD : Px4Mode.MISSION);
+        return px4.changed(order.param1() == 0 ? Px4Mode.HOLD : Px4Mode.MISSION);
     }
 
     private Result startMission(Order order) {
