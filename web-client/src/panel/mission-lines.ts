@@ -1,6 +1,6 @@
 import type { Drone, MissionItem, VehicleMission } from '../api/types';
 import { itemNumber } from '../plan/numbering';
-import { fixed } from '../ui/format';
+import { counted, fixed } from '../ui/format';
 
 export interface MissionLine {
   words: string;
@@ -31,7 +31,7 @@ export function missionSummary(mission: VehicleMission | null): string {
 }
 
 function summaryOf(mission: VehicleMission, total: number): string {
-  const count = `${total} ${total === 1 ? 'item' : 'items'}`;
+  const count = counted(total, 'item');
   const reached = new Set(mission.reached).size;
   if (isComplete(mission)) {
     return `Mission complete: ${count}.`;

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { age, distance, fixed, heading, span } from './format';
+import { age, counted, distance, fixed, heading, span } from './format';
 
 it('shows an unknown fact as a dash, never as zero', () => {
   expect(fixed(null, 1)).toBe('—');
@@ -29,4 +29,9 @@ it('says how long ago in few words', () => {
 it('changes from metres to kilometres', () => {
   expect(distance(999)).toBe('999 m');
   expect(distance(1530)).toBe('1.53 km');
+});
+
+it('says one of them in the singular', () => {
+  expect(counted(1, 'item')).toBe('1 item');
+  expect(counted(0, 'item')).toBe('0 items');
 });

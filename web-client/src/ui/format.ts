@@ -17,6 +17,11 @@ export function heading(degrees: number | null | undefined): string {
   return String(((Math.round(degrees) % 360) + 360) % 360).padStart(3, '0');
 }
 
+/** "1 item", "2 items". */
+export function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? '' : 's'}`;
+}
+
 export function distance(meters: number): string {
   return meters < 1000 ? `${Math.round(meters)} m` : `${(meters / 1000).toFixed(2)} km`;
 }

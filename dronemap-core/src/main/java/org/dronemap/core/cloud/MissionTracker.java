@@ -9,6 +9,7 @@ import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.mission.Counted;
 import org.dronemap.core.mission.MissionComparison;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
@@ -81,7 +82,7 @@ final class MissionTracker {
     private static String noticeOf(String difference, @Nullable KnownMission before, List<MissionItem> found) {
         if (before != null && found.isEmpty()) {
             return "The vehicle holds no mission now; the last one that the cloud knew had "
-                    + MissionComparison.count(before.items().size()) + ".";
+                    + Counted.of(before.items().size(), "item") + ".";
         }
         return "The mission on the vehicle is not the one that the cloud last knew: " + difference + ".";
     }

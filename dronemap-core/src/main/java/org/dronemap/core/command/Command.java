@@ -6,6 +6,7 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Counted;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.RallyPoint;
@@ -136,7 +137,7 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return "upload a mission of " + mission.items().size() + " items";
+            return "upload a mission of " + Counted.of(mission.items().size(), "item");
         }
     }
 
@@ -317,7 +318,7 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return zones.isEmpty() ? "take the fence away" : "set a fence of " + zones.size() + " parts";
+            return zones.isEmpty() ? "take the fence away" : "set a fence of " + Counted.of(zones.size(), "part");
         }
     }
 
@@ -349,7 +350,7 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return points.isEmpty() ? "take the rally points away" : "set " + points.size() + " rally points";
+            return points.isEmpty() ? "take the rally points away" : "set " + Counted.of(points.size(), "rally point");
         }
     }
 

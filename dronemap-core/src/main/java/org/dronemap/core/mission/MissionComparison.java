@@ -18,7 +18,7 @@ public final class MissionComparison {
     public static Optional<String> difference(List<MissionItem> expected, List<MissionItem> found) {
         List<String> parts = new ArrayList<>();
         if (expected.size() != found.size()) {
-            parts.add(count(found.size()) + " instead of " + expected.size());
+            parts.add(Counted.of(found.size(), "item") + " instead of " + expected.size());
         }
         List<Integer> differing = new ArrayList<>();
         for (int index = 0; index < Math.min(expected.size(), found.size()); index++) {
@@ -33,11 +33,6 @@ public final class MissionComparison {
                     + (differing.size() == 1 ? " differs" : " differ"));
         }
         return parts.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", parts));
-    }
-
-    /** "1 item", "4 items". */
-    public static String count(int items) {
-        return items + (items == 1 ? " item" : " items");
     }
 
     private static boolean same(MissionItem a, MissionItem b) {

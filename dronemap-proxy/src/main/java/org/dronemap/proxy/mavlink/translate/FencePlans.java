@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.mission.Counted;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.Conclusion;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
@@ -77,8 +78,8 @@ final class FencePlans {
 
     private static Outcome compare(List<MissionItemInt> sent, List<MissionItemInt> held) {
         if (sent.size() != held.size()) {
-            return new Outcome.Failed(
-                    "The vehicle holds " + held.size() + " items instead of the " + sent.size() + " that were sent.");
+            return new Outcome.Failed("The vehicle holds " + Counted.of(held.size(), "item") + " instead of the "
+                    + sent.size() + " that were sent.");
         }
         for (int index = 0; index < sent.size(); index++) {
             if (!same(sent.get(index), held.get(index))) {

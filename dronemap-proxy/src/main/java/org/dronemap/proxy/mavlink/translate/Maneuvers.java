@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.mission.Counted;
 import org.dronemap.core.mission.MissionComparison;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -149,8 +150,8 @@ final class Maneuvers {
                 Sequence.Step.of(() -> readBack),
                 Sequence.Step.of(() -> new Conclusion(() -> {
                     if (readBack.count() > itemsBefore) {
-                        return new Outcome.Failed(
-                                "The vehicle still has " + (readBack.count() - itemsBefore) + " mission items.");
+                        return new Outcome.Failed("The vehicle still has "
+                                + Counted.of(readBack.count() - itemsBefore, "mission item") + ".");
                     }
                     cockpit.missionRead().accept(readBack.items());
                     return new Outcome.Succeeded();
