@@ -45,12 +45,12 @@ class Px4Peer:
             },
         )
         self._mode(LOITER)
-        self._closed = False
+        self._closing = threading.Event()
         self._thread = threading.Thread(target=self._fly, daemon=True)
         self._thread.start()
 
     def close(self) -> None:
-        self._closed = True
+        self._closing.set()
         self._thread.join()
         self.peer.close()
 
@@ -155,8 +155,7 @@ class Px4Peer:
 
     def _fly(self) -> None:
         ticks = 0
-        while not self._closed:
-            time.sleep(STEP)
+        while not self._closing.wait(STEP):
             ticks += 1
             self._steer()
             self._report()

@@ -16,3 +16,13 @@ def wait_for(what: str, condition: Callable[[], T | None], seconds: float = 30.0
             return answer
         assert time.monotonic() < deadline, f"not within {seconds:.0f} s: {what}"
         time.sleep(every)
+
+
+def throughout(what: str, condition: Callable[[], object], seconds: float, every: float = 0.1) -> None:
+    """Holds at every look for so long: for what stays as it is, where there is no event to wait for."""
+    end = time.monotonic() + seconds
+    while True:
+        assert condition(), f"not all along: {what}"
+        if time.monotonic() >= end:
+            return
+        time.sleep(every)

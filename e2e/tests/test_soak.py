@@ -1,6 +1,5 @@
 """Long runs, by `./dronemap soak` only."""
 
-import time
 from pathlib import Path
 
 import pytest
@@ -8,7 +7,7 @@ import pytest
 from dronemap_e2e.api import Api
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.waiting import wait_for
+from dronemap_e2e.waiting import throughout, wait_for
 
 from .test_footprint import resident_megabytes
 
@@ -24,10 +23,7 @@ def test_five_hundred_vehicles_stay_live_in_flat_memory(server: Server, api: Api
     try:
         wait_for("all are live", lambda: _live(api) >= VEHICLES, 120)
         after_warm_up = resident_megabytes(server.pid)
-        deadline = time.monotonic() + MINUTES * 60
-        while time.monotonic() < deadline:
-            assert _live(api) >= VEHICLES
-            time.sleep(5)
+        throughout("all are live", lambda: _live(api) >= VEHICLES, MINUTES * 60, every=5)
         assert resident_megabytes(server.pid) < after_warm_up * 1.25
     finally:
         simulator.stop()

@@ -2,12 +2,14 @@
 
 import contextlib
 import os
+import select
 import signal
 import socket
 import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import IO
 
 import pytest
 
@@ -35,11 +37,17 @@ def fill(folder: Path) -> None:
             filler.write(bytes(1 << 16))
 
 
-def wait_for_text(log: Path, text: str, seconds: float) -> None:
+def read_until(output: IO[bytes], text: str, seconds: float) -> str:
+    """What a program prints up to that text, as soon as it is there."""
     deadline = time.monotonic() + seconds
-    while text not in log.read_text():
-        assert time.monotonic() < deadline, f"no '{text}' within {seconds} s: {log.read_text()}"
-        time.sleep(0.1)
+    heard = ""
+    while text not in heard:
+        left = max(0.0, deadline - time.monotonic())
+        assert select.select([output], [], [], left)[0], f"no '{text}' within {seconds} s: {heard}"
+        piece = os.read(output.fileno(), 65_536).decode(errors="replace")
+        assert piece, f"it ended without '{text}': {heard}"
+        heard += piece
+    return heard
 
 
 def processes_of(folder: Path) -> list[str]:
@@ -206,25 +214,24 @@ def test_says_that_the_network_is_missing_for_the_servers_libraries(
     assert "no network" in outcome.stderr
 
 
-def test_an_interrupted_build_ends_cleanly_and_goes_on_when_run_again(
-    checkout: Checkout, tmp_path: Path
-) -> None:
-    output = tmp_path / "output"
-    with output.open("w") as sink:
-        # In a session of its own, where the interrupt key reaches the whole foreground group.
-        build = subprocess.Popen(
-            [checkout.path / "dronemap", "build"],
-            env=checkout.environment(),
-            stdin=subprocess.DEVNULL,
-            stdout=sink,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
-    wait_for_text(output, "(2 of ", 300)
-    os.killpg(build.pid, signal.SIGINT)
-    assert build.wait(30) == INTERRUPTED
-    assert "Interrupted while building the server" in output.read_text()
-    assert "run the same command again" in output.read_text()
+def test_an_interrupted_build_ends_cleanly_and_goes_on_when_run_again(checkout: Checkout) -> None:
+    # In a session of its own, where the interrupt key reaches the whole foreground group.
+    with subprocess.Popen(
+        [checkout.path / "dronemap", "build"],
+        env=checkout.environment(),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        bufsize=0,
+        start_new_session=True,
+    ) as build:
+        assert build.stdout is not None
+        said = read_until(build.stdout, "(2 of ", 300)
+        os.killpg(build.pid, signal.SIGINT)
+        said += build.communicate(timeout=30)[0].decode()
+    assert build.returncode == INTERRUPTED
+    assert "Interrupted while building the server" in said
+    assert "run the same command again" in said
     assert processes_of(checkout.path) == []
 
     again = checkout.run("build", seconds=600)
