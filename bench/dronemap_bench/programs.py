@@ -38,10 +38,12 @@ class Server:
         self._data = data
         data.mkdir(parents=True)
         options = os.environ.get("DRONEMAP_JAVA_OPTS", "").split()
+        # It is the default configuration that is measured, and never on a database that is in use.
+        inherited = {name: value for name, value in os.environ.items() if not name.startswith("DRONEMAP_")}
         with (data / "server.log").open("wb") as log:
             self._process = subprocess.Popen(
                 ["java", "-Xmx384m", *options, "-jar", str(SERVER_JAR)],
-                env=os.environ
+                env=inherited
                 | {
                     "DRONEMAP_DATA_DIR": str(data),
                     "DRONEMAP_BIND": "127.0.0.1",

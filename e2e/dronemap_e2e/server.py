@@ -44,7 +44,9 @@ class Server:
     def start(self) -> None:
         assert SERVER_JAR.exists(), f"{SERVER_JAR} is missing: build first (./dronemap test does)"
         self.data.mkdir(parents=True, exist_ok=True)
-        environment = os.environ | {
+        # A developer's own settings, above all a database, are nothing for tests.
+        inherited = {name: value for name, value in os.environ.items() if not name.startswith("DRONEMAP_")}
+        environment = inherited | {
             "DRONEMAP_DATA_DIR": str(self.data),
             "DRONEMAP_BIND": "127.0.0.1",
             "DRONEMAP_HTTP_PORT": str(self.http_port),
