@@ -1,5 +1,6 @@
 """The ground station as hands use it: by pointer, by touch, by keyboard; found by visible text alone."""
 
+import os
 import re
 import shutil
 from typing import Protocol
@@ -19,7 +20,7 @@ CHROMIUM_ARGUMENTS = [
 
 
 def launch(playwright: Playwright) -> Browser:
-    chromium = shutil.which("chromium")
+    chromium = os.environ.get("DRONEMAP_CHROMIUM") or shutil.which("chromium")
     assert chromium, "chromium is missing: ./dronemap test installs it"
     return playwright.chromium.launch(executable_path=chromium, args=CHROMIUM_ARGUMENTS)
 

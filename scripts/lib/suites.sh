@@ -41,7 +41,6 @@ prepare_suites() {
     unset DRONEMAP_DATA_DIR DRONEMAP_HTTP_PORT DRONEMAP_STREAM_PORT DRONEMAP_MAVLINK_UDP DRONEMAP_MAVLINK_TCP DRONEMAP_ENDPOINTS
     DRONEMAP_CHROMIUM=$(find_chromium)
     export DRONEMAP_CHROMIUM
-    export DRONEMAP_JAR=$ROOT/dronemap-ws/target/dronemap.jar DRONEMAP_SIM_JAR=$ROOT/dronemap-sim/target/dronemap-sim.jar
 }
 
 provide_test_python() {
