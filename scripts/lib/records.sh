@@ -100,8 +100,8 @@ command_replay() {
         esac
         (($# > 0)) && shift
     done
-    [[ $speed =~ ^[0-9]{1,3}(\.[0-9]+)?$ ]] && awk "BEGIN { exit !($speed >= 0.1 && $speed <= 100) }" ||
-        fail "$EXIT_USAGE" "--speed is '$speed'; it must be a number from 0.1 to 100."
+    [[ $speed =~ ^[0-9]{1,3}(\.[0-9]+)?$ ]] && awk "BEGIN { exit !($speed >= 1 && $speed <= 100) }" ||
+        fail "$EXIT_USAGE" "--speed is '$speed'; it must be a number from 1 to 100."
     [[ -n $file ]] || fail "$EXIT_USAGE" "replay needs a recording (.tlog). See ./dronemap help"
     # The id of a flight that the server recorded does as well.
     [[ -f $file && -r $file || $file =~ ^[0-9]{8}T[0-9]{6}Z_[a-z0-9_-]+$ ]] || fail "$EXIT_USAGE" "There is no readable file '$file'."

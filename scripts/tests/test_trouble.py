@@ -265,8 +265,9 @@ def test_two_at_once_in_one_checkout_do_not_disturb_each_other(checkout: Checkou
         (("backup",), "backup needs the file to write"),
         (("restore", "missing.zip"), "There is no readable file 'missing.zip'"),
         (("replay", "missing.tlog"), "There is no readable file 'missing.tlog'"),
-        (("replay", "x.tlog", "--speed", "fast"), "it must be a number from 0.1 to 100"),
-        (("replay", "x.tlog", "--speed", "101"), "it must be a number from 0.1 to 100"),
+        (("replay", "x.tlog", "--speed", "fast"), "it must be a number from 1 to 100"),
+        (("replay", "x.tlog", "--speed", "0.5"), "it must be a number from 1 to 100"),
+        (("replay", "x.tlog", "--speed", "101"), "it must be a number from 1 to 100"),
     ],
 )
 def test_wrong_use_is_answered_with_a_sentence(
