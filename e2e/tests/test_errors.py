@@ -112,6 +112,7 @@ def test_soap_says_the_same_sentences(server: Server, api: Api, tap: Tap, copter
         service.arm("nosuchdrone")
 
     assert latitude.value.message == rest
+    assert latitude.value.code.endswith(":Client")
     assert "nosuchdrone" in unknown.value.message
     assert not sent(tap)
 

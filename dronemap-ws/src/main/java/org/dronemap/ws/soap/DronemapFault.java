@@ -11,13 +11,25 @@ public class DronemapFault extends Exception {
     @SuppressWarnings("serial") // faults cross the wire as XML only
     private final SoapFaultDetail detail;
 
+    private final boolean ofTheCaller;
+
+    /** For clients, which learn whose mistake it was from the fault code. */
     public DronemapFault(String message, SoapFaultDetail detail) {
+        this(message, detail, true);
+    }
+
+    private DronemapFault(String message, SoapFaultDetail detail, boolean ofTheCaller) {
         super(message);
         this.detail = detail;
+        this.ofTheCaller = ofTheCaller;
     }
 
     static DronemapFault of(Problem problem) {
-        return new DronemapFault(problem.detail(), SoapFaultDetail.of(problem));
+        return new DronemapFault(problem.detail(), SoapFaultDetail.of(problem), problem.status() < 500);
+    }
+
+    boolean isOfTheCaller() {
+        return ofTheCaller;
     }
 
     public SoapFaultDetail getFaultInfo() {

@@ -3,7 +3,6 @@ package org.dronemap.ws.soap;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
-import org.apache.cxf.binding.soap.SoapFault;
 import org.apache.cxf.interceptor.Fault;
 import org.apache.cxf.interceptor.StaxInInterceptor;
 import org.apache.cxf.message.Message;
@@ -26,7 +25,7 @@ final class NoDoctype extends AbstractPhaseInterceptor<Message> {
         try {
             while (reader.getEventType() != XMLStreamConstants.START_ELEMENT) {
                 if (reader.getEventType() == XMLStreamConstants.DTD) {
-                    throw client("A SOAP message must not have a DOCTYPE.");
+                    throw FaultWords.unreadable("A SOAP message must not have a DOCTYPE.");
                 }
                 if (!reader.hasNext()) {
                     return;
@@ -34,12 +33,7 @@ final class NoDoctype extends AbstractPhaseInterceptor<Message> {
                 reader.next();
             }
         } catch (XMLStreamException e) {
-            throw client("This is not well-formed XML.");
+            throw FaultWords.unreadable("This is not well-formed XML.");
         }
-    }
-
-    private static SoapFault client(String sentence) {
-        return new SoapFault(
-                sentence, org.apache.cxf.binding.soap.Soap11.getInstance().getSender());
     }
 }

@@ -1,12 +1,14 @@
 package org.dronemap.ws.soap;
 
+import java.util.List;
 import java.util.Map;
 import org.apache.cxf.Bus;
+import org.apache.cxf.jaxb.JAXBDataBinding;
 import org.apache.cxf.jaxws.EndpointImpl;
 
 /** Publishes the service on a bus, with bounds on the XML that it reads. */
 public final class SoapEndpoint {
-    private static final String PATH = "/MAVLinkControllerService";
+    static final String PATH = "/MAVLinkControllerService";
 
     private SoapEndpoint() {}
 
@@ -20,8 +22,15 @@ public final class SoapEndpoint {
         bus.setProperty("org.apache.cxf.stax.maxTextLength", 65_536L);
         bus.setProperty("org.apache.cxf.stax.maxXMLCharacters", 1_048_576L);
         EndpointImpl endpoint = new EndpointImpl(bus, service);
-        endpoint.setProperties(Map.of("exceptionMessageCauseEnabled", "false", "faultStackTraceEnabled", "false"));
-        endpoint.getInInterceptors().add(new NoDoctype());
+        endpoint.setProperties(Map.of(
+                "exceptionMessageCauseEnabled",
+                "false",
+                "faultStackTraceEnabled",
+                "false",
+                JAXBDataBinding.READER_VALIDATION_EVENT_HANDLER,
+                new UnreadableValues()));
+        endpoint.getInInterceptors().addAll(List.of(new NoDoctype(), new ReadingXml(), new StrictElements()));
+        endpoint.getOutFaultInterceptors().add(new FaultWords());
         endpoint.publish(PATH);
         return endpoint;
     }

@@ -1,0 +1,63 @@
+package org.dronemap.ws.soap;
+
+import javax.xml.stream.XMLStreamException;
+import org.apache.cxf.binding.soap.Soap11;
+import org.apache.cxf.binding.soap.SoapFault;
+import org.apache.cxf.interceptor.Fault;
+import org.apache.cxf.message.Message;
+import org.apache.cxf.phase.AbstractPhaseInterceptor;
+import org.apache.cxf.phase.Phase;
+import org.apache.cxf.staxutils.DepthExceededStaxException;
+import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.Problem;
+
+/** Says in each fault whose mistake it was, and what is wrong with XML that cannot be read, as the other faces say it. */
+final class FaultWords extends AbstractPhaseInterceptor<Message> {
+    FaultWords() {
+        super(Phase.PRE_LOGICAL);
+    }
+
+    /** What a client sees of a problem; its own mistakes carry the code for that. */
+    static Fault fault(Problem problem) {
+        DronemapFault ours = DronemapFault.of(problem);
+        return coded(new Fault(ours), ours);
+    }
+
+    private static Fault coded(Fault fault, DronemapFault ours) {
+        fault.setFaultCode(ours.isOfTheCaller() ? Fault.FAULT_CODE_CLIENT : Fault.FAULT_CODE_SERVER);
+        return fault;
+    }
+
+    /** For what is no call at all: no operation, and so no detail. */
+    static SoapFault unreadable(String sentence) {
+        return new SoapFault(sentence, Soap11.getInstance().getSender());
+    }
+
+    @Override
+    public void handleMessage(Message message) {
+        Exception thrown = message.getContent(Exception.class);
+        Fault told = thrown instanceof Fault fault ? inOurWords(message, fault) : null;
+        if (told != null) {
+            message.setContent(Exception.class, told);
+        }
+    }
+
+    private static Fault inOurWords(Message message, Fault fault) {
+        if (fault.getCause() instanceof DronemapFault ours) {
+            return coded(fault, ours);
+        }
+        InvalidInput unreadable = message.getExchange().get(InvalidInput.class);
+        if (unreadable != null) {
+            return fault(Problem.of(unreadable));
+        }
+        for (Throwable cause = fault; cause != null; cause = cause.getCause()) {
+            if (cause instanceof DepthExceededStaxException) {
+                return unreadable("This XML has more elements, or deeper ones, than are allowed here.");
+            }
+            if (cause instanceof XMLStreamException) {
+                return unreadable("This is not well-formed XML.");
+            }
+        }
+        return fault;
+    }
+}

@@ -1,0 +1,144 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Whose mistake a SOAP fault calls it, and what it says of XML that cannot be read. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class SoapFaultsTest {
+    private static final String OF_THE_CALLER = "<faultcode>\\w+:Client</faultcode>";
+
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private Http operator;
+
+    @BeforeAll
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15681);
+        operator = new Http(house, house.key(Role.OPERATOR));
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+    }
+
+    private static Http.Answer call(Http caller, String operation) {
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body>" + operation + "</s:Body></s:Envelope>";
+        return caller.send(
+                "/services/MAVLinkControllerService",
+                request ->
+                        request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
+    }
+
+    private String fault(String operation) {
+        Http.Answer answer = call(operator, operation);
+        assertThat(answer.status()).isEqualTo(500);
+        return answer.raw().body();
+    }
+
+    @Test
+    void isTheCallersForABadValueAStrangerAndAnUnknownDrone() {
+        String badValue = fault("<w:goto><droneId>" + vehicle.id()
+                + "</droneId><latitude>95</latitude><longitude>8</longitude><altitude>20</altitude></w:goto>");
+        String stranger = call(new Http(house, ""), "<w:getDronesList/>").raw().body();
+        String unknown = fault("<w:land><droneId>nosuchdrone</droneId></w:land>");
+
+        assertThat(badValue)
+                .containsPattern(OF_THE_CALLER)
+                .contains("<code>invalid-value</code>", "<field>latitude</field>")
+                .contains("<allowed>-90 to 90 degrees</allowed>");
+        assertThat(stranger).containsPattern(OF_THE_CALLER).contains("<code>not-signed-in</code>");
+        assertThat(unknown).containsPattern(OF_THE_CALLER).contains("<code>unknown</code>");
+    }
+
+    static Stream<Arguments> unreadableValues() {
+        return Stream.of(
+                Arguments.of(
+                        "<w:takeoff><droneId>x</droneId><altitude>high</altitude></w:takeoff>", "altitude", "a number"),
+                Arguments.of("<w:setRelay><droneId>x</droneId><relay>one</relay></w:setRelay>", "relay", "a number"),
+                Arguments.of("<w:disarm><droneId>x</droneId><force>maybe</force></w:disarm>", "force", "true or false"),
+                Arguments.of(
+                        "<w:uploadMission><droneId>x</droneId><waypoint><latitude>47</latitude></waypoint>"
+                                + "<waypoint><latitude>47N</latitude></waypoint></w:uploadMission>",
+                        "waypoint[1].latitude",
+                        "a number"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("unreadableValues")
+    void namesTheFieldAndWhatIsAllowed(String operation, String field, String allowed) {
+        assertThat(fault(operation))
+                .containsPattern(OF_THE_CALLER)
+                .contains("<code>invalid-value</code>", "<field>" + field + "</field>")
+                .contains("<allowed>" + allowed + "</allowed>")
+                .contains("\"" + field + "\" must be " + allowed + ".")
+                .doesNotContain("Unmarshalling", "Exception");
+    }
+
+    @Test
+    void namesMisspeltElementsHoweverManyCameBefore() {
+        IntStream.range(0, 15)
+                .forEach(
+                        attempt -> assertThat(fault("<w:uploadMission><droneId>" + vehicle.id()
+                                        + "</droneId><waypoint><latitude>47</latitude><longitude>8</longitude>"
+                                        + "<altitude>20</altitude><altitudereference>amsl</altitudereference></waypoint>"
+                                        + "</w:uploadMission>"))
+                                .containsPattern(OF_THE_CALLER)
+                                .contains("<field>waypoint[0].altitudereference</field>")
+                                .contains(
+                                        "<allowed>type, latitude, longitude, altitude, altitudeReference, holdSeconds, description"));
+        assertThat(fault("<w:takeoff><droneId>x</droneId><altitud>5</altitud></w:takeoff>"))
+                .contains("<field>altitud</field>", "<allowed>droneId, altitude</allowed>");
+        assertThat(vehicle.performed()).isEmpty();
+    }
+
+    @Test
+    void saysInItsOwnWordsThatXmlIsNotWellFormed() {
+        assertThat(fault("<w:land><droneId>x</w:land>"))
+                .containsPattern(OF_THE_CALLER)
+                .contains("This is not well-formed XML.")
+                .doesNotContain("Exception", "XMLStreamReader");
+    }
+
+    @Test
+    void callsAnUnknownOperationTheCallersMistake() {
+        assertThat(fault("<w:fly><droneId>x</droneId></w:fly>"))
+                .containsPattern(OF_THE_CALLER)
+                .doesNotContain("Exception");
+    }
+
+    @Test
+    void takesAKeyInTheHeaderBesideTheCall() {
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Header><w:accessKey>" + house.key(Role.VIEWER)
+                + "</w:accessKey></s:Header><s:Body><w:getDrone><droneId>" + vehicle.id()
+                + "</droneId></w:getDrone></s:Body></s:Envelope>";
+        Http.Answer answer = new Http(house, "")
+                .send(
+                        "/services/MAVLinkControllerService",
+                        request -> request.header("Content-Type", "text/xml")
+                                .POST(HttpRequest.BodyPublishers.ofString(envelope)));
+
+        assertThat(answer.status()).isEqualTo(200);
+        assertThat(answer.raw().body()).contains("<id>" + vehicle.id() + "</id>");
+    }
+}
