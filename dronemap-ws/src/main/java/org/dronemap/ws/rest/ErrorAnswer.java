@@ -3,9 +3,7 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Hidden;
 import jakarta.servlet.RequestDispatcher;
 import jakarta.servlet.http.HttpServletRequest;
-import java.util.Arrays;
 import org.dronemap.ws.service.Problem;
-import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.springframework.boot.webmvc.error.ErrorController;
 import org.springframework.http.MediaType;
@@ -22,13 +20,7 @@ public class ErrorAnswer implements ErrorController {
     public ResponseEntity<Problem> error(HttpServletRequest request) {
         Object code = request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE);
         int status = code instanceof Integer number ? number : RejectionKind.UNKNOWN.status();
-        Problem problem = Arrays.stream(RejectionKind.values())
-                .filter(kind -> kind.status() == status && kind != RejectionKind.BROKEN)
-                .findFirst()
-                .map(kind -> Problem.of(new Rejection(kind, kind.title() + ".")))
-                .orElseGet(() -> status < 500
-                        ? Problem.of(Rejection.malformed("The request cannot be understood."))
-                        : Problem.internal());
+        Problem problem = Problem.ofStatus(status);
         return ResponseEntity.status(problem.status())
                 .contentType(MediaType.APPLICATION_PROBLEM_JSON)
                 .body(problem);

@@ -2,6 +2,7 @@ package org.dronemap.ws.service;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
 import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /** A rejection as clients see it (RFC 9457). */
@@ -28,6 +29,16 @@ public record Problem(
                 field,
                 allowed,
                 rejection.commandId());
+    }
+
+    /** For who knows no more than the status of HTTP. */
+    public static Problem ofStatus(int status) {
+        return Arrays.stream(RejectionKind.values())
+                .filter(kind -> kind.status() == status && kind != RejectionKind.BROKEN)
+                .findFirst()
+                .map(kind -> of(new Rejection(kind, kind.title() + ".")))
+                .orElseGet(
+                        () -> status < 500 ? of(Rejection.malformed("The request cannot be understood.")) : internal());
     }
 
     /** Our own fault: logged where it happened, told without its inside. */

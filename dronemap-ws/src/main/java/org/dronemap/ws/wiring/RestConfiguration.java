@@ -27,8 +27,11 @@ import org.dronemap.ws.rest.WebClientPages;
 import org.dronemap.ws.security.AccessFilter;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
+import org.dronemap.ws.security.RefusedByTomcat;
 import org.dronemap.ws.service.JsonReader;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
+import org.springframework.boot.tomcat.ConfigurableTomcatWebServerFactory;
+import org.springframework.boot.web.server.WebServerFactoryCustomizer;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -70,6 +73,12 @@ public class RestConfiguration {
     @Bean
     ProblemWriter problemWriter(JsonReader json) {
         return new ProblemWriter(json);
+    }
+
+    @Bean
+    WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> refusedByTomcat(JsonReader json) {
+        return factory -> factory.addContextCustomizers(
+                context -> context.getParent().getPipeline().addValve(new RefusedByTomcat(json)));
     }
 
     @Bean

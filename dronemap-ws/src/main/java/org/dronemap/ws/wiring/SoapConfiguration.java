@@ -5,10 +5,13 @@ import org.apache.cxf.bus.extension.ExtensionManagerBus;
 import org.apache.cxf.jaxws.EndpointImpl;
 import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
 import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.soap.ControllerService;
+import org.dronemap.ws.soap.KnownServices;
 import org.dronemap.ws.soap.SoapEndpoint;
+import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.boot.web.servlet.ServletRegistrationBean;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -26,6 +29,13 @@ public class SoapConfiguration {
     EndpointImpl soapEndpoint(
             Bus soapBus, Authentication authentication, DroneService drones, CommandService commands) {
         return SoapEndpoint.publish(soapBus, new ControllerService(authentication, drones, commands));
+    }
+
+    @Bean
+    FilterRegistrationBean<KnownServices> knownServices(ProblemWriter problems) {
+        FilterRegistrationBean<KnownServices> registration = new FilterRegistrationBean<>(new KnownServices(problems));
+        registration.addUrlPatterns("/services", "/services/*");
+        return registration;
     }
 
     @Bean

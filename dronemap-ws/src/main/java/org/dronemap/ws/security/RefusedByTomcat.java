@@ -1,0 +1,45 @@
+package org.dronemap.ws.security;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import org.apache.catalina.connector.Request;
+import org.apache.catalina.connector.Response;
+import org.apache.catalina.valves.ErrorReportValve;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Answers what the web server itself refuses, such as an address with a broken escape, before any filter sees it. */
+public final class RefusedByTomcat extends ErrorReportValve {
+    private static final Logger LOG = LoggerFactory.getLogger(RefusedByTomcat.class);
+    private static final int BAD_REQUEST = 400;
+
+    private final JsonReader json;
+
+    public RefusedByTomcat(JsonReader json) {
+        this.json = json;
+    }
+
+    @Override
+    protected void report(Request request, Response response, @Nullable Throwable failure) {
+        int status = response.getStatus();
+        if (status < BAD_REQUEST || response.getContentWritten() > 0 || !response.setErrorReported()) {
+            return;
+        }
+        Problem problem = status == BAD_REQUEST
+                ? Problem.of(Rejection.malformed(
+                        "The request cannot be read: its address has a broken escape or a character that must be"
+                                + " escaped, or a header is malformed."))
+                : Problem.ofStatus(status);
+        try {
+            response.setContentType("application/problem+json");
+            response.getOutputStream().write(json.write(problem).getBytes(StandardCharsets.UTF_8));
+            response.finishResponse();
+        } catch (IOException e) {
+            LOG.debug("A client went away before it was told what is wrong", e);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package org.dronemap.ws.soap;
+
+import jakarta.servlet.FilterChain;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.dronemap.ws.security.ProblemWriter;
+import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
+import org.springframework.web.filter.OncePerRequestFilter;
+
+/** Answers for addresses under /services that are none; the SOAP library would send a page of its own. */
+public final class KnownServices extends OncePerRequestFilter {
+    private static final String SERVICE = "/services" + SoapEndpoint.PATH;
+
+    private final ProblemWriter problems;
+
+    public KnownServices(ProblemWriter problems) {
+        this.problems = problems;
+    }
+
+    @Override
+    protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
+            throws ServletException, IOException {
+        String address = request.getServletPath() + (request.getPathInfo() == null ? "" : request.getPathInfo());
+        if (address.equals(SERVICE)) {
+            chain.doFilter(request, response);
+            return;
+        }
+        problems.write(
+                response,
+                Problem.of(new Rejection(
+                        RejectionKind.UNKNOWN,
+                        "There is nothing at " + request.getRequestURI() + "; the SOAP service is described at "
+                                + SERVICE + "?wsdl.")));
+    }
+}

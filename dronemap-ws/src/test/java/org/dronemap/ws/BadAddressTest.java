@@ -1,0 +1,69 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Addresses that lead nowhere, or are none, are answered with a problem as everything else is. */
+class BadAddressTest {
+    @TempDir
+    static Path data;
+
+    private static TestHouse house;
+
+    @BeforeAll
+    static void open() {
+        house = new TestHouse(data, false);
+    }
+
+    @AfterAll
+    static void close() {
+        house.close();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"/services/NoSuchService", "/services/", "/services", "/services/MAVLinkControllerService/deeper"
+            })
+    void answersAnUnknownAddressOfServicesWithAProblem(String address) {
+        Http.Answer answer = new Http(house, house.key(Role.VIEWER)).get(address);
+
+        assertThat(answer.status()).isEqualTo(404);
+        assertThat(answer.raw().headers().firstValue("Content-Type")).hasValue("application/problem+json");
+        assertThat(answer.text("detail")).contains("/services/MAVLinkControllerService?wsdl");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"/api/v1/%zz", "/api/v1/drones/%", "/%zz", "/services/%zz", "/api/v1/a\\b"})
+    void answersABrokenAddressWithAProblem(String target) throws IOException {
+        String answer = answerTo(target);
+
+        assertThat(answer)
+                .startsWith("HTTP/1.1 400")
+                .containsIgnoringCase("content-type: application/problem+json")
+                .contains("urn:dronemap:problem:malformed", "\"status\":400")
+                .doesNotContain("<html", "Tomcat");
+    }
+
+    /** A client of the library would not send such an address. */
+    private static String answerTo(String target) throws IOException {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), house.httpPort())) {
+            socket.setSoTimeout(30_000);
+            String request = "GET " + target + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+            socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+}
