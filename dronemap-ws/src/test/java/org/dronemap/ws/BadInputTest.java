@@ -103,6 +103,14 @@ class BadInputTest {
     }
 
     @Test
+    void offersOnlyTypesThatItTakes() {
+        Http.Answer answer = operator.post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"fence\"}");
+
+        assertThat(answer.status()).isEqualTo(422);
+        assertThat(answer.text("allowed")).contains("readLogs").doesNotContain("fence", "rallyPoints");
+    }
+
+    @Test
     void saysTheSameSentenceInAllFaces() {
         String sentence = operator.post(
                         "/api/v1/drones/" + vehicle.id() + "/commands",

@@ -1,11 +1,8 @@
 package org.dronemap.ws.service;
 
-import java.util.Arrays;
-import java.util.stream.Collectors;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.RelaySetting;
-import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.parameter.ParameterSet;
@@ -13,8 +10,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wrote into a command, or says which member is wrong and what is allowed. */
 final class CommandReader {
-    private static final String KINDS =
-            Arrays.stream(Capability.values()).map(WireNames::camel).collect(Collectors.joining(", ", "one of ", ""));
+    private static final String KINDS = "one of " + CommandRequest.TYPES;
     private static final String RELAY_SETTINGS = "off, on or toggle";
     private static final String CLOUD_LOSS = "continue or rtl";
 

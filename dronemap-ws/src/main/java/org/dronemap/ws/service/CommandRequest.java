@@ -7,12 +7,7 @@ import org.jspecify.annotations.Nullable;
 /** A command as a client writes it; which members are needed depends on the type. Nothing is checked yet. */
 @Schema(description = "A command; which members are needed depends on the type.")
 public record CommandRequest(
-        @Schema(
-                description = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
-                        + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, readParameters,"
-                        + " setParameters or readLogs",
-                requiredMode = Schema.RequiredMode.REQUIRED)
-        @Nullable
+        @Schema(description = "one of " + CommandRequest.TYPES, requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
         String type,
 
         @Schema(description = "Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once") @Nullable
@@ -52,6 +47,11 @@ public record CommandRequest(
 
         @Schema(description = "setParameters: what is to be changed") @Nullable
         List<ParameterRequest> parameters) {
+    /** What there is of types; fence, rally points and the download of a log have addresses of their own. */
+    static final String TYPES = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
+            + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, readParameters, setParameters,"
+            + " readLogs";
+
     /** A parameter and the value that it shall get. */
     public record ParameterRequest(
             @Nullable String name, @Nullable Double value) {}
