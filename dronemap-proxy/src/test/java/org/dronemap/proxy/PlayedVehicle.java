@@ -7,6 +7,8 @@ import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
@@ -24,7 +26,7 @@ public final class PlayedVehicle implements AutoCloseable {
     private final List<Frame> heard = new CopyOnWriteArrayList<>();
     private final BiConsumer<PlayedVehicle, Frame> answers;
     private volatile Heartbeat heartbeat;
-    private volatile boolean open = true;
+    private final CountDownLatch closing = new CountDownLatch(1);
 
     /** {@code answers} runs on the vehicle's own thread. */
     public PlayedVehicle(int port, FrameWriter writer, Heartbeat first, BiConsumer<PlayedVehicle, Frame> answers)
@@ -51,7 +53,7 @@ public final class PlayedVehicle implements AutoCloseable {
         try {
             channel.write(ByteBuffer.wrap(writer.frame(message)));
         } catch (IOException e) {
-            if (open) {
+            if (isOpen()) {
                 throw new IllegalStateException(e);
             }
         }
@@ -90,7 +92,7 @@ public final class PlayedVehicle implements AutoCloseable {
     private void listen() {
         FrameReader reader = new FrameReader();
         ByteBuffer buffer = ByteBuffer.allocate(2048);
-        while (open) {
+        while (isOpen()) {
             try {
                 buffer.clear();
                 channel.read(buffer);
@@ -102,28 +104,30 @@ public final class PlayedVehicle implements AutoCloseable {
             } catch (ClosedChannelException e) {
                 return;
             } catch (IOException e) {
-                if (open) {
+                if (isOpen()) {
                     throw new IllegalStateException(e);
                 }
             }
         }
     }
 
+    private boolean isOpen() {
+        return closing.getCount() > 0;
+    }
+
     private void beat() {
-        while (open) {
-            send(heartbeat);
-            try {
-                Thread.sleep(200);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                return;
-            }
+        try {
+            do {
+                send(heartbeat);
+            } while (!closing.await(200, TimeUnit.MILLISECONDS));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 
     @Override
     public void close() throws IOException {
-        open = false;
+        closing.countDown();
         channel.close();
     }
 }

@@ -45,7 +45,7 @@ class SitlFlightTest {
     }
 
     private Process start(String binary, int port) throws IOException {
-        String defaults = System.getenv().getOrDefault("DRONEMAP_SITL_DEFAULTS", "");
+        Path defaults = Path.of(binary).resolveSibling("copter.parm");
         File log = folder.resolve("sitl.log").toFile();
         Files.createFile(log.toPath());
         return new ProcessBuilder(
@@ -56,7 +56,7 @@ class SitlFlightTest {
                         "--speedup",
                         "1",
                         "--defaults",
-                        defaults,
+                        defaults.toString(),
                         "--home",
                         "47.397742,8.545594,488,0",
                         "--sysid",
