@@ -51,9 +51,8 @@ class Peer:
         self.state = State()
         self.handlers = handlers or {}
         self._tcp = tcp
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_STREAM if tcp else socket.SOCK_DGRAM)
-        self._socket.connect(("127.0.0.1", port))
-        self._socket.settimeout(0.05)
+        self._to = port
+        self._socket = self._open(port)
         self.port: int = self._socket.getsockname()[1]
         dialect = mavlink if self.kind.version == 2 else mavlink1
         self.link: Any = dialect.MAVLink(self, srcSystem=system_id, srcComponent=self.kind.component)
@@ -90,6 +89,40 @@ class Peer:
             self.state.status,
         )
 
+    def move(self) -> "Peer.Forwarding":
+        """Goes on from another address, as behind a NAT that forgot; keeps what comes to the old one."""
+        old = self._socket
+        self._socket = self._open(self._to)
+        self.port = self._socket.getsockname()[1]
+        return Peer.Forwarding(old)
+
+    class Forwarding:
+        """An address that was left: who may still be spoken to there, and when."""
+
+        def __init__(self, old: socket.socket) -> None:
+            self._old = old
+            self._link: Any = mavlink.MAVLink(None)
+            self._link.robust_parsing = True
+            self._left = time.monotonic()
+            self.late: list[tuple[float, Any]] = []
+            self._closed = False
+            self._thread = threading.Thread(target=self._listen, daemon=True)
+            self._thread.start()
+
+        def _listen(self) -> None:
+            while not self._closed:
+                try:
+                    data = self._old.recv(65535)
+                except (TimeoutError, ConnectionError):
+                    continue
+                for message in self._link.parse_buffer(data) or []:
+                    self.late.append((time.monotonic() - self._left, message))
+
+        def close(self) -> None:
+            self._closed = True
+            self._thread.join()
+            self._old.close()
+
     def close(self) -> None:
         self._closed = True
         self._thread.join()
@@ -97,6 +130,12 @@ class Peer:
 
     def turn(self) -> None:
         """Called again and again on the peer's thread; kinds of peers do more here."""
+
+    def _open(self, port: int) -> socket.socket:
+        opened = socket.socket(socket.AF_INET, socket.SOCK_STREAM if self._tcp else socket.SOCK_DGRAM)
+        opened.connect(("127.0.0.1", port))
+        opened.settimeout(0.05)
+        return opened
 
     def _run(self) -> None:
         next_beat = 0.0
@@ -138,6 +177,18 @@ def set_mode_message(peer: Peer, message: Any) -> None:
     """The old SET_MODE message."""
     peer.state.custom_mode = message.custom_mode
     peer.beat()
+
+
+def with_hardware(uid: int, then: Handler = obey) -> Handler:
+    """Says which board it is when asked; does with the rest what `then` does."""
+
+    def answer(peer: Peer, message: Any) -> None:
+        if message.command == mavlink.MAV_CMD_REQUEST_MESSAGE and message.param1 == 148:
+            peer.link.autopilot_version_send(0, 0x040506FF, 0, 0, 0, bytes(8), bytes(8), bytes(8), 0, 0, uid)
+        else:
+            then(peer, message)
+
+    return answer
 
 
 OBEDIENT: dict[str, Handler] = {"COMMAND_LONG": obey, "COMMAND_INT": obey, "SET_MODE": set_mode_message}

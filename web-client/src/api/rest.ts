@@ -19,6 +19,7 @@ import type {
   Settings,
   User,
 } from './types';
+import type { WaitingVehicle } from './waiting';
 
 type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
 
@@ -87,6 +88,18 @@ export class RestClient {
 
   revokeLinkKey(id: string): Promise<LinkSecurity> {
     return this.#call('DELETE', `/drones/${encodeURIComponent(id)}/link-key`);
+  }
+
+  async waiting(): Promise<WaitingVehicle[]> {
+    return (await this.#call<{ waiting: WaitingVehicle[] }>('GET', '/waiting')).waiting;
+  }
+
+  enrol(id: string): Promise<Drone> {
+    return this.#call('POST', `/waiting/${encodeURIComponent(id)}/enrol`, {});
+  }
+
+  dismissWaiting(id: string): Promise<void> {
+    return this.#call('DELETE', `/waiting/${encodeURIComponent(id)}`);
   }
 
   sendCommand(drone: string, request: CommandRequest & { id: string }): Promise<Command> {

@@ -46,6 +46,8 @@ export interface Link {
   state: LinkState;
   lastHeard: string | null;
   quality?: LinkQuality;
+  /** Further addresses on which the same vehicle is heard. */
+  others?: string[];
 }
 
 export type DroneKind =

@@ -9,6 +9,8 @@ import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.record.Replays;
+import org.dronemap.proxy.session.AskAllowance;
+import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.proxy.session.SessionTable;
 import org.dronemap.proxy.session.Surroundings;
@@ -26,24 +28,23 @@ public final class Proxy implements AutoCloseable {
     /** One endpoint with its counts. */
     public record EndpointStatus(EndpointUrl url, EndpointCounters.Counts counts) {}
 
-    /** {@code taps} hear every frame of every session. */
-    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Keyrings keyrings, FrameTap.Factory taps) {
-        this(cloud, lanes, urls, keyrings, taps, DtlsKeys.none());
-    }
+    /**
+     * How sessions are made.
+     *
+     * @param keyrings the keys that vehicles sign with
+     * @param taps hear every frame of every session
+     * @param dtlsKeys what vehicles prove themselves with on authenticated links
+     * @param enrolment from where strangers come in
+     */
+    public record Policy(Keyrings keyrings, FrameTap.Factory taps, DtlsKeys dtlsKeys, Enrolment enrolment) {}
 
-    /** {@code dtlsKeys} are what vehicles prove themselves with on authenticated links. */
-    public Proxy(
-            CloudManager cloud,
-            Lanes lanes,
-            List<EndpointUrl> urls,
-            Keyrings keyrings,
-            FrameTap.Factory taps,
-            DtlsKeys dtlsKeys) {
+    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy) {
         this.urls = List.copyOf(urls);
-        this.keyrings = keyrings;
-        sessions = new SessionTable(new Surroundings(cloud, lanes, System::nanoTime, keyrings, taps));
+        this.keyrings = policy.keyrings();
+        sessions = new SessionTable(new Surroundings(
+                cloud, lanes, System::nanoTime, keyrings, policy.taps(), policy.enrolment(), new AskAllowance()));
         replays = new Replays(sessions);
-        links = new Links(sessions, dtlsKeys);
+        links = new Links(sessions, policy.dtlsKeys());
     }
 
     /**
@@ -86,6 +87,11 @@ public final class Proxy implements AutoCloseable {
     /** The keys of vehicles. */
     public Keyrings keyrings() {
         return keyrings;
+    }
+
+    /** Who takes in what new links bring. */
+    SessionTable sessions() {
+        return sessions;
     }
 
     /** Vehicles on links now. */

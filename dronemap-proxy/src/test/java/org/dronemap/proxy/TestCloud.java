@@ -30,7 +30,13 @@ import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.proxy.endpoint.DtlsKeys;
+import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerCounters;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.FrameTap;
 
 /** A whole cloud in memory behind a proxy with one UDP and one TCP port, for tests with real sockets. */
@@ -60,8 +66,7 @@ public final class TestCloud implements AutoCloseable {
                 List.of(
                         EndpointUrl.parse("udpserver://127.0.0.1:" + udpPort),
                         EndpointUrl.parse("tcpserver://127.0.0.1:0")),
-                TestKeys.of(cloud, journal),
-                taps);
+                new Proxy.Policy(TestKeys.of(cloud, journal), taps, DtlsKeys.none(), Enrolment.LOOPBACK));
         try {
             proxy.start();
         } catch (IOException e) {
@@ -72,6 +77,15 @@ public final class TestCloud implements AutoCloseable {
 
     public Proxy proxy() {
         return proxy;
+    }
+
+    public Lanes lanes() {
+        return lanes;
+    }
+
+    /** A way in for the bytes of a peer that is no socket. */
+    public PeerHandler opened(Peer peer) {
+        return proxy.sessions().opened(peer, new PeerCounters(new EndpointCounters()));
     }
 
     public CloudManager cloud() {

@@ -16,10 +16,11 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
-import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.Standing;
 import org.dronemap.core.event.DroneEvent;
 import org.jspecify.annotations.Nullable;
 
@@ -36,6 +37,7 @@ public final class CloudManager {
     private final DroneRegistry registry = new DroneRegistry();
     private final CopyOnWriteArrayList<CloudListener> listeners = new CopyOnWriteArrayList<>();
     private final CloudListener everybody = new Everybody(listeners);
+    private final Reception reception;
     private final CommandGate gate;
 
     /** Where the manager keeps things: the stores, and the thread that writes to them. */
@@ -48,6 +50,7 @@ public final class CloudManager {
         this.store = keeping.drones();
         this.journal = keeping.journal();
         this.newIds = newIds;
+        this.reception = new Reception(registry, clock);
         this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody);
         store.drones()
                 .forEach(record ->
@@ -80,35 +83,57 @@ public final class CloudManager {
         return registry.find(id).map(managed -> managed.drone().onBoard()).orElse(OnBoard.UNKNOWN);
     }
 
-    /** Binds a new session to the drone it speaks for, or to a new one. Blocks only for the registry. */
-    public DroneLink connect(LinkSession session, Identification identification) {
-        return connect(session, identification, null);
-    }
-
-    /** The drone that a session would be bound to by what it says of itself. */
+    /** The drone that a vehicle would be taken for by what it says of itself alone. */
     public Optional<DroneId> recognise(DroneKey key, Identification identification) {
-        return registry.recognise(key, identification).map(ManagedDrone::id);
+        return registry.saidToBe(key, identification.hardwareUid()).map(ManagedDrone::id);
     }
 
-    /** The same for a session that has proven which drone it speaks for, whatever it says of itself. */
-    public synchronized DroneLink connect(
-            LinkSession session, Identification identification, @Nullable DroneId proven) {
-        Optional<ManagedDrone> proof = Optional.ofNullable(proven).flatMap(registry::find);
-        Optional<ManagedDrone> recognised =
-                session.replay() ? Optional.empty() : proof.or(() -> registry.recognise(session.key(), identification));
-        ManagedDrone drone = recognised.orElseGet(() -> enrol(session, identification));
+    /** Finds the drone that a session speaks for, or makes one, or keeps it outside. Blocks only for the registry. */
+    public synchronized Admission admit(Claim claim) {
+        Verdict verdict = reception.judge(claim);
+        if (verdict instanceof Verdict.Apart apart) {
+            return new Admission.Outside(apart.why());
+        }
+        ManagedDrone drone = verdict instanceof Verdict.Known known ? known.drone() : enrol(claim);
+        drone.promise();
         drone.lane().execute(() -> {
-            drone.attach(session);
+            drone.attach(claim.session(), claim);
             // A session begins with a message of its vehicle.
             drone.heard();
-            registry.liveTwin(drone.id(), identification)
-                    .ifPresent(twin -> drone.say(
-                            Severity.WARNING,
-                            "Another live drone (" + twin.name() + ") says it has the same hardware id; they are kept"
-                                    + " apart."));
             remember(drone);
         });
-        return new BoundLink(drone, session);
+        return new Admission.Bound(new BoundLink(drone, claim.session()));
+    }
+
+    /** Vehicles that wait to be let in, longest first. */
+    public List<Waiting> waiting() {
+        return reception.waiting();
+    }
+
+    /** Lets a waiting vehicle in as a drone of its own; it is in contact as soon as it is next heard. */
+    public synchronized Optional<DroneState> letIn(String waitingId, @Nullable String name) {
+        return reception.take(waitingId).map(waiting -> {
+            Identification said = waiting.identification();
+            String label = name == null ? said.vehicle() + " " + waiting.key().systemId() : name;
+            ManagedDrone drone = manage(
+                    new DroneRecord(
+                            newIds.get(),
+                            label,
+                            waiting.key(),
+                            waiting.transport(),
+                            said,
+                            waiting.isQuarantined() ? Standing.DISTINCT : Standing.UNPROVED,
+                            clock.instant()),
+                    false,
+                    null);
+            remember(drone);
+            return drone.drone().state();
+        });
+    }
+
+    /** Takes a waiting vehicle off the list; it comes again when it is heard again. False when it was not there. */
+    public boolean dismiss(String waitingId) {
+        return reception.take(waitingId).isPresent();
     }
 
     /** Tells everybody who looks at a drone a sentence about it; no sign of life. Does not wait. */
@@ -171,10 +196,19 @@ public final class CloudManager {
         }
     }
 
-    private ManagedDrone enrol(LinkSession session, Identification identification) {
+    private ManagedDrone enrol(Claim claim) {
+        LinkSession session = claim.session();
         DroneRecord record = new DroneRecord(
-                newIds.get(), session.label(), session.key(), session.transport(), identification, clock.instant());
-        return manage(record, session.replay(), null);
+                newIds.get(),
+                session.label(),
+                session.key(),
+                session.transport(),
+                claim.identification(),
+                Standing.UNPROVED,
+                clock.instant());
+        ManagedDrone drone = manage(record, session.replay(), null);
+        drone.madeForSession();
+        return drone;
     }
 
     private ManagedDrone manage(DroneRecord record, boolean replay, @Nullable KnownMission known) {
@@ -242,9 +276,25 @@ public final class CloudManager {
         }
 
         @Override
-        public void measured(LinkQuality quality) {
+        public void reached(LinkReport report) {
             if (drone.isAttachedTo(session)) {
-                drone.measured(quality);
+                drone.reached(report);
+            }
+        }
+
+        @Override
+        public void proved(Proof proof) {
+            if (drone.isAttachedTo(session)) {
+                drone.proved(proof);
+                remember(drone);
+            }
+        }
+
+        @Override
+        public void withdraw() {
+            if (drone.isOnlyJustKnown()) {
+                drop(drone);
+                journal.write("that " + drone.id() + " was nobody", () -> store.delete(drone.id()), () -> {});
             }
         }
 

@@ -16,12 +16,14 @@ import org.dronemap.core.drone.Gps;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.ParameterSet;
@@ -40,6 +42,8 @@ final class Drone {
     private LinkState linkState = LinkState.LOST;
     private @Nullable Instant lastHeard;
     private LinkQuality quality = LinkQuality.UNKNOWN;
+    private List<DroneKey> otherKeys = List.of();
+    private Standing standing;
     private Identification identification;
     private Capabilities capabilities = Capabilities.UNKNOWN;
     private @Nullable String mode;
@@ -63,6 +67,7 @@ final class Drone {
         this.key = record.key();
         this.transport = record.transport();
         this.identification = record.identification();
+        this.standing = record.standing();
         this.lastHeard = record.lastHeard();
         this.replay = replay;
         this.mission = mission;
@@ -87,6 +92,7 @@ final class Drone {
                 now.link().key(),
                 now.link().transport(),
                 now.identification(),
+                now.standing(),
                 heard == null ? now.lastUpdate() : heard);
     }
 
@@ -99,10 +105,12 @@ final class Drone {
         publish();
     }
 
-    void attach(LinkSession session) {
+    void attach(LinkSession session, Standing shown) {
         key = session.key();
         transport = session.transport();
         quality = LinkQuality.UNKNOWN;
+        otherKeys = List.of();
+        standing = shown;
         publish();
     }
 
@@ -110,8 +118,16 @@ final class Drone {
         lastHeard = clock.instant();
     }
 
-    void measured(LinkQuality now) {
-        quality = now;
+    void standing(Standing now) {
+        standing = now;
+        publish();
+    }
+
+    void reached(LinkReport report) {
+        key = report.key();
+        transport = report.transport();
+        quality = report.quality();
+        otherKeys = report.others();
         publish();
     }
 
@@ -200,8 +216,8 @@ final class Drone {
 
     /** What was measured before a silence says nothing about the link after it. */
     private LinkStatus link() {
-        return new LinkStatus(
-                key, transport, linkState, lastHeard, linkState == LinkState.LOST ? LinkQuality.UNKNOWN : quality);
+        boolean lost = linkState == LinkState.LOST;
+        return new LinkStatus(key, transport, linkState, lastHeard, lost ? LinkQuality.UNKNOWN : quality, otherKeys);
     }
 
     private DroneState snapshot() {
@@ -211,6 +227,7 @@ final class Drone {
                 replay,
                 link(),
                 identification,
+                standing,
                 capabilities,
                 mode,
                 armed,

@@ -1,7 +1,7 @@
 package org.dronemap.core.cloud;
 
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;
 
 /** What a link session holds of its drone: the way up. Call {@code heard} and {@code accept} on the lane only. */
@@ -20,8 +20,14 @@ public interface DroneLink {
     /** News; counts as heard. */
     void accept(DroneEvent event);
 
-    /** How well the link carries now; no sign of life by itself. On the lane only. */
-    void measured(LinkQuality quality);
+    /** How the vehicle is reached now, and how well; no sign of life by itself. On the lane only. */
+    void reached(LinkReport report);
+
+    /** It has shown something of its own only after it was bound. On the lane only. */
+    void proved(Proof proof);
+
+    /** What spoke turned out to be somebody else: a drone that was only made for it goes. Any thread. */
+    void withdraw();
 
     /** The recording has been played to its end; silence from now on means nothing. On the lane only. */
     void played();

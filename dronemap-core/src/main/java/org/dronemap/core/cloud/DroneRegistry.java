@@ -2,18 +2,14 @@ package org.dronemap.core.cloud;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
-import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.Identification;
-import org.dronemap.core.drone.LinkState;
 import org.jspecify.annotations.Nullable;
 
-/** All drones, and which of them a new session is. Any thread. */
+/** All drones, and how to find one. Any thread. */
 final class DroneRegistry {
     private final ConcurrentHashMap<DroneId, ManagedDrone> drones = new ConcurrentHashMap<>();
 
@@ -39,33 +35,33 @@ final class DroneRegistry {
                 .toList();
     }
 
-    /**
-     * The drone that this evidence speaks for: the same hardware id (if its old session is silent), else the same
-     * IP:port:sysid with no contradiction in the hardware ids.
-     */
-    Optional<ManagedDrone> recognise(DroneKey key, Identification identification) {
-        String uid = identification.hardwareUid();
-        Optional<ManagedDrone> sameKey = physical()
-                .filter(managed -> managed.drone().state().link().key().equals(key))
-                .filter(managed -> compatible(uid, uidOf(managed)))
-                .findFirst();
-        if (uid == null || sameKey.isPresent()) {
-            return sameKey;
-        }
+    /** The drone that speaks, or last spoke, from this address, unless its hardware id contradicts. */
+    Optional<ManagedDrone> at(DroneKey key, @Nullable String uid) {
         return physical()
-                .filter(managed -> Objects.equals(uid, uidOf(managed)))
-                .filter(managed -> managed.drone().state().link().state() != LinkState.LIVE)
+                .filter(managed -> managed.speaksFrom(key))
+                .filter(managed -> compatible(uid, uidOf(managed)))
                 .findFirst();
     }
 
-    /** A live drone that claims the same hardware id: one of the two is not what it says. */
-    Optional<DroneState> liveTwin(DroneId self, Identification identification) {
-        String uid = identification.hardwareUid();
+    /** The drones that said this hardware id, where it counts for anything. */
+    List<ManagedDrone> ofHardware(@Nullable String uid) {
         return physical()
-                .map(managed -> managed.drone().state())
-                .filter(state -> uid != null && !state.id().equals(self))
-                .filter(state -> Objects.equals(uid, state.identification().hardwareUid()))
-                .filter(state -> state.link().state() == LinkState.LIVE)
+                .filter(managed -> uid != null && uid.equals(uidOf(managed)))
+                .filter(managed -> !managed.drone().state().standing().distinct())
+                .toList();
+    }
+
+    /** Whom a vehicle says that it is, true or not. */
+    Optional<ManagedDrone> saidToBe(DroneKey key, @Nullable String uid) {
+        List<ManagedDrone> sameHardware = ofHardware(uid);
+        return sameHardware.size() == 1 ? Optional.of(sameHardware.get(0)) : at(key, uid);
+    }
+
+    /** The drone that came with this key before, or that the key was made for: it is named after it. */
+    Optional<ManagedDrone> ofLinkIdentity(String identity) {
+        return physical()
+                .filter(managed -> identity.equals(managed.id().value())
+                        || identity.equals(managed.drone().state().standing().linkIdentity()))
                 .findFirst();
     }
 

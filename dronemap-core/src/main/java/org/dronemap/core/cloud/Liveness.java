@@ -2,16 +2,16 @@ package org.dronemap.core.cloud;
 
 import org.dronemap.core.drone.LinkState;
 
-/** When one drone was last heard, and what silence is normal for it. Owned by the drone's lane. */
+/** When one drone was last heard, and what silence is normal for it. Owned by the drone's lane, {@code silence} by none. */
 final class Liveness {
     /** A silence that a link once showed is normal for it for about so long. */
     private static final double MEMORY_NANOS = 60e9;
 
     private final Watchdog watchdog;
-    private long lastHeardNanos;
+    private volatile long lastHeardNanos;
     private long lastProbeNanos;
     private double longestGapNanos;
-    private boolean everHeard;
+    private volatile boolean everHeard;
 
     Liveness(Watchdog watchdog) {
         this.watchdog = watchdog;
@@ -31,9 +31,9 @@ final class Liveness {
         return everHeard ? watchdog.judge(nowNanos - lastHeardNanos, (long) longestGapNanos) : LinkState.LOST;
     }
 
-    /** Silent for long enough that another link may claim to be this drone. */
-    boolean silentFor(long nowNanos, long nanos) {
-        return !everHeard || nowNanos - lastHeardNanos >= nanos;
+    /** For how long it has been silent; for ever when it was never heard. Any thread. */
+    long silence(long nowNanos) {
+        return everHeard ? nowNanos - lastHeardNanos : Long.MAX_VALUE;
     }
 
     /** True once a second while the silence wants a probe. */

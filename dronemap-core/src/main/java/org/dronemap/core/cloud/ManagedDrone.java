@@ -2,18 +2,28 @@ package org.dronemap.core.cloud;
 
 import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.Standing;
 import org.dronemap.core.event.DroneEvent;
 import org.jspecify.annotations.Nullable;
 
 /** A drone with its link and liveness. Owned by its lane, except where a method says otherwise. */
 final class ManagedDrone implements Lane.Ticker {
+    private static final long JUST_NANOS = 120_000_000_000L;
+
     private final Drone drone;
     private final Lane lane;
     private final Liveness liveness;
     private final CloudListener listener;
+    private final long madeNanos;
+    private volatile boolean enrolled;
+    private volatile long promisedNanos;
     private @Nullable LinkSession session;
     private boolean played;
 
@@ -22,6 +32,8 @@ final class ManagedDrone implements Lane.Ticker {
         this.lane = lane;
         this.liveness = new Liveness(watchdog);
         this.listener = listener;
+        this.madeNanos = lane.activeNanos();
+        this.promisedNanos = madeNanos - Long.MAX_VALUE / 2;
     }
 
     Drone drone() {
@@ -41,15 +53,58 @@ final class ManagedDrone implements Lane.Ticker {
         return session == null || session.replay() ? Optional.empty() : Optional.of(session.channel());
     }
 
-    void attach(LinkSession newSession) {
-        session = newSession;
-        drone.attach(newSession);
+    /** A session was found to speak for this drone, and showed this for it. */
+    void attach(LinkSession newer, Claim claim) {
+        LinkSession before = session;
+        session = before != null && before.channel().takesOver(newer.channel()) ? newer.by(before.channel()) : newer;
+        drone.attach(newer, standing(claim.evidence(), claim.proof()));
         listener.droneChanged(drone.state());
+    }
+
+    void proved(Proof proof) {
+        drone.standing(standing(proof.evidence(), proof));
+        listener.droneChanged(drone.state());
+    }
+
+    private Standing standing(Evidence evidence, @Nullable Proof proof) {
+        String identity = proof instanceof Proof.OfLink link ? link.identity() : null;
+        return drone.state().standing().with(evidence, identity);
     }
 
     /** News of an old session are nobody's news. */
     boolean isAttachedTo(LinkSession candidate) {
-        return candidate.equals(session);
+        return session != null && session.channel() == candidate.channel();
+    }
+
+    /** Any thread. */
+    boolean speaksFrom(DroneKey key) {
+        LinkStatus link = drone.state().link();
+        return link.key().equals(key) || link.others().contains(key);
+    }
+
+    /** It is no old acquaintance, but was made for the session that comes first. */
+    void madeForSession() {
+        enrolled = true;
+    }
+
+    /** Somebody was just found to speak for it, and will be heard on its lane at once. Any thread. */
+    void promise() {
+        promisedNanos = lane.activeNanos();
+    }
+
+    /** Made for a vehicle a moment ago, that showed nothing but its address. Any thread. */
+    boolean isOnlyJustKnown() {
+        DroneState state = drone.state();
+        return enrolled
+                && lane.activeNanos() - madeNanos < JUST_NANOS
+                && state.standing().equals(Standing.UNPROVED)
+                && state.identification().hardwareUid() == null;
+    }
+
+    /** For how long nothing was heard. Any thread. */
+    long silenceNanos() {
+        long now = lane.activeNanos();
+        return Math.min(liveness.silence(now), now - promisedNanos);
     }
 
     void heard() {
@@ -64,8 +119,8 @@ final class ManagedDrone implements Lane.Ticker {
         listener.droneChanged(drone.state());
     }
 
-    void measured(LinkQuality quality) {
-        drone.measured(quality);
+    void reached(LinkReport report) {
+        drone.reached(report);
         listener.droneChanged(drone.state());
     }
 

@@ -12,6 +12,14 @@ public interface VehicleChannel {
     /** Stops retrying a command; nothing more of it goes out and nothing is reported. No-op when it has ended. */
     void cancel(CommandId id);
 
+    /**
+     * A newer session speaks for the same vehicle. True: this channel takes its link over and carries on with everything
+     * under way; false: the newer one replaces this one.
+     */
+    default boolean takesOver(VehicleChannel newer) {
+        return false;
+    }
+
     /** Asks for any sign of life. */
     void probe();
 

@@ -8,4 +8,16 @@ import java.time.Instant;
  * @param key the last link session it was heard on
  */
 public record DroneRecord(
-        DroneId id, String name, DroneKey key, String transport, Identification identification, Instant lastHeard) {}
+        DroneId id,
+        String name,
+        DroneKey key,
+        String transport,
+        Identification identification,
+        Standing standing,
+        Instant lastHeard) {
+    /** Of a drone that has shown nothing but its address yet. */
+    public DroneRecord(
+            DroneId id, String name, DroneKey key, String transport, Identification identification, Instant lastHeard) {
+        this(id, name, key, transport, identification, Standing.UNPROVED, lastHeard);
+    }
+}

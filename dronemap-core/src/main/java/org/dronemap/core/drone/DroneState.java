@@ -18,6 +18,7 @@ public record DroneState(
         boolean replay,
         LinkStatus link,
         Identification identification,
+        Standing standing,
         Capabilities capabilities,
         @Nullable String mode,
         @Nullable Boolean armed,

@@ -14,7 +14,6 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
-import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.event.DroneEvent;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -50,34 +49,6 @@ class CloudManagerTest {
         DroneLink first = connect(5001, null);
 
         assertThat(connect(5001, null).id()).isEqualTo(first.id());
-    }
-
-    @Test
-    void knowsASilentVehicleAgainByItsHardwareIdAtANewAddress() {
-        DroneLink before = connect(5001, "aa01");
-        hear(before);
-        awaitLink(before.id(), LinkState.LOST);
-
-        DroneLink after = connect(6001, "aa01");
-
-        assertThat(after.id()).isEqualTo(before.id());
-        await().until(() -> cloud.drone(before.id()).orElseThrow().link().key().port() == 6001);
-        assertThat(goneOnLane(before)).isTrue();
-    }
-
-    @Test
-    void keepsALiveTwinWithTheSameHardwareIdApartAndSaysSo() {
-        DroneLink first = connect(5001, "aa01");
-        hear(first);
-        keepAlive(first);
-
-        DroneLink twin = connect(6001, "aa01");
-
-        assertThat(twin.id()).isNotEqualTo(first.id());
-        await().untilAsserted(
-                        () -> assertThat(cloud.drone(twin.id()).orElseThrow().messages())
-                                .extracting(TextMessage::text)
-                                .anySatisfy(text -> assertThat(text).contains("same hardware id")));
     }
 
     @Test
@@ -134,10 +105,13 @@ class CloudManagerTest {
 
     @Test
     void callsARecordingEndedAndNotLostWhenItIsOver() {
-        DroneLink link = cloud.connect(
+        DroneLink link = Fixtures.bound(cloud.admit(new Claim(
                 new LinkSession(
                         new DroneKey("replay", 1, 1), "replay", true, "ArduCopter 1", new Fixtures.RecordingChannel()),
-                Fixtures.copter(null));
+                Fixtures.copter(null),
+                null,
+                true,
+                0)));
         hear(link);
 
         onLane(link, link::played);
@@ -161,7 +135,7 @@ class CloudManagerTest {
     private DroneLink connect(int port, @Nullable String uid) {
         LinkSession session = new LinkSession(
                 new DroneKey("127.0.0.1", port, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
-        DroneLink link = cloud.connect(session, Fixtures.copter(uid));
+        DroneLink link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(uid), null, true, 0)));
         onLane(link, () -> {});
         return link;
     }

@@ -54,7 +54,7 @@ class CommandGateTest {
 
     @BeforeEach
     void connect() {
-        link = cloud.connect(session(false), Fixtures.copter(null));
+        link = Fixtures.bound(cloud.admit(new Claim(session(false), Fixtures.copter(null), null, true, 0)));
         hear(new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
         hear(new DroneEvent.ModeHeard("GUIDED", false));
     }
@@ -161,7 +161,7 @@ class CommandGateTest {
 
     @Test
     void doesNotSayThatAVehicleCannotWhatItWasNotAskedYet() {
-        link = cloud.connect(session(false, 5002), Fixtures.copter(null));
+        link = Fixtures.bound(cloud.admit(new Claim(session(false, 5002), Fixtures.copter(null), null, true, 0)));
         hear(new DroneEvent.ModeHeard("GUIDED", false));
 
         CommandRecord refused = gate.submit(OPERATOR, link.id(), id("early-001"), new Command.Arm());
@@ -173,7 +173,8 @@ class CommandGateTest {
 
     @Test
     void neverCommandsARecording() {
-        DroneLink recording = cloud.connect(session(true), Fixtures.copter(null));
+        DroneLink recording =
+                Fixtures.bound(cloud.admit(new Claim(session(true), Fixtures.copter(null), null, true, 0)));
         on(recording, new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
 
         CommandRecord refused = gate.submit(OPERATOR, recording.id(), id("replay-01"), new Command.Arm());

@@ -32,6 +32,13 @@ final class Fixtures {
         return new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", uid);
     }
 
+    static DroneLink bound(Admission admission) {
+        if (admission instanceof Admission.Bound bound) {
+            return bound.link();
+        }
+        throw new AssertionError(admission);
+    }
+
     /** Takes commands and lets the test say how they end. */
     static final class RecordingChannel implements VehicleChannel {
         final List<Command> performed = new CopyOnWriteArrayList<>();

@@ -16,11 +16,11 @@ final class Beforehand {
         }
     }
 
-    /** Tells a session, just opened by its heartbeat, what was said before. */
-    void tell(VehicleSession session, int systemId) {
+    /** Tells a link, just opened by a heartbeat, what was said before. */
+    void tell(VehicleLink link, int systemId) {
         Frame version = versions.remove(systemId);
         if (version != null) {
-            session.offer(version);
+            link.offer(version);
         }
     }
 }

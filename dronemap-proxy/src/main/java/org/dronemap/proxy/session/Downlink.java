@@ -5,11 +5,15 @@ import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.signing.LinkGuard;
 import org.jspecify.annotations.Nullable;
 
-/** The way down to one vehicle, in the MAVLink version that it speaks, signed as its guard says. Owned by the session's lane. */
+/**
+ * The way down to one vehicle, in the MAVLink version that it speaks, signed as its guard says. Owned by the session's lane;
+ * the version comes from the endpoint's thread.
+ */
 final class Downlink {
     private static final int MOST_HELD = 256;
 
@@ -19,11 +23,15 @@ final class Downlink {
     private final ArrayDeque<Message> held = new ArrayDeque<>();
     private @Nullable LinkGuard guard;
     private FrameTap tap = FrameTap.NONE;
-    private boolean speaksVersion1;
+    private volatile boolean speaksVersion1;
     private volatile long sent;
 
     Downlink(Peer peer) {
         this.peer = peer;
+    }
+
+    PeerAddress address() {
+        return peer.address();
     }
 
     /** Nobody but the vehicle can listen: this machine, a line plugged into it, or an encrypted link. */

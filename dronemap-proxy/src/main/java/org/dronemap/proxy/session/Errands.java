@@ -31,6 +31,13 @@ final class Errands {
         }
     }
 
+    /** Ends all that is under way without knowing what becomes of it; nothing more of it goes out. */
+    void abandon(String why) {
+        List<Errand> all = List.copyOf(underway.values());
+        underway.clear();
+        all.forEach(errand -> errand.report().ended(new Outcome.Unknown(why)));
+    }
+
     boolean isEmpty() {
         return underway.isEmpty();
     }

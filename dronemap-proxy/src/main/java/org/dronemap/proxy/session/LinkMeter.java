@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.proxy.mavlink.procedure.RoundTrip;
 import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
 
 /**
@@ -87,6 +88,10 @@ final class LinkMeter {
         quality = new LinkQuality(
                 shortLoss.share(), longLoss.share(), probe.roundTrip().smoothedMillis());
         return !quality.equals(before);
+    }
+
+    RoundTrip roundTrip() {
+        return probe.roundTrip();
     }
 
     LinkQuality quality() {

@@ -3,7 +3,6 @@ package org.dronemap.proxy.session;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import org.dronemap.core.cloud.Lane;
 import org.dronemap.mavlink.Frame;
@@ -24,7 +23,6 @@ final class Mailbox {
 
     private final ArrayBlockingQueue<Frame> frames = new ArrayBlockingQueue<>(CAPACITY);
     private final AtomicBoolean scheduled = new AtomicBoolean();
-    private final LongAdder dropped = new LongAdder();
     private final Consumer<Frame> consumer;
     private volatile Lane lane;
 
@@ -37,9 +35,6 @@ final class Mailbox {
     boolean offer(Frame frame) {
         boolean room = !isReplaceable(frame) || frames.remainingCapacity() > CAPACITY / 4;
         boolean taken = room && frames.offer(frame);
-        if (!taken) {
-            dropped.increment();
-        }
         schedule();
         return taken;
     }
@@ -47,11 +42,6 @@ final class Mailbox {
     /** Frames that wait now. Any thread. */
     int waiting() {
         return frames.size();
-    }
-
-    /** Frames that found no room. Any thread. */
-    long dropped() {
-        return dropped.sum();
     }
 
     private static boolean isReplaceable(Frame frame) {

@@ -3,7 +3,6 @@ package org.dronemap.proxy.session;
 import java.nio.ByteBuffer;
 import java.util.HashMap;
 import java.util.Map;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.proxy.endpoint.Peer;
@@ -16,7 +15,7 @@ final class PeerSessions implements PeerHandler {
     private final Peer peer;
     private final PeerCounters counters;
     private final FrameReader reader = new FrameReader();
-    private final Map<Integer, VehicleSession> sessions = new HashMap<>();
+    private final Map<Integer, VehicleLink> links = new HashMap<>();
     private final Beforehand beforehand = new Beforehand();
     private long countedFrames;
     private long countedBroken;
@@ -43,29 +42,29 @@ final class PeerSessions implements PeerHandler {
 
     private void route(Frame frame) {
         int systemId = frame.systemId();
-        VehicleSession session = sessions.get(systemId);
-        if (session == null || session.isOver()) {
-            DroneKey key = new DroneKey(peer.address().host(), peer.address().port(), systemId);
-            LinkLabel label = new LinkLabel(key, peer.transport(), false);
-            VehicleSession opened = table.open(label, new Downlink(peer), frame).orElse(null);
+        VehicleLink link = links.get(systemId);
+        if (link == null || link.isOver()) {
+            VehicleLink opened = table.open(LinkLabel.of(peer, systemId), new Downlink(peer), frame)
+                    .orElse(null);
             if (opened == null) {
                 beforehand.heard(frame);
                 return;
             }
-            session = opened;
+            link = opened;
             beforehand.tell(opened, systemId);
-            sessions.put(systemId, opened);
+            links.put(systemId, opened);
         }
-        long lostBefore = session.lost();
-        if (!session.arrived(frame)) {
+        long lostBefore = link.lost();
+        if (!link.arrived(frame)) {
             counters.droppedIn();
         }
-        counters.lost(session.lost() - lostBefore);
+        counters.lost(link.lost() - lostBefore);
     }
 
-    /** The sessions run out by themselves: what is under way ends in its own time. */
+    /** The sessions run out by themselves: what is under way goes on if the vehicle comes back in time. */
     @Override
     public void closed() {
-        sessions.clear();
+        links.values().forEach(VehicleLink::broke);
+        links.clear();
     }
 }

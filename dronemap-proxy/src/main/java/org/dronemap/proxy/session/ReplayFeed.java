@@ -3,8 +3,9 @@ package org.dronemap.proxy.session;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerAddress;
@@ -15,7 +16,7 @@ public final class ReplayFeed {
 
     private final SessionTable table;
     private final int number;
-    private final Map<Integer, VehicleSession> sessions = new LinkedHashMap<>();
+    private final Map<Integer, VehicleLink> links = new LinkedHashMap<>();
     private final Beforehand beforehand = new Beforehand();
 
     ReplayFeed(SessionTable table, int number) {
@@ -26,45 +27,47 @@ public final class ReplayFeed {
     /** False when there was no room: offer the same frame again. */
     public boolean offer(Frame frame) {
         int systemId = frame.systemId();
-        VehicleSession session;
-        synchronized (sessions) {
-            session = sessions.get(systemId);
-            if (session == null) {
-                LinkLabel label = new LinkLabel(new DroneKey(TRANSPORT, number, systemId), TRANSPORT, true);
-                session = table.open(label, new Downlink(new Nobody(number)), frame)
+        VehicleLink link;
+        synchronized (links) {
+            link = links.get(systemId);
+            if (link == null) {
+                LinkLabel label = LinkLabel.ofReplay(TRANSPORT, number, systemId);
+                link = table.open(label, new Downlink(new Nobody(number)), frame)
                         .orElse(null);
-                if (session == null) {
+                if (link == null) {
                     beforehand.heard(frame);
                     return true;
                 }
-                sessions.put(systemId, session);
-                beforehand.tell(session, systemId);
+                links.put(systemId, link);
+                beforehand.tell(link, systemId);
             }
         }
-        return session.isOver() || session.arrived(frame);
+        return link.isOver() || link.arrived(frame);
     }
 
     /** The drones that the recording showed so far. Any thread. */
     public List<DroneId> drones() {
-        synchronized (sessions) {
-            return sessions.values().stream()
-                    .flatMap(session -> session.drone().stream())
-                    .toList();
+        synchronized (links) {
+            return sessions().flatMap(session -> session.drone().stream()).toList();
         }
     }
 
     /** The recording has no more frames. Any thread. */
     public void played() {
-        synchronized (sessions) {
-            sessions.values().forEach(VehicleSession::played);
+        synchronized (links) {
+            sessions().forEach(VehicleSession::played);
         }
     }
 
     /** Takes its drones away. Any thread. */
     public void vanish() {
-        synchronized (sessions) {
-            sessions.values().forEach(VehicleSession::vanish);
+        synchronized (links) {
+            sessions().forEach(VehicleSession::vanish);
         }
+    }
+
+    private Stream<VehicleSession> sessions() {
+        return links.values().stream().map(VehicleLink::session).filter(Objects::nonNull);
     }
 
     /** Who hears what is sent to a recording. */

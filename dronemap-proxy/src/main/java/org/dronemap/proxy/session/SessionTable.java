@@ -28,7 +28,7 @@ public final class SessionTable implements PeerHandler.Factory {
 
     private final Surroundings surroundings;
     private final FrameWriter greetings = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 2);
-    private final Set<VehicleSession> sessions = ConcurrentHashMap.newKeySet();
+    private final Set<VehicleLink> links = ConcurrentHashMap.newKeySet();
     private final AtomicInteger open = new AtomicInteger();
     private final LongAdder refused = new LongAdder();
     private final AtomicLong lastWordNanos = new AtomicLong(Long.MIN_VALUE);
@@ -45,7 +45,7 @@ public final class SessionTable implements PeerHandler.Factory {
     @Override
     public byte[] greeting() {
         synchronized (greetings) {
-            return greetings.frame(VehicleSession.OWN_HEARTBEAT);
+            return greetings.frame(Conversation.OWN_HEARTBEAT);
         }
     }
 
@@ -56,8 +56,8 @@ public final class SessionTable implements PeerHandler.Factory {
 
     /** What went over the links of all vehicles, once for each key; recordings have no link. */
     public List<VehicleTraffic> traffic() {
-        return List.copyOf(sessions.stream()
-                .map(VehicleSession::traffic)
+        return List.copyOf(links.stream()
+                .map(VehicleLink::traffic)
                 .collect(Collectors.toMap(
                         traffic -> traffic.key() + traffic.transport(), Function.identity(), VehicleTraffic::and))
                 .values());
@@ -74,7 +74,7 @@ public final class SessionTable implements PeerHandler.Factory {
     }
 
     /** A session for the vehicle that this frame is a heartbeat of; empty for any other frame, or without room. */
-    Optional<VehicleSession> open(LinkLabel label, Downlink downlink, Frame frame) {
+    Optional<VehicleLink> open(LinkLabel label, Downlink downlink, Frame frame) {
         if (frame.messageId() != Heartbeat.ID
                 || frame.systemId() == 0
                 || !VehicleType.isVehicle(Heartbeat.decode(frame))) {
@@ -85,15 +85,16 @@ public final class SessionTable implements PeerHandler.Factory {
             refuse(label);
             return Optional.empty();
         }
-        VehicleSession session = new VehicleSession(surroundings, label, downlink, frame, this::oneEnded);
+        VehicleLink link = new VehicleLink(label, downlink, frame, surroundings.nanoTime());
+        link.belongsTo(new VehicleSession(surroundings, link, frame, this::oneEnded));
         if (!label.replay()) {
-            sessions.add(session);
+            links.add(link);
         }
-        return Optional.of(session);
+        return Optional.of(link);
     }
 
     private void oneEnded() {
-        sessions.removeIf(VehicleSession::isOver);
+        links.removeIf(VehicleLink::isOver);
         open.decrementAndGet();
     }
 

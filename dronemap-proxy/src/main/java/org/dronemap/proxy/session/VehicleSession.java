@@ -4,27 +4,13 @@ import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.cloud.Lane;
-import org.dronemap.core.cloud.LinkSession;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.Identification;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
-import org.dronemap.mavlink.message.CommandLong;
-import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.SetupSigning;
-import org.dronemap.proxy.mavlink.procedure.MessageRates;
-import org.dronemap.proxy.mavlink.procedure.Observer;
-import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
-import org.dronemap.proxy.mavlink.procedure.Target;
-import org.dronemap.proxy.mavlink.translate.Autopilot;
-import org.dronemap.proxy.mavlink.translate.Cockpit;
-import org.dronemap.proxy.mavlink.translate.Identity;
-import org.dronemap.proxy.mavlink.translate.ParameterTable;
-import org.dronemap.proxy.mavlink.translate.Telemetry;
-import org.dronemap.proxy.mavlink.translate.VehicleStatus;
 import org.dronemap.proxy.signing.Admission;
 import org.dronemap.proxy.signing.LinkGuard;
 import org.jspecify.annotations.Nullable;
@@ -32,92 +18,59 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One vehicle on one link. Begins on the registry lane, asks who it is, binds to a drone and moves to the drone's lane;
- * everything but {@link #offer}, {@link #played} and {@link #vanish} belongs to the lane where it is.
+ * One vehicle on its links. Begins on the registry lane, asks who it is, binds to a drone and moves to the drone's lane,
+ * or hands its link to the session that speaks for that drone already; everything but {@link #offer}, {@link #played}
+ * and {@link #vanish} belongs to the lane where it is.
  */
 final class VehicleSession implements VehicleChannel, Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleSession.class);
     private static final long SECOND_NANOS = 1_000_000_000L;
-    private static final long IDENTITY_PATIENCE_NANOS = SECOND_NANOS;
-    private static final long BETWEEN_IDENTITY_ASKS_NANOS = 400_000_000L;
-    private static final long IDENTITY_LATER_NANOS = 5 * SECOND_NANOS;
-    private static final int IDENTITY_ASKS = 8;
+    private static final long STRANGER_GIVEN_UP_NANOS = 10 * SECOND_NANOS;
     private static final long GIVEN_UP_NANOS = 120 * SECOND_NANOS;
     private static final long TALKATIVE_NANOS = 3 * SECOND_NANOS;
-    private static final int REQUEST_MESSAGE = 512;
-    private static final int REQUEST_CAPABILITIES = 520;
-    private static final int AUTOPILOT_VERSION = 148;
-    static final Heartbeat OWN_HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
 
     private final Surroundings surroundings;
     private final LinkLabel label;
-    private final Downlink downlink;
+    private final LinkChoice links;
+    private final Echoes echoes = new Echoes();
     private final LinkGuard guard;
     private final Runnable onEnd;
     private final FrameTap tap;
     private final Mailbox mailbox;
     private final int componentId;
-    private final Target target;
-    private final Autopilot autopilot;
-    private final VehicleStatus status;
-    private final Telemetry telemetry;
-    private final ParameterTable parameters;
-    private final Errands errands = new Errands();
-    private final MessageRates rates;
-    private final MissionWatch missions;
-    private final LinkMeter meter;
+    private final Conversation conversation;
+    private final Introduction introduction;
     private final EarlyNews news = new EarlyNews();
-    private final long bornNanos;
     private Lane lane;
     private volatile @Nullable DroneLink link;
     private boolean moving;
     private long lastHeardNanos;
-    private long lastHeartbeatNanos;
-    private long lastIdentityAskNanos;
-    private int identityAsks;
-    private long notBindBeforeNanos;
+    private volatile @Nullable VehicleSession carriedOnBy;
     private volatile boolean ended;
     private volatile boolean vanished;
     private volatile boolean played;
 
     /** {@code first} made the session; {@code onEnd} hears once that it is over. */
-    VehicleSession(Surroundings surroundings, LinkLabel label, Downlink downlink, Frame first, Runnable onEnd) {
+    VehicleSession(Surroundings surroundings, VehicleLink firstLink, Frame first, Runnable onEnd) {
         this.surroundings = surroundings;
-        this.label = label;
-        this.downlink = downlink;
+        this.label = firstLink.label();
+        this.links = new LinkChoice(firstLink);
         this.onEnd = onEnd;
-        guard = surroundings.keyrings().guard(label.signingLinkId(), downlink.isSafe());
-        downlink.guardedBy(guard);
-        Heartbeat heartbeat = Heartbeat.decode(first);
+        guard = surroundings.keyrings().guard(label.signingLinkId(), links::isSafe);
+        firstLink.downlink().guardedBy(guard);
         componentId = first.componentId();
         tap = label.replay() ? FrameTap.NONE : surroundings.taps().open(componentId);
-        downlink.tapBy(tap);
-        target = new Target(first.systemId(), componentId, this::send);
-        autopilot = Autopilot.of(heartbeat);
-        status = new VehicleStatus(heartbeat.type());
-        telemetry = new Telemetry(autopilot, status, this::tell);
-        parameters = new ParameterTable(autopilot, this::tell);
-        rates = new MessageRates(target);
-        missions = new MissionWatch(target, autopilot, status, this::tell);
-        bornNanos = surroundings.now();
-        meter = new LinkMeter(new RoundTripProbe(target, target.roundTrip()), bornNanos);
+        firstLink.downlink().tapBy(tap);
+        conversation = new Conversation(links, first, this::tell, surroundings.nanoTime());
+        introduction = new Introduction(surroundings, links, conversation);
         lane = surroundings.lanes().registry();
         mailbox = new Mailbox(lane, this::take);
-        lastHeardNanos = bornNanos;
-        lastHeartbeatNanos = bornNanos - SECOND_NANOS;
-        lastIdentityAskNanos = bornNanos - BETWEEN_IDENTITY_ASKS_NANOS;
-        notBindBeforeNanos = bornNanos;
+        lastHeardNanos = surroundings.now();
         Lane registry = lane;
         registry.execute(() -> registry.addTicker(this));
     }
 
-    /** Takes a frame in as its link brought it; false when there was no room. On the endpoint's thread. */
-    boolean arrived(Frame frame) {
-        meter.arrived(frame, surroundings.now());
-        return offer(frame);
-    }
-
-    /** Takes a frame in out of its order; false when there was no room. Any thread. */
+    /** Takes a frame in; false when there was no room. Any thread. */
     boolean offer(Frame frame) {
         tap.heard(frame);
         return mailbox.offer(frame);
@@ -129,6 +82,11 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     }
 
     private void take(Frame frame) {
+        VehicleSession older = carriedOnBy;
+        if (older != null) {
+            older.carryOn(frame, lane);
+            return;
+        }
         long now = surroundings.now();
         Admission admission = admit(frame, now);
         if (admission == Admission.REFUSED) {
@@ -137,50 +95,89 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         if (frame.componentId() != componentId || admission == Admission.ASIDE) {
             // Other components speak for themselves; their sentences are shown while the autopilot lives.
             if (now - lastHeardNanos < 2 * SECOND_NANOS) {
-                telemetry.overheard(frame, now);
+                conversation.overheard(frame, now);
             }
             return;
         }
         hear(frame, now);
+        if (link == null && !ended) {
+            claimWhenKnown(now);
+        }
+    }
+
+    /** A frame that still came to the session which handed its link over, and is now on that lane. */
+    private void carryOn(Frame frame, Lane here) {
+        if (here == lane) {
+            take(frame);
+        } else {
+            mailbox.offer(frame);
+        }
     }
 
     private Admission admit(Frame frame, long now) {
-        Admission admission = label.replay() ? Admission.ADMITTED : guard.judge(frame, now);
+        if (label.replay()) {
+            return Admission.ADMITTED;
+        }
+        if (links.isRedundant() && echoes.isEcho(frame)) {
+            return Admission.REFUSED;
+        }
+        Admission admission = guard.judge(frame, now);
+        guard.signer().ifPresent(links.best()::signedBy);
         if (guard.contradicts()) {
-            loseDrone();
+            loseDrone("The key of another drone signs on this link; look at the drone.");
         }
         return admission;
     }
 
+    /** A frame of the autopilot itself. */
     private void hear(Frame frame, long now) {
         lastHeardNanos = now;
-        downlink.heardVersion(frame.version());
-        DroneLink bound = link;
-        if (bound != null && bound.isGone()) {
-            if (label.replay()) {
-                end();
-                return;
-            }
-            loseDrone();
-            bound = null;
+        DroneLink bound = stillBound();
+        if (ended) {
+            return;
         }
         if (bound != null && frame.verified()) {
             bound.heard();
         }
-        telemetry.heard(frame, now);
-        parameters.heard(frame);
-        errands.heard(frame, now);
-        if (!label.replay()) {
-            meter.heard(frame, now);
-            rates.heard(frame, now);
-            missions.heard(frame, now, errands.transferring());
+        if (bound != null && introduction.contradicts(frame) && !staysBound(bound, now)) {
+            return;
         }
-        if (link == null) {
-            bindWhenKnown(now);
+        if (label.replay()) {
+            conversation.played(frame, now);
+        } else {
+            conversation.heard(frame, now);
         }
     }
 
-    private void loseDrone() {
+    /** Null when its drone was removed, or answers to another session. */
+    private @Nullable DroneLink stillBound() {
+        DroneLink bound = link;
+        if (bound == null || !bound.isGone()) {
+            return bound;
+        }
+        loseDrone("Another link now speaks for the vehicle; look at the drone.");
+        if (label.replay()) {
+            end();
+        }
+        return null;
+    }
+
+    /** A vehicle that says only later what hardware it has, or another one than before, is judged anew. */
+    private boolean staysBound(DroneLink bound, long now) {
+        DroneLink found = introduction.claim(this, guard, now);
+        if (found != null && found.id().equals(bound.id())) {
+            return true;
+        }
+        loseDrone("The vehicle at this address turned out to be another one.");
+        bound.withdraw();
+        if (found != null) {
+            moveTo(found);
+        }
+        return false;
+    }
+
+    private void loseDrone(String why) {
+        conversation.abandon(why);
         guard.unbound();
         link = null;
     }
@@ -191,82 +188,92 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         if (moving) {
             return;
         }
-        SetupSigning key = guard.tick(target.systemId(), componentId, now);
-        if (key != null) {
-            downlink.sendSecret(key);
+        if (carriedOnBy != null) {
+            end();
+            return;
         }
-        downlink.tick(now);
-        telemetry.tick(now);
-        errands.tick(now);
+        SetupSigning key = guard.tick(label.key().systemId(), componentId, now);
+        if (key != null) {
+            links.sendSecret(key);
+        }
+        conversation.tick(now);
         if (!label.replay()) {
             talk(now);
         }
-        DroneLink bound = link;
-        if (meter.tick(now) && bound != null) {
-            bound.measured(meter.quality());
+        DroneLink bound = stillBound();
+        boolean news = links.tick(now);
+        if (bound != null) {
+            report(bound, news);
         }
-        if (played && bound != null) {
-            bound.played();
+        long patience = bound == null ? STRANGER_GIVEN_UP_NANOS : GIVEN_UP_NANOS;
+        if (now - lastHeardNanos > patience && conversation.isIdle()) {
+            end();
+        } else if (bound == null && !ended) {
+            claimWhenKnown(now);
         }
-        if (link == null && !ended) {
-            bindWhenKnown(now);
-        }
-        endWhenGivenUp(now);
     }
 
-    /** Also one that was never bound, because it speaks in the name of a drone whose key it does not have. */
-    private void endWhenGivenUp(long now) {
-        if (!moving && now - lastHeardNanos > GIVEN_UP_NANOS && errands.isEmpty()) {
+    private void report(DroneLink bound, boolean linkNews) {
+        if (linkNews) {
+            bound.reached(links.report());
+        }
+        if (played) {
+            bound.played();
+        }
+        if (!introduction.tellProof(bound)) {
             end();
         }
     }
 
     private void talk(long now) {
-        if (now - lastHeartbeatNanos >= SECOND_NANOS) {
-            lastHeartbeatNanos = now;
-            send(OWN_HEARTBEAT);
-        }
         boolean talkative = now - lastHeardNanos < TALKATIVE_NANOS;
         if (talkative) {
-            askIdentity(now);
+            introduction.ask(now, link != null);
         }
-        if (talkative && link != null) {
-            meter.ask(now);
-            rates.tick(now);
-            missions.tick(now, errands.transferring());
+        if (link == null) {
+            // Whoever is behind that address gets nothing else until it is known.
+            return;
+        }
+        conversation.accompany(now);
+        if (talkative) {
+            conversation.ask(now);
         }
     }
 
-    private void askIdentity(long now) {
-        long pause = link == null ? BETWEEN_IDENTITY_ASKS_NANOS : IDENTITY_LATER_NANOS;
-        if (status.version() != null || identityAsks >= IDENTITY_ASKS || now - lastIdentityAskNanos < pause) {
+    private void claimWhenKnown(long now) {
+        if (vanished || now - lastHeardNanos > TALKATIVE_NANOS || !introduction.isDue(now)) {
             return;
         }
-        lastIdentityAskNanos = now;
-        identityAsks++;
-        send(command(REQUEST_MESSAGE, AUTOPILOT_VERSION));
-        send(command(REQUEST_CAPABILITIES, 1));
+        DroneLink found = introduction.claim(this, guard, now);
+        if (found != null) {
+            moveTo(found);
+        }
     }
 
-    private CommandLong command(int number, int parameter) {
-        return new CommandLong(target.systemId(), target.componentId(), number, 0, parameter, 0f, 0f, 0f, 0f, 0f, 0f);
+    /** On the drone's lane, where both are now or arrive next. */
+    @Override
+    public boolean takesOver(VehicleChannel newer) {
+        if (!(newer instanceof VehicleSession other) || other == this || ended || label.replay() || !isLike(other)) {
+            return false;
+        }
+        VehicleLink joining = other.links.best();
+        links.join(joining);
+        joining.downlink().guardedBy(guard);
+        joining.downlink().tapBy(tap);
+        joining.belongsTo(this);
+        other.carriedOnBy = this;
+        lastHeardNanos = surroundings.now();
+        return true;
     }
 
-    private void bindWhenKnown(long now) {
-        boolean known = label.replay() || status.version() != null || now - bornNanos >= IDENTITY_PATIENCE_NANOS;
-        if (!known || vanished || now - notBindBeforeNanos < 0 || now - lastHeardNanos > TALKATIVE_NANOS) {
-            return;
-        }
-        notBindBeforeNanos = now + SECOND_NANOS;
-        Identification identification = Identity.of(autopilot, status.type(), status.version());
-        if (!label.replay() && !guard.mayBind(surroundings.cloud().recognise(label.key(), identification))) {
-            return;
-        }
-        LinkSession session = new LinkSession(
-                label.key(), label.transport(), label.replay(), autopilot.vehicle() + " " + target.systemId(), this);
-        moveTo(surroundings
-                .cloud()
-                .connect(session, identification, guard.signer().orElse(null)));
+    /** Speaks as the same autopilot: what is under way here can go on there. */
+    private boolean isLike(VehicleSession other) {
+        return other.componentId == componentId
+                && other.label.key().systemId() == label.key().systemId()
+                && other.conversation
+                        .autopilot()
+                        .vehicle()
+                        .equals(conversation.autopilot().vehicle());
     }
 
     /** The last thing that happens on the old lane. */
@@ -290,8 +297,12 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     private void arrive(DroneLink bound) {
         moving = false;
+        if (carriedOnBy != null) {
+            end();
+            return;
+        }
         link = bound;
-        guard.bound(bound.id(), target.systemId());
+        guard.bound(bound.id(), label.key().systemId());
         tap.bound(bound.id());
         if (vanished) {
             bound.disconnect();
@@ -299,14 +310,12 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
             return;
         }
         lane.addTicker(this);
-        telemetry.identified();
+        conversation.begin(surroundings.now());
         news.tellTo(bound);
-        missions.begin(surroundings.now());
     }
 
     private void tell(DroneEvent event) {
         if (event instanceof DroneEvent.TextHeard text) {
-            errands.said(text.severity(), text.text(), surroundings.now());
             guard.said(text.text());
         }
         DroneLink bound = link;
@@ -316,26 +325,15 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         news.heard(event, bound != null);
     }
 
-    private void send(org.dronemap.mavlink.Message message) {
-        if (!label.replay()) {
-            downlink.send(message, surroundings.now());
-        }
-    }
-
     /** The drone that it speaks for, once bound. Any thread. */
     Optional<DroneId> drone() {
         DroneLink bound = link;
         return bound == null ? Optional.empty() : Optional.of(bound.id());
     }
 
-    /** Messages missing so far. Any thread. */
-    long lost() {
-        return meter.counts().lost();
-    }
-
-    /** What went over its link so far. Any thread. */
-    VehicleTraffic traffic() {
-        return VehicleTraffic.of(label, drone(), meter.counts(), downlink.sent(), mailbox);
+    /** Messages that wait to be read. Any thread. */
+    int waiting() {
+        return mailbox.waiting();
     }
 
     /** Its recording is over. Any thread. */
@@ -364,29 +362,16 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
 
     @Override
     public void perform(CommandId id, Command command, Report report) {
-        Observer observer = new Observer() {
-            @Override
-            public void accepted() {
-                report.accepted();
-            }
-
-            @Override
-            public void progress(int done, int total) {
-                report.progress(done, total);
-            }
-        };
-        Cockpit cockpit = new Cockpit(
-                status, parameters, target, observer, this::tell, missions::changedByCloud, telemetry::remark);
-        errands.begin(id, command, autopilot.plan(command, cockpit), report, surroundings.now());
+        conversation.perform(id, command, report, surroundings.now());
     }
 
     @Override
     public void cancel(CommandId id) {
-        errands.cancel(id, surroundings.now());
+        conversation.cancel(id, surroundings.now());
     }
 
     @Override
     public void probe() {
-        send(command(REQUEST_MESSAGE, Heartbeat.ID));
+        conversation.probe();
     }
 }

@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.ToIntFunction;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
@@ -80,8 +81,11 @@ public final class Keyrings implements AutoCloseable {
         }
     }
 
-    /** A guard for a new link; {@code linkId}, 0 to 255, tells the kinds of links of one vehicle apart. */
-    public LinkGuard guard(int linkId, boolean safe) {
+    /**
+     * A guard for a new vehicle; {@code linkId}, 0 to 255, tells its kinds of links apart; {@code safe} says, on any thread,
+     * whether anybody can listen now.
+     */
+    public LinkGuard guard(int linkId, BooleanSupplier safe) {
         return new LinkGuard(this, linkId, safe);
     }
 

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.signing;
 
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
@@ -19,22 +20,22 @@ public final class LinkGuard {
 
     private final Keyrings keyrings;
     private final int linkId;
-    private final boolean safe;
+    private final BooleanSupplier safe;
     private @Nullable DroneId bound;
     private @Nullable Keyring claimed;
     private boolean proven;
     private long lastSearchNanos;
     private boolean searched;
 
-    LinkGuard(Keyrings keyrings, int linkId, boolean safe) {
+    LinkGuard(Keyrings keyrings, int linkId, BooleanSupplier safe) {
         this.keyrings = keyrings;
         this.linkId = linkId;
         this.safe = safe;
     }
 
-    /** A key may be sent here without anybody hearing it. */
+    /** A key may be sent here now without anybody hearing it. Any thread. */
     boolean isSafe() {
-        return safe;
+        return safe.getAsBoolean();
     }
 
     public Admission judge(Frame frame, long nowNanos) {

@@ -31,8 +31,8 @@ class KeyringTest {
     private final List<Long> stamps = new ArrayList<>();
     private final SigningVehicle vehicle = new SigningVehicle(() -> wall);
     private final Set<LinkGuard> links = new HashSet<>();
-    private final LinkGuard safe = new LinkGuard(null, 0, true);
-    private final LinkGuard open = new LinkGuard(null, 0, false);
+    private final LinkGuard safe = new LinkGuard(null, 0, () -> true);
+    private final LinkGuard open = new LinkGuard(null, 0, () -> false);
 
     private Keyring ring(LinkPolicy policy, boolean proven) {
         return ring(new LinkSecurity(DRONE, policy, KEY, null, proven, 0));

@@ -42,7 +42,7 @@ class LinkGuardTest {
         kept.all.add(new LinkSecurity(DRONE, policy, KEY, null, true, 0));
         Keyrings.Keeping keeping =
                 new Keyrings.Keeping(kept, journal, drone -> SigningVehicle.SYSTEM_ID, (drone, sentence) -> {});
-        return new Keyrings(keeping, () -> wall).guard(0, true);
+        return new Keyrings(keeping, () -> wall).guard(0, () -> true);
     }
 
     @Test

@@ -32,6 +32,7 @@ public final class MemoryDroneStore implements DroneStore {
                 drone.key(),
                 drone.transport(),
                 drone.identification(),
+                drone.standing(),
                 StoredInstant.of(drone.lastHeard()));
         drones.put(kept.id(), kept);
     }

@@ -8,8 +8,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 
 /** Drones in PostgreSQL. Thread-safe. */
@@ -30,12 +32,15 @@ public final class PostgresDroneStore implements DroneStore {
         sql.update(
                 """
                 INSERT INTO drone (id, name, address, port, system_id, transport,
-                    kind, autopilot, vehicle, firmware, hardware_uid, last_heard)
-                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
+                    kind, autopilot, vehicle, firmware, hardware_uid, last_heard,
+                    evidence, link_identity, distinct_hardware)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
                 ON CONFLICT (id) DO UPDATE SET name = excluded.name, address = excluded.address, port = excluded.port,
                     system_id = excluded.system_id, transport = excluded.transport, kind = excluded.kind,
                     autopilot = excluded.autopilot, vehicle = excluded.vehicle, firmware = excluded.firmware,
-                    hardware_uid = excluded.hardware_uid, last_heard = excluded.last_heard""",
+                    hardware_uid = excluded.hardware_uid, last_heard = excluded.last_heard,
+                    evidence = excluded.evidence, link_identity = excluded.link_identity,
+                    distinct_hardware = excluded.distinct_hardware""",
                 drone.id().value(),
                 drone.name(),
                 drone.key().address(),
@@ -47,7 +52,10 @@ public final class PostgresDroneStore implements DroneStore {
                 drone.identification().vehicle(),
                 drone.identification().firmware(),
                 drone.identification().hardwareUid(),
-                drone.lastHeard());
+                drone.lastHeard(),
+                drone.standing().strongest(),
+                drone.standing().linkIdentity(),
+                drone.standing().distinct());
     }
 
     @Override
@@ -82,6 +90,10 @@ public final class PostgresDroneStore implements DroneStore {
                         row.text("vehicle"),
                         row.textOrNull("firmware"),
                         row.textOrNull("hardware_uid")),
+                new Standing(
+                        row.name("evidence", Evidence.class),
+                        row.textOrNull("link_identity"),
+                        row.bool("distinct_hardware")),
                 row.time("last_heard"));
     }
 }

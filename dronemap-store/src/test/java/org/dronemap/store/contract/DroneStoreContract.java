@@ -9,8 +9,10 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -63,9 +65,29 @@ public abstract class DroneStoreContract {
                     new DroneKey("::1", 65535, 255),
                     "tcp",
                     new Identification(kind, "PX4", "PX4", null, null),
+                    Standing.UNPROVED,
                     HEARD);
             store.save(drone);
             assertThat(store.drones()).containsExactly(drone);
+        }
+    }
+
+    @Test
+    void keepsHowADroneShowedWhoItIs() {
+        for (Evidence evidence : Evidence.values()) {
+            for (Standing standing :
+                    List.of(new Standing(evidence, null, false), new Standing(evidence, "key 7", true))) {
+                DroneRecord drone = new DroneRecord(
+                        COPTER,
+                        "one",
+                        new DroneKey("::1", 65535, 255),
+                        "dtls",
+                        new Identification(VehicleKind.BOAT, "PX4", "PX4", null, null),
+                        standing,
+                        HEARD);
+                store.save(drone);
+                assertThat(store.drones()).containsExactly(drone);
+            }
         }
     }
 
@@ -86,6 +108,7 @@ public abstract class DroneStoreContract {
                 drone.key(),
                 drone.transport(),
                 drone.identification(),
+                drone.standing(),
                 HEARD.plusNanos(999)));
         assertThat(store.drones()).containsExactly(drone);
     }
@@ -157,6 +180,7 @@ public abstract class DroneStoreContract {
                 new DroneKey("127.0.0.1", 14601, 1),
                 "udp",
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", firmware, hardwareUid),
+                Standing.UNPROVED,
                 HEARD);
     }
 }

@@ -30,6 +30,7 @@ import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
@@ -47,6 +48,7 @@ class BackupTest {
             new DroneKey("127.0.0.1", 14601, 1),
             "udp",
             new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "", null),
+            Standing.UNPROVED,
             AT);
     private static final KnownMission KNOWN =
             new KnownMission(List.of(new MissionItem.TakeOff(20), new MissionItem.Land()), 1);

@@ -47,7 +47,11 @@ public final class DroneService {
     }
 
     DroneState state(String id) {
-        return parse(id).flatMap(cloud::drone).orElseThrow(() -> Rejection.unknown("drone", id));
+        return find(id).orElseThrow(() -> Rejection.unknown("drone", id));
+    }
+
+    Optional<DroneState> find(String id) {
+        return parse(id).flatMap(cloud::drone);
     }
 
     private static Optional<DroneId> parse(String id) {

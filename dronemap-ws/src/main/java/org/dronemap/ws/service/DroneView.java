@@ -13,6 +13,7 @@ public record DroneView(
         String name,
         boolean replay,
         LinkView link,
+        IdentityView identity,
         String kind,
         String autopilot,
         String vehicle,
@@ -43,7 +44,14 @@ public record DroneView(
             String transport,
             String state,
             @Nullable Instant lastHeard,
-            QualityView quality) {}
+            QualityView quality,
+
+            @Schema(description = "Further addresses on which the same vehicle is heard")
+            List<String> others) {}
+
+    /** How it showed who it is: its address, hardware, signature or link; only the last two prove it. */
+    public record IdentityView(
+            String evidence, boolean proved, @Nullable String hardwareId) {}
 
     /** Shares from 0 to 1 of the vehicle's messages that were lost over some 5 s and 60 s; milliseconds there and back. */
     public record QualityView(

@@ -10,7 +10,9 @@ import java.util.Set;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkStatus;
@@ -36,6 +38,7 @@ public final class DroneViews {
                 state.name(),
                 state.replay(),
                 link(state.link()),
+                identity(state),
                 WireNames.camel(state.identification().kind()),
                 state.identification().autopilot(),
                 state.identification().vehicle(),
@@ -68,7 +71,16 @@ public final class DroneViews {
                 link.transport(),
                 WireNames.camel(link.state()),
                 heard == null ? null : millis(heard),
-                quality(link.quality()));
+                quality(link.quality()),
+                link.others().stream().map(DroneKey::toString).toList());
+    }
+
+    private static DroneView.IdentityView identity(DroneState state) {
+        Evidence strongest = state.standing().strongest();
+        return new DroneView.IdentityView(
+                WireNames.camel(strongest),
+                strongest.isProof(),
+                state.identification().hardwareUid());
     }
 
     private static DroneView.QualityView quality(LinkQuality quality) {

@@ -75,8 +75,9 @@ final class HouseBuilder {
                 settings.dataDirectory().resolve("link-secret"));
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
-        Proxy links =
-                new Proxy(cloud, lanes, endpoints, keyrings(cloud, database, journal, box), recorder, dtlsKeys::secret);
+        Proxy.Policy policy = new Proxy.Policy(
+                keyrings(cloud, database, journal, box), recorder, dtlsKeys::secret, settings.enrolment());
+        Proxy links = new Proxy(cloud, lanes, endpoints, policy);
         closing.add("the links", links);
         proxy = links;
         savedLinks = database.links();

@@ -23,6 +23,7 @@ import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
 import org.dronemap.ws.rest.StreamTicketController;
 import org.dronemap.ws.rest.SystemController;
+import org.dronemap.ws.rest.WaitingController;
 import org.dronemap.ws.rest.WebClientPages;
 import org.dronemap.ws.security.AccessFilter;
 import org.dronemap.ws.security.Authentication;
@@ -59,6 +60,7 @@ import tools.jackson.databind.DeserializationFeature;
     LinkController.class,
     MetricsController.class,
     SystemController.class,
+    WaitingController.class,
     StreamTicketController.class,
     ProblemAdvice.class,
     ErrorAnswer.class

@@ -28,6 +28,7 @@ import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
+import org.dronemap.ws.service.WaitingService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
@@ -94,6 +95,11 @@ public class ServiceConfiguration {
     @Bean
     DroneService droneService(House house, DroneViews views) {
         return new DroneService(house.cloud(), views);
+    }
+
+    @Bean
+    WaitingService waitingService(House house, DroneViews views) {
+        return new WaitingService(house.cloud(), views);
     }
 
     @Bean

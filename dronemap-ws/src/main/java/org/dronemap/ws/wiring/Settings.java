@@ -9,11 +9,13 @@ import java.util.List;
 import java.util.Map;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.proxy.session.Enrolment;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Everything that can be set, from the environment; checked here, so that a wrong value ends the start with a sentence.
  *
+ * @param enrolment from where unknown vehicles come in by themselves
  * @param databaseUrl null: the server runs its own database in the data directory
  * @param tls null: plain HTTP and WebSocket
  * @param tileAddress null: only the base map that ships
@@ -25,6 +27,7 @@ public record Settings(
         int httpPort,
         int streamPort,
         List<String> endpoints,
+        Enrolment enrolment,
         @Nullable String databaseUrl,
         boolean publicMode,
         @Nullable Tls tls,
@@ -73,6 +76,7 @@ public record Settings(
                 port(environment, "DRONEMAP_HTTP_PORT", DEFAULT_HTTP_PORT),
                 port(environment, "DRONEMAP_STREAM_PORT", DEFAULT_STREAM_PORT),
                 endpoints(environment, bind),
+                enrolment(environment),
                 text(environment, "DRONEMAP_DATABASE_URL"),
                 publicMode,
                 tls,
@@ -129,6 +133,18 @@ public record Settings(
                 .map(String::strip)
                 .filter(endpoint -> !endpoint.isEmpty())
                 .toList();
+    }
+
+    private static Enrolment enrolment(Map<String, String> environment) {
+        String value = text(environment, "DRONEMAP_ENROLMENT");
+        return switch (value == null ? "loopback" : value) {
+            case "loopback" -> Enrolment.LOOPBACK;
+            case "everywhere" -> Enrolment.EVERYWHERE;
+            case "nowhere" -> Enrolment.NOWHERE;
+            default ->
+                throw new SetupException(
+                        "DRONEMAP_ENROLMENT must be loopback, everywhere or nowhere, not \"" + value + "\".");
+        };
     }
 
     private static @Nullable Tls tls(Map<String, String> environment) {

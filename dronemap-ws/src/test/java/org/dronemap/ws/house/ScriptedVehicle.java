@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
+import org.dronemap.core.cloud.Admission;
+import org.dronemap.core.cloud.Claim;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.DroneLink;
 import org.dronemap.core.cloud.LinkSession;
@@ -33,7 +35,11 @@ public final class ScriptedVehicle implements VehicleChannel {
 
     private ScriptedVehicle(CloudManager cloud, int port) {
         DroneKey key = new DroneKey("127.0.0.1", port, 1);
-        link = cloud.connect(new LinkSession(key, "udp", false, "Copter " + port, this), COPTER);
+        LinkSession session = new LinkSession(key, "udp", false, "Copter " + port, this);
+        if (!(cloud.admit(new Claim(session, COPTER, null, true, 0)) instanceof Admission.Bound bound)) {
+            throw new AssertionError("it was not let in");
+        }
+        link = bound.link();
     }
 
     /** In contact, at a place near Zürich, disarmed on the ground. */

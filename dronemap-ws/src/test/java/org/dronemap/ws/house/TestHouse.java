@@ -19,6 +19,7 @@ import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.record.Recorder;
+import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
@@ -80,6 +81,7 @@ public final class TestHouse implements AutoCloseable {
                 0,
                 0,
                 List.of(),
+                Enrolment.LOOPBACK,
                 null,
                 publicMode,
                 null,

@@ -1,15 +1,17 @@
 package org.dronemap.proxy.mavlink.procedure;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.dronemap.mavlink.Message;
 
 /**
  * Who is talked to: the vehicle's system and component id, the way down to it, and what talking to it has taught.
  *
- * @param roundTrip how long its answers take
+ * @param way gives how long its answers take on the link that is in use now
  * @param ledger which commands crossed the wire when
  */
-public record Target(int systemId, int componentId, Consumer<Message> down, RoundTrip roundTrip, CommandLedger ledger) {
+public record Target(
+        int systemId, int componentId, Consumer<Message> down, Supplier<RoundTrip> way, CommandLedger ledger) {
     /** The cloud's own system id: what autopilots expect of their ground station. */
     public static final int OWN_SYSTEM_ID = 255;
 
@@ -18,7 +20,16 @@ public record Target(int systemId, int componentId, Consumer<Message> down, Roun
 
     /** Somebody of whom nothing is known yet. */
     public Target(int systemId, int componentId, Consumer<Message> down) {
-        this(systemId, componentId, down, new RoundTrip(), new CommandLedger());
+        this(systemId, componentId, down, new RoundTrip());
+    }
+
+    private Target(int systemId, int componentId, Consumer<Message> down, RoundTrip always) {
+        this(systemId, componentId, down, () -> always, new CommandLedger());
+    }
+
+    /** How long its answers take now. */
+    RoundTrip roundTrip() {
+        return way.get();
     }
 
     public void send(Message message) {

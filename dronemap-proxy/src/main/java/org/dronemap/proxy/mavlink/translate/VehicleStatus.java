@@ -112,7 +112,7 @@ public final class VehicleStatus {
         mode = modeName;
     }
 
-    void version(AutopilotVersion heard) {
+    public void version(AutopilotVersion heard) {
         version = heard;
     }
 

@@ -1,0 +1,10 @@
+package org.dronemap.core.cloud;
+
+/** What becomes of a claim. */
+public sealed interface Admission {
+    /** It speaks for a drone. */
+    record Bound(DroneLink link) implements Admission {}
+
+    /** Not yet: claim again soon; until then ask the vehicle who it is and send it nothing else. */
+    record Outside(String why) implements Admission {}
+}

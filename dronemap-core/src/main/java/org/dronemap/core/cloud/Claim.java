@@ -1,0 +1,27 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.Identification;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Whom a new session says it speaks for, and what it shows for that.
+ *
+ * @param proof null when it shows none
+ * @param trusted unknown vehicles of this listener are let in by themselves
+ * @param heardForNanos how long ago it was first heard
+ */
+public record Claim(
+        LinkSession session,
+        Identification identification,
+        @Nullable Proof proof,
+        boolean trusted,
+        long heardForNanos) {
+    /** The best that it shows. */
+    public Evidence evidence() {
+        if (proof != null) {
+            return proof.evidence();
+        }
+        return identification.hardwareUid() == null ? Evidence.ADDRESS : Evidence.HARDWARE;
+    }
+}

@@ -1,0 +1,16 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/** Whom a claim is taken for. */
+sealed interface Verdict {
+    /** This drone. */
+    record Known(ManagedDrone drone) implements Verdict {}
+
+    /** A vehicle that nobody knows yet. */
+    record Stranger() implements Verdict {}
+
+    /** Kept apart: why, and the drone that it says it is (null while it is only too early to tell). */
+    record Apart(@Nullable DroneId claims, String why) implements Verdict {}
+}

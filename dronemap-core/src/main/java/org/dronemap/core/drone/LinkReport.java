@@ -1,0 +1,15 @@
+package org.dronemap.core.drone;
+
+import java.util.List;
+
+/**
+ * How a vehicle is reached now.
+ *
+ * @param key where commands go: the better link when there are several
+ * @param others further links that the same vehicle is heard on
+ */
+public record LinkReport(DroneKey key, String transport, LinkQuality quality, List<DroneKey> others) {
+    public LinkReport {
+        others = List.copyOf(others);
+    }
+}

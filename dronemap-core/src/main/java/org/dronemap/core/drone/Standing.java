@@ -1,0 +1,21 @@
+package org.dronemap.core.drone;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a drone showed who it is.
+ *
+ * @param strongest the best evidence that it ever showed
+ * @param linkIdentity the identity of its authenticated link; null when it never had one
+ * @param distinct somebody let it in beside a drone with the same hardware id, which therefore says nothing here
+ */
+public record Standing(Evidence strongest, @Nullable String linkIdentity, boolean distinct) {
+    public static final Standing UNPROVED = new Standing(Evidence.ADDRESS, null, false);
+    public static final Standing DISTINCT = new Standing(Evidence.ADDRESS, null, true);
+
+    /** With what a session has just shown. */
+    public Standing with(Evidence shown, @Nullable String identity) {
+        Evidence counts = distinct && !shown.isProof() ? Evidence.ADDRESS : shown;
+        return new Standing(strongest.orStronger(counts), identity == null ? linkIdentity : identity, distinct);
+    }
+}

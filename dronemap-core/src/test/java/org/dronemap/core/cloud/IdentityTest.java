@@ -1,0 +1,272 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Evidence;
+import org.dronemap.core.drone.TextMessage;
+import org.dronemap.core.event.DroneEvent;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Who speaks for which drone, and who has to stay outside. */
+class IdentityTest {
+    private static final long LONG_NANOS = 60_000_000_000L;
+
+    private final Lanes lanes = new Lanes(2);
+    private final Journal journal = new Journal();
+    private final Fixtures.HeapDroneStore store = new Fixtures.HeapDroneStore();
+    private final AtomicInteger numbers = new AtomicInteger();
+    private final CloudManager cloud = manager();
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    private CloudManager manager() {
+        return new CloudManager(
+                lanes,
+                new Watchdog(Duration.ofMinutes(1), Duration.ofMinutes(1), Duration.ofMinutes(2)),
+                Clock.systemUTC(),
+                new CloudManager.Keeping(store, new Fixtures.HeapCommandStore(), journal),
+                () -> new DroneId("drone-" + numbers.incrementAndGet()));
+    }
+
+    private static Claim claim(int port, @Nullable String uid, @Nullable Proof proof, boolean trusted) {
+        LinkSession session = new LinkSession(
+                new DroneKey("192.0.2.7", port, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
+        return new Claim(session, Fixtures.copter(uid), proof, trusted, LONG_NANOS);
+    }
+
+    /** Heard for so short a time that the drone may just have moved there. */
+    private static Claim newcomer() {
+        Claim claim = claim(6001, "aa01", null, true);
+        return new Claim(claim.session(), claim.identification(), null, true, 0);
+    }
+
+    private DroneLink letIn(int port, @Nullable String uid, @Nullable Proof proof) {
+        DroneLink link = Fixtures.bound(cloud.admit(claim(port, uid, proof, true)));
+        onLane(link, () -> {});
+        return link;
+    }
+
+    private static void onLane(DroneLink link, Runnable work) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        link.lane().execute(() -> {
+            work.run();
+            done.complete(null);
+        });
+        assertThat(done).succeedsWithin(5, TimeUnit.SECONDS);
+    }
+
+    private static void keepAlive(DroneLink link) {
+        onLane(link, () -> link.lane().addTicker(link::heard));
+    }
+
+    private DroneState state(DroneLink link) {
+        return cloud.drone(link.id()).orElseThrow();
+    }
+
+    @Test
+    void believesHardwareAtANewAddressOnlyWhenTheOldOneHasBeenSilent() {
+        DroneLink before = letIn(5001, "aa01", null);
+
+        long began = System.nanoTime();
+        assertThat(cloud.admit(newcomer())).isInstanceOf(Admission.Outside.class);
+        await().until(() -> cloud.admit(newcomer()) instanceof Admission.Bound bound
+                && bound.link().id().equals(before.id()));
+
+        assertThat(System.nanoTime() - began).isGreaterThan(1_200_000_000L);
+        await().until(() -> state(before).link().key().port() == 6001);
+    }
+
+    @Test
+    void quarantinesWhoClaimsTheHardwareOfALiveDroneAndSaysSoOnce() {
+        DroneLink real = letIn(5001, "aa01", null);
+        keepAlive(real);
+        await().until(() -> cloud.admit(claim(6001, "aa01", null, true)) instanceof Admission.Outside
+                && cloud.waiting().stream().anyMatch(Waiting::isQuarantined));
+        cloud.admit(claim(6001, "aa01", null, true));
+        onLane(real, () -> {});
+
+        assertThat(cloud.waiting()).singleElement().satisfies(waiting -> {
+            assertThat(waiting.claims()).isEqualTo(real.id());
+            assertThat(waiting.key().port()).isEqualTo(6001);
+        });
+        assertThat(state(real).link().key().port()).isEqualTo(5001);
+        assertThat(state(real).messages())
+                .extracting(TextMessage::text)
+                .filteredOn(text -> text.contains("quarantine"))
+                .hasSize(1);
+        assertThat(cloud.drones()).hasSize(1);
+    }
+
+    @Test
+    void keepsAForgerOutEvenWhenTheRealOneFallsSilent() {
+        DroneLink real = letIn(5001, "aa01", null);
+        onLane(real, () -> {});
+        cloud.admit(claim(6001, "aa01", null, true));
+        assertThat(cloud.waiting()).singleElement().matches(Waiting::isQuarantined);
+
+        await().pollDelay(Duration.ofMillis(1_700)).until(() -> true);
+
+        assertThat(cloud.admit(claim(6001, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+        assertThat(cloud.admit(claim(7001, "aa01", null, true)))
+                .isInstanceOfSatisfying(
+                        Admission.Bound.class,
+                        bound -> assertThat(bound.link().id()).isEqualTo(real.id()));
+    }
+
+    @Test
+    void believesProofAtOnceAndNeverAgainLess() {
+        DroneLink first = letIn(5001, "aa01", new Proof.OfLink("key 7"));
+        keepAlive(first);
+
+        DroneLink second = letIn(6001, null, new Proof.OfLink("key 7"));
+
+        assertThat(second.id()).isEqualTo(first.id());
+        assertThat(state(first).standing().strongest()).isEqualTo(Evidence.LINK);
+        for (int port : new int[] {5001, 8001}) {
+            assertThat(cloud.admit(claim(port, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+        }
+        assertThat(cloud.waiting()).hasSize(2).allMatch(Waiting::isQuarantined);
+    }
+
+    @Test
+    void believesASignatureOfTheDronesKeyFromAnywhere() {
+        DroneLink first = letIn(5001, null, null);
+        keepAlive(first);
+
+        assertThat(letIn(6001, null, new Proof.OfSignature(first.id())).id()).isEqualTo(first.id());
+        assertThat(state(first).standing().strongest()).isEqualTo(Evidence.SIGNATURE);
+    }
+
+    @Test
+    void makesNoOneDroneOfTwoVehiclesThatShareAKey() {
+        DroneLink first = letIn(5001, null, new Proof.OfLink("key 7"));
+        keepAlive(first);
+        LinkSession twin = new LinkSession(
+                new DroneKey("192.0.2.7", 6001, 2), "dtls", false, "ArduCopter 2", new Fixtures.RecordingChannel());
+
+        assertThat(cloud.admit(new Claim(twin, Fixtures.copter(null), new Proof.OfLink("key 7"), true, LONG_NANOS)))
+                .isInstanceOf(Admission.Outside.class);
+
+        assertThat(cloud.waiting())
+                .singleElement()
+                .satisfies(waiting -> assertThat(waiting.why()).contains("a key of its own"));
+        assertThat(state(first).link().key().port()).isEqualTo(5001);
+    }
+
+    @Test
+    void believesAKeyThatWasMadeForADrone() {
+        DroneLink first = letIn(5001, "aa01", null);
+        keepAlive(first);
+
+        DroneLink second = letIn(6001, "aa01", new Proof.OfLink(first.id().value()));
+
+        assertThat(second.id()).isEqualTo(first.id());
+        assertThat(state(first).standing().strongest()).isEqualTo(Evidence.LINK);
+    }
+
+    @Test
+    void givesADroneToNobodyWithTheKeyOfAnotherVehicle() {
+        DroneLink real = letIn(5001, "aa01", new Proof.OfLink("key 7"));
+        await().until(() -> state(real).standing().linkIdentity() != null);
+        await().pollDelay(Duration.ofMillis(1_700)).until(() -> true);
+
+        for (int port : new int[] {5001, 6001}) {
+            assertThat(letIn(port, "aa01", new Proof.OfLink("key of " + port)).id())
+                    .isNotEqualTo(real.id());
+        }
+    }
+
+    @Test
+    void remembersProofOverARestart() {
+        DroneLink link = letIn(5001, "aa01", new Proof.OfLink("key 7"));
+        await().until(() -> !store.drones().isEmpty());
+
+        CloudManager restarted = manager();
+
+        assertThat(restarted.admit(claim(5001, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+        assertThat(restarted.admit(claim(9001, null, new Proof.OfLink("key 7"), false)))
+                .isInstanceOfSatisfying(
+                        Admission.Bound.class,
+                        bound -> assertThat(bound.link().id()).isEqualTo(link.id()));
+    }
+
+    @Test
+    void letsAStrangerWaitUntilSomebodyLetsItIn() {
+        assertThat(cloud.admit(claim(5001, "aa01", null, false))).isInstanceOf(Admission.Outside.class);
+        assertThat(cloud.drones()).isEmpty();
+        Waiting waiting = cloud.waiting().get(0);
+        assertThat(waiting.isQuarantined()).isFalse();
+
+        DroneState enrolled = cloud.letIn(waiting.id(), "Rescue 7").orElseThrow();
+
+        assertThat(cloud.waiting()).isEmpty();
+        assertThat(enrolled.name()).isEqualTo("Rescue 7");
+        assertThat(Fixtures.bound(cloud.admit(claim(5001, "aa01", null, false))).id())
+                .isEqualTo(enrolled.id());
+        assertThat(cloud.letIn(waiting.id(), "again")).isEmpty();
+    }
+
+    @Test
+    void letsAStrangerWithALinkKeyInByItself() {
+        assertThat(cloud.admit(claim(5001, null, new Proof.OfLink("key 8"), false)))
+                .isInstanceOf(Admission.Bound.class);
+    }
+
+    @Test
+    void keepsWhoWasLetInFromQuarantineADroneOfItsOwn() {
+        DroneLink real = letIn(5001, "aa01", null);
+        keepAlive(real);
+        await().until(() -> cloud.admit(claim(6001, "aa01", null, true)) instanceof Admission.Outside
+                && cloud.waiting().stream().anyMatch(Waiting::isQuarantined));
+
+        DroneState twin = cloud.letIn(cloud.waiting().get(0).id(), null).orElseThrow();
+
+        DroneLink link = letIn(6001, "aa01", null);
+        assertThat(link.id()).isEqualTo(twin.id()).isNotEqualTo(real.id());
+        onLane(link, () -> link.accept(new DroneEvent.Identified(Fixtures.copter("aa01"), Fixtures.ALL)));
+        assertThat(letIn(5001, "aa01", null).id()).isEqualTo(real.id());
+    }
+
+    @Test
+    void boundsTheWaitingRoomForEachAddress() {
+        for (int port = 1; port <= 100; port++) {
+            cloud.admit(claim(port, null, null, false));
+        }
+        assertThat(cloud.waiting()).hasSize(20);
+    }
+
+    @Test
+    void takesADroneBackThatWasOnlyMadeForSomebodyElse() {
+        DroneLink made = letIn(5001, null, null);
+
+        made.withdraw();
+
+        assertThat(cloud.drones()).isEmpty();
+    }
+
+    @Test
+    void doesNotTakeBackADroneThatWasKnownBefore() {
+        letIn(5001, null, null);
+        await().until(() -> !store.drones().isEmpty());
+        CloudManager restarted = manager();
+
+        Fixtures.bound(restarted.admit(claim(5001, null, null, true))).withdraw();
+
+        assertThat(restarted.drones()).hasSize(1);
+    }
+}

@@ -1,0 +1,27 @@
+package org.dronemap.proxy.session;
+
+/**
+ * How many questions may go to vehicles that nobody knows, over all of them: a flood with made-up addresses must not turn
+ * this server against others. Thread-safe.
+ */
+public final class AskAllowance {
+    private static final double A_SECOND = 200;
+    private static final double AT_ONCE = 400;
+
+    private double left = AT_ONCE;
+    private long lastNanos;
+    private boolean begun;
+
+    synchronized boolean take(long nowNanos) {
+        if (begun) {
+            left = Math.min(AT_ONCE, left + (nowNanos - lastNanos) / 1e9 * A_SECOND);
+        }
+        begun = true;
+        lastNanos = nowNanos;
+        if (left < 1) {
+            return false;
+        }
+        left--;
+        return true;
+    }
+}

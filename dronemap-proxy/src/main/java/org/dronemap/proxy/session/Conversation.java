@@ -1,0 +1,149 @@
+package org.dronemap.proxy.session;
+
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.mavlink.procedure.CommandLedger;
+import org.dronemap.proxy.mavlink.procedure.MessageRates;
+import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.translate.Autopilot;
+import org.dronemap.proxy.mavlink.translate.Cockpit;
+import org.dronemap.proxy.mavlink.translate.ParameterTable;
+import org.dronemap.proxy.mavlink.translate.Telemetry;
+import org.dronemap.proxy.mavlink.translate.VehicleStatus;
+
+/**
+ * What is said between one autopilot and the cloud, on whichever link: news of the vehicle, company as a ground station,
+ * commands and what becomes of them. Owned by the lane of its session.
+ */
+final class Conversation {
+    private static final long SECOND_NANOS = 1_000_000_000L;
+    private static final int REQUEST_MESSAGE = 512;
+    static final Heartbeat OWN_HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
+
+    private final LinkChoice links;
+    private final Consumer<DroneEvent> news;
+    private final LongSupplier nanoTime;
+    private final Target target;
+    private final Autopilot autopilot;
+    private final VehicleStatus status;
+    private final Telemetry telemetry;
+    private final ParameterTable parameters;
+    private final Errands errands = new Errands();
+    private final MessageRates rates;
+    private final MissionWatch missions;
+    private long lastHeartbeatNanos;
+
+    /** {@code first} is a heartbeat of that autopilot; {@code news} hears what it says. */
+    Conversation(LinkChoice links, Frame first, Consumer<DroneEvent> news, LongSupplier nanoTime) {
+        this.links = links;
+        this.news = news;
+        this.nanoTime = nanoTime;
+        Heartbeat heartbeat = Heartbeat.decode(first);
+        target = new Target(first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandLedger());
+        autopilot = Autopilot.of(heartbeat);
+        status = new VehicleStatus(heartbeat.type());
+        telemetry = new Telemetry(autopilot, status, this::tell);
+        parameters = new ParameterTable(autopilot, this::tell);
+        rates = new MessageRates(target);
+        missions = new MissionWatch(target, autopilot, status, this::tell);
+        lastHeartbeatNanos = nanoTime.getAsLong() - SECOND_NANOS;
+    }
+
+    Target target() {
+        return target;
+    }
+
+    Autopilot autopilot() {
+        return autopilot;
+    }
+
+    VehicleStatus status() {
+        return status;
+    }
+
+    /** Another component of the vehicle said something. */
+    void overheard(Frame frame, long now) {
+        telemetry.overheard(frame, now);
+    }
+
+    /** The autopilot of a recording said something. */
+    void played(Frame frame, long now) {
+        telemetry.heard(frame, now);
+        parameters.heard(frame);
+    }
+
+    /** The autopilot said something. */
+    void heard(Frame frame, long now) {
+        played(frame, now);
+        errands.heard(frame, now);
+        links.heard(frame, now);
+        rates.heard(frame, now);
+        missions.heard(frame, now, errands.transferring());
+    }
+
+    void tick(long now) {
+        telemetry.tick(now);
+        errands.tick(now);
+    }
+
+    /** Keeps a vehicle company that is known: it hears a ground station as long as the lane lives. */
+    void accompany(long now) {
+        if (now - lastHeartbeatNanos >= SECOND_NANOS) {
+            lastHeartbeatNanos = now;
+            links.send(OWN_HEARTBEAT);
+        }
+    }
+
+    /** Asks a vehicle that is heard for what it does not tell by itself. */
+    void ask(long now) {
+        links.ask(now);
+        rates.tick(now);
+        missions.tick(now, errands.transferring());
+    }
+
+    /** A drone listens from now on that knows nothing of the vehicle yet. */
+    void begin(long now) {
+        telemetry.identified();
+        missions.begin(now);
+    }
+
+    /** Ends all commands without knowing what becomes of them. */
+    void abandon(String why) {
+        errands.abandon(why);
+    }
+
+    boolean isIdle() {
+        return errands.isEmpty();
+    }
+
+    void perform(CommandId id, Command command, VehicleChannel.Report report, long now) {
+        ReportingObserver observer = new ReportingObserver(report);
+        Cockpit cockpit = new Cockpit(
+                status, parameters, target, observer, this::tell, missions::changedByCloud, telemetry::remark);
+        errands.begin(id, command, autopilot.plan(command, cockpit), report, now);
+    }
+
+    void cancel(CommandId id, long now) {
+        errands.cancel(id, now);
+    }
+
+    /** Asks for a sign of life. */
+    void probe() {
+        target.send(new CommandLong(
+                target.systemId(), target.componentId(), REQUEST_MESSAGE, 0, Heartbeat.ID, 0f, 0f, 0f, 0f, 0f, 0f));
+    }
+
+    private void tell(DroneEvent event) {
+        if (event instanceof DroneEvent.TextHeard text) {
+            errands.said(text.severity(), text.text(), nanoTime.getAsLong());
+        }
+        news.accept(event);
+    }
+}

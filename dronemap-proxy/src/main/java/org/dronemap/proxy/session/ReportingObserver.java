@@ -1,0 +1,17 @@
+package org.dronemap.proxy.session;
+
+import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.proxy.mavlink.procedure.Observer;
+
+/** Reports how far an exchange is to whoever gave the command. */
+record ReportingObserver(VehicleChannel.Report report) implements Observer {
+    @Override
+    public void accepted() {
+        report.accepted();
+    }
+
+    @Override
+    public void progress(int done, int total) {
+        report.progress(done, total);
+    }
+}

@@ -1,0 +1,152 @@
+package org.dronemap.proxy.session;
+
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.Proof;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.Message;
+import org.dronemap.proxy.endpoint.PeerAddress;
+import org.dronemap.proxy.mavlink.procedure.RoundTrip;
+import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
+import org.dronemap.proxy.mavlink.procedure.Target;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One way to one vehicle: an address and a system id. What it brings goes to the session that it belongs to now, which
+ * may change when the vehicle is recognised. Sending and measuring belong to the session's lane.
+ */
+final class VehicleLink {
+    private final LinkLabel label;
+    private final Downlink downlink;
+    private final LinkMeter meter;
+    private final LongSupplier nanoTime;
+    private final LongAdder dropped = new LongAdder();
+    private volatile @Nullable VehicleSession session;
+    private volatile @Nullable Proof proof;
+    private volatile long lastHeardNanos;
+    private volatile boolean cut;
+    private volatile boolean broken;
+
+    VehicleLink(LinkLabel label, Downlink downlink, Frame first, LongSupplier nanoTime) {
+        this.label = label;
+        this.downlink = downlink;
+        this.nanoTime = nanoTime;
+        lastHeardNanos = nanoTime.getAsLong();
+        proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
+        Target target = new Target(first.systemId(), first.componentId(), this::send);
+        meter = new LinkMeter(new RoundTripProbe(target, new RoundTrip()), lastHeardNanos);
+    }
+
+    /** Takes a frame in as its endpoint brought it; false when there was no room. On the endpoint's thread. */
+    boolean arrived(Frame frame) {
+        long now = nanoTime.getAsLong();
+        lastHeardNanos = now;
+        meter.arrived(frame, now);
+        downlink.heardVersion(frame.version());
+        boolean taken = offer(frame);
+        if (!taken) {
+            dropped.increment();
+        }
+        return taken;
+    }
+
+    /** Takes a frame in out of its order; false when there was no room. Any thread. */
+    boolean offer(Frame frame) {
+        VehicleSession owner = session;
+        return owner != null && !cut && owner.offer(frame);
+    }
+
+    /** From now on its frames are that session's. Any thread. */
+    void belongsTo(VehicleSession owner) {
+        session = owner;
+    }
+
+    @Nullable
+    VehicleSession session() {
+        return session;
+    }
+
+    /** It is not believed any more: who calls from there next is somebody new. Any thread. */
+    void cut() {
+        cut = true;
+    }
+
+    /** Its connection has ended: nothing will ever come over it again. Any thread. */
+    void broke() {
+        broken = true;
+    }
+
+    /** True when a new heartbeat from there makes a new link. Any thread. */
+    boolean isOver() {
+        VehicleSession owner = session;
+        return cut || owner == null || owner.isOver();
+    }
+
+    void send(Message message) {
+        if (!label.replay() && !cut) {
+            downlink.send(message, nanoTime.getAsLong());
+        }
+    }
+
+    /** Frames on it were signed with the key of this drone. Any thread. */
+    void signedBy(DroneId drone) {
+        boolean known = proof instanceof Proof.OfLink
+                || (proof instanceof Proof.OfSignature signature
+                        && signature.drone().equals(drone));
+        if (!known) {
+            proof = new Proof.OfSignature(drone);
+        }
+    }
+
+    /** What nobody but its vehicle could show; null as long as it showed nothing. Any thread. */
+    @Nullable
+    Proof proof() {
+        return proof;
+    }
+
+    /** Where it comes from now: an authenticated link may move. */
+    DroneKey key() {
+        PeerAddress address = downlink.address();
+        return new DroneKey(address.host(), address.port(), label.key().systemId());
+    }
+
+    LinkLabel label() {
+        return label;
+    }
+
+    Downlink downlink() {
+        return downlink;
+    }
+
+    LinkMeter meter() {
+        return meter;
+    }
+
+    /** Messages missing so far. Any thread. */
+    long lost() {
+        return meter.counts().lost();
+    }
+
+    /** What went over it so far. Any thread. */
+    VehicleTraffic traffic() {
+        VehicleSession owner = session;
+        LinkMeter.Counts counts = meter.counts();
+        return new VehicleTraffic(
+                key(),
+                label.transport(),
+                owner == null ? null : owner.drone().orElse(null),
+                counts.received(),
+                downlink.sent(),
+                counts.lost(),
+                counts.doubled(),
+                dropped.sum(),
+                owner == null ? 0 : owner.waiting());
+    }
+
+    /** For how long nothing came; for ever when its connection has ended. */
+    long silenceNanos(long nowNanos) {
+        return broken ? Long.MAX_VALUE : nowNanos - lastHeardNanos;
+    }
+}

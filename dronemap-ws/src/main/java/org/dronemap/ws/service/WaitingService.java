@@ -1,0 +1,46 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around vehicles that wait to be let in, for administrators. Any thread. */
+public final class WaitingService {
+    private static final int LONGEST_NAME = 60;
+
+    private final CloudManager cloud;
+    private final DroneViews views;
+
+    /** How a vehicle is let in; without a name it is called after what it is. */
+    public record EnrolRequest(@Nullable String name) {}
+
+    public WaitingService(CloudManager cloud, DroneViews views) {
+        this.cloud = cloud;
+        this.views = views;
+    }
+
+    /** Who waits, longest first. */
+    public List<WaitingView> waiting(Principal principal) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        return cloud.waiting().stream().map(WaitingView::of).toList();
+    }
+
+    /** Makes a drone of it; one that was quarantined becomes a drone of its own. */
+    public DroneView enrol(Principal principal, String id, EnrolRequest request) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        String name = request.name() == null ? null : Names.checked("name", request.name(), LONGEST_NAME);
+        return cloud.letIn(id, name)
+                .map(state -> views.view(state, principal.role()))
+                .orElseThrow(() -> Rejection.unknown("waiting vehicle", id));
+    }
+
+    /** Takes it off the list; it comes again when it is heard again. */
+    public void dismiss(Principal principal, String id) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        if (!cloud.dismiss(id)) {
+            throw Rejection.unknown("waiting vehicle", id);
+        }
+    }
+}

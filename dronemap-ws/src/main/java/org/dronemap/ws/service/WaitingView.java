@@ -1,0 +1,50 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import org.dronemap.core.cloud.Waiting;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/** A vehicle outside as administrators see it. */
+@Schema(description = "A vehicle that nobody has let in: nothing is sent to it but the question who it is.")
+public record WaitingView(
+        String id,
+
+        @Schema(description = "unknown, or quarantined: it says that it is a drone which it does not prove to be")
+        String reason,
+
+        @Nullable String claims,
+        String why,
+        String address,
+        int port,
+        int systemId,
+        String transport,
+        String kind,
+        String autopilot,
+        String vehicle,
+        @Nullable String firmware,
+        @Nullable String hardwareId,
+        Instant since,
+        Instant lastHeard) {
+    static WaitingView of(Waiting waiting) {
+        DroneId claims = waiting.claims();
+        return new WaitingView(
+                waiting.id(),
+                waiting.isQuarantined() ? "quarantined" : "unknown",
+                claims == null ? null : claims.value(),
+                waiting.why(),
+                waiting.key().address(),
+                waiting.key().port(),
+                waiting.key().systemId(),
+                waiting.transport(),
+                WireNames.camel(waiting.identification().kind()),
+                waiting.identification().autopilot(),
+                waiting.identification().vehicle(),
+                waiting.identification().firmware(),
+                waiting.identification().hardwareUid(),
+                waiting.since().truncatedTo(ChronoUnit.MILLIS),
+                waiting.lastHeard().truncatedTo(ChronoUnit.MILLIS));
+    }
+}
