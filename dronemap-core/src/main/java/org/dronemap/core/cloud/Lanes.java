@@ -2,6 +2,7 @@ package org.dronemap.core.cloud;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 
 /** All lanes of this process: a drone's is found by its id; sessions not yet bound to a drone share the registry lane. */
@@ -29,6 +30,16 @@ public final class Lanes implements AutoCloseable {
     public long droppedCount() {
         return registry.droppedCount()
                 + lanes.stream().mapToLong(Lane::droppedCount).sum();
+    }
+
+    /** Tasks and ticks that threw, each logged, since the start. */
+    public long failedCount() {
+        return all().stream().mapToLong(Lane::failedCount).sum();
+    }
+
+    /** Every lane, the registry's too. */
+    public List<Lane> all() {
+        return Stream.concat(Stream.of(registry), lanes.stream()).toList();
     }
 
     @Override

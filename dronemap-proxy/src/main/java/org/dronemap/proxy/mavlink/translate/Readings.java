@@ -32,7 +32,7 @@ final class Readings {
 
     /** Charge, volts and amperes of the main battery. */
     Optional<Battery> battery(SysStatus message) {
-        systemStatusHasCharge = message.batteryRemaining() >= 0;
+        systemStatusHasCharge = isPercent(message.batteryRemaining());
         if (systemStatusHasCharge) {
             percent = message.batteryRemaining();
         }
@@ -48,7 +48,7 @@ final class Readings {
             return Optional.empty();
         }
         if (!systemStatusHasCharge) {
-            percent = message.batteryRemaining() >= 0 ? (Integer) message.batteryRemaining() : null;
+            percent = isPercent(message.batteryRemaining()) ? (Integer) message.batteryRemaining() : null;
         }
         if (volts == null) {
             int millivolts = 0;
@@ -61,6 +61,10 @@ final class Readings {
             amps = message.currentBattery() / 100.0;
         }
         return battery();
+    }
+
+    private static boolean isPercent(int value) {
+        return value >= 0 && value <= 100;
     }
 
     private Optional<Battery> battery() {

@@ -1,0 +1,31 @@
+package org.dronemap.proxy.fuzz;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+
+/** A minute of hostile input, another one each time; a failure names the seed that repeats it. */
+class FuzzTest {
+    private static final Duration SHORT = Duration.ofSeconds(13);
+
+    @Test
+    void theFrameReaderFindsGoodFramesBehindAnything() {
+        assertThat(ReaderFuzz.run(new Budget("frame reader", SHORT))).isPositive();
+    }
+
+    @Test
+    void theTranslatorsMakeSenseOfAnyPayload() {
+        assertThat(TranslatorFuzz.run(new Budget("translators", SHORT))).isPositive();
+    }
+
+    @Test
+    void everyCommandEndsWhateverTheVehicleAnswers() {
+        assertThat(ProcedureFuzz.run(new Budget("procedures", SHORT))).isPositive();
+    }
+
+    @Test
+    void sessionsSurviveHostileVehicles() {
+        assertThat(SessionFuzz.run(new Budget("sessions", SHORT))).isPositive();
+    }
+}

@@ -1,0 +1,138 @@
+package org.dronemap.proxy.fuzz;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.RelaySetting;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.translate.Autopilot;
+import org.dronemap.proxy.mavlink.translate.Cockpit;
+import org.dronemap.proxy.mavlink.translate.ParameterTable;
+import org.dronemap.proxy.mavlink.translate.Telemetry;
+import org.dronemap.proxy.mavlink.translate.VehicleStatus;
+
+/** Every command on every autopilot while the vehicle answers nonsense: it ends, and sends no endless stream. */
+final class ProcedureFuzz {
+    private static final long SECOND = 1_000_000_000L;
+    private static final long TICK = 20_000_000L;
+    private static final long LONGEST_SILENCE = 300 * SECOND;
+    private static final int MOST_SENT_PER_INPUT = 1_000;
+    private static final int WARM_UP = 200;
+    private static final int[] AUTOPILOTS = {3, 12, 0};
+    private static final int[] TYPES = {1, 2, 10, 12, 13, 20};
+    private static final MissionItem WAYPOINT =
+            new MissionItem.Waypoint(new Geodetic(47.4, 8.5), Altitude.aboveHome(30), 0);
+    private static final List<Command> COMMANDS = List.of(
+            new Command.Arm(),
+            new Command.Disarm(true),
+            new Command.SetMode("GUIDED"),
+            new Command.TakeOff(20),
+            new Command.Land(),
+            new Command.ReturnToLaunch(),
+            new Command.Hold(),
+            new Command.GoTo(new Geodetic(47.4, 8.5), Altitude.aboveHome(30)),
+            new Command.UploadMission(new Mission(List.of(new MissionItem.TakeOff(20), WAYPOINT, WAYPOINT))),
+            new Command.StartMission(CloudLoss.CONTINUE),
+            new Command.PauseMission(),
+            new Command.ClearMission(),
+            new Command.Turn(90),
+            new Command.TakePicture(),
+            new Command.SetRelay(0, RelaySetting.TOGGLE));
+
+    private final Random random;
+    private final HostileFrames hostile;
+    private final String name;
+    private long now = 1_000 * SECOND;
+    private int rounds;
+
+    private ProcedureFuzz(Budget budget) {
+        random = budget.random();
+        hostile = new HostileFrames(random, 1);
+        name = budget.name();
+    }
+
+    static long run(Budget budget) {
+        ProcedureFuzz fuzz = new ProcedureFuzz(budget);
+        FlatHeap heap = new FlatHeap();
+        while (budget.isLeft()) {
+            fuzz.round();
+        }
+        heap.check(budget.name());
+        return fuzz.rounds;
+    }
+
+    private void round() {
+        rounds++;
+        int type = TYPES[random.nextInt(TYPES.length)];
+        Heartbeat heartbeat =
+                new Heartbeat(type, AUTOPILOTS[random.nextInt(AUTOPILOTS.length)], 81, random.nextInt(30), 4, 3);
+        Autopilot autopilot = Autopilot.of(heartbeat);
+        Command command = COMMANDS.get(random.nextInt(COMMANDS.size()));
+        if (!autopilot.capabilities().commands().contains(command.needs())) {
+            return;
+        }
+        AtomicLong sent = new AtomicLong();
+        VehicleStatus status = new VehicleStatus(type);
+        Telemetry telemetry = new Telemetry(autopilot, status, event -> {});
+        Target target = new Target(1, 1, message -> sent.incrementAndGet());
+        Cockpit cockpit = new Cockpit(
+                status,
+                new ParameterTable(autopilot, event -> {}),
+                target,
+                Observer.NONE,
+                event -> {},
+                items -> {},
+                sentence -> {});
+        Exchange exchange = autopilot.plan(command, cockpit);
+        exchange.start(now);
+        for (int inputs = random.nextInt(400); inputs > 0 && exchange.outcome() == null; inputs--) {
+            disturb(exchange, telemetry, sent);
+        }
+        endsInSilence(exchange, command);
+    }
+
+    private void disturb(Exchange exchange, Telemetry telemetry, AtomicLong sent) {
+        long before = sent.get();
+        byte[] bytes = hostile.next();
+        List<Frame> frames = HostileFrames.parsed(bytes);
+        Runnable work = () -> frames.forEach(frame -> {
+            telemetry.heard(frame, now);
+            exchange.heard(frame, now);
+        });
+        if (rounds < WARM_UP) {
+            work.run();
+        } else {
+            SlowInput.check(name, bytes, work);
+        }
+        if (random.nextInt(20) == 0) {
+            exchange.said(Severity.values()[random.nextInt(Severity.values().length)], "PreArm: " + bytes.length, now);
+        }
+        for (int ticks = random.nextInt(60); ticks > 0; ticks--) {
+            now += TICK;
+            exchange.tick(now);
+        }
+        assertThat(sent.get() - before).as("sent for one input (%s)", name).isLessThan(MOST_SENT_PER_INPUT);
+    }
+
+    private void endsInSilence(Exchange exchange, Command command) {
+        long deadline = now + LONGEST_SILENCE;
+        while (exchange.outcome() == null && now < deadline) {
+            now += 5 * TICK;
+            exchange.tick(now);
+        }
+        assertThat(exchange.outcome()).as("%s (%s)", command.summary(), name).isNotNull();
+    }
+}
