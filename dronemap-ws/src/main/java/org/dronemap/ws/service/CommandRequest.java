@@ -56,6 +56,24 @@ public record CommandRequest(
     public record ParameterRequest(
             @Nullable String name, @Nullable Double value) {}
 
+    CommandRequest withId(String given) {
+        return new CommandRequest(
+                type,
+                given,
+                force,
+                mode,
+                latitude,
+                longitude,
+                altitude,
+                altitudeReference,
+                items,
+                onCloudLoss,
+                degrees,
+                relay,
+                setting,
+                parameters);
+    }
+
     /** A command without parameters. */
     public static CommandRequest simple(String type) {
         return new CommandRequest(type, null, null, null, null, null, null, null, null, null, null, null, null, null);

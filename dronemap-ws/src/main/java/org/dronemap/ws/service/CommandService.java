@@ -90,6 +90,15 @@ public final class CommandService {
                 .toList();
     }
 
+    Optional<DroneState> known(String droneId) {
+        return drones.find(droneId);
+    }
+
+    @Nullable
+    String nameOf(String droneId) {
+        return drones.find(droneId).map(DroneState::name).orElse(null);
+    }
+
     private static CommandId id(@Nullable String given) {
         if (given == null) {
             return new CommandId(UUID.randomUUID().toString());

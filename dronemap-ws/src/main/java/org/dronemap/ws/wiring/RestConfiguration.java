@@ -6,6 +6,7 @@ import org.dronemap.ws.rest.AccessLogFilter;
 import org.dronemap.ws.rest.ApiDescription;
 import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BodyLimitFilter;
+import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
@@ -48,6 +49,7 @@ import tools.jackson.databind.DeserializationFeature;
     SessionController.class,
     AccessController.class,
     DroneController.class,
+    BroadcastController.class,
     CommandController.class,
     FenceController.class,
     LogController.class,

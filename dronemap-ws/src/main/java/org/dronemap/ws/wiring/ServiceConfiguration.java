@@ -8,6 +8,7 @@ import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.FirstStart;
 import org.dronemap.ws.service.AccessService;
 import org.dronemap.ws.service.BackupService;
+import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
@@ -105,6 +106,11 @@ public class ServiceConfiguration {
     @Bean
     CommandService commandService(House house, DroneService drones) {
         return new CommandService(house.cloud(), drones);
+    }
+
+    @Bean
+    BroadcastService broadcastService(House house, CommandService commands) {
+        return new BroadcastService(house.cloud(), commands);
     }
 
     @Bean

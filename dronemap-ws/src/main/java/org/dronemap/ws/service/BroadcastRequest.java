@@ -1,0 +1,24 @@
+package org.dronemap.ws.service;
+
+import com.fasterxml.jackson.annotation.JsonFormat;
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** One command for several drones as a client writes it. Nothing is checked yet. */
+@Schema(description = "One command for several drones.")
+public record BroadcastRequest(
+        @Schema(
+                description = "Ids of the drones, or \"all\"",
+                requiredMode = Schema.RequiredMode.REQUIRED,
+                example = "all")
+        @JsonFormat(with = JsonFormat.Feature.ACCEPT_SINGLE_VALUE_AS_ARRAY)
+        @Nullable
+        List<@Nullable String> drones,
+
+        @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+        CommandRequest command,
+
+        @Schema(description = "Your own id (8 to 36 of A-Z a-z 0-9 _ -): the same id twice acts once on each drone")
+        @Nullable
+        String id) {}

@@ -1,0 +1,136 @@
+package org.dronemap.ws.service;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.DroneState;
+import org.jspecify.annotations.Nullable;
+
+/** One command for several drones or all of them: each gets a command of its own through the gate. Any thread. */
+public final class BroadcastService {
+    private static final String ALL = "all";
+    private static final String DRONES_FORM = "\"all\" or a list of 1 to 1000 ids of drones";
+    private static final String ID_FORM = "8 to 36 of A-Z, a-z, 0-9, _ and -";
+    private static final int MOST_DRONES = 1_000;
+    private static final int LONGEST_COMMAND_ID = 64;
+
+    private final CloudManager cloud;
+    private final CommandService commands;
+
+    public BroadcastService(CloudManager cloud, CommandService commands) {
+        this.cloud = cloud;
+        this.commands = commands;
+    }
+
+    /** Checks what holds for all, then asks the gate for each; what one drone cannot do keeps no other from it. */
+    public BroadcastView submit(Principal principal, String face, BroadcastRequest request) {
+        Roles.require(principal, Role.OPERATOR);
+        CommandRequest command = request.command();
+        if (command == null) {
+            throw InvalidInput.missing("command", "a command such as {\"type\":\"land\"}");
+        }
+        if (command.id() != null) {
+            throw new InvalidInput("command.id", "left out", "The id of a command for several stands beside it.");
+        }
+        String id = id(request.id());
+        List<String> targets = targets(request.drones());
+        checkForAll(targets, command);
+        List<BroadcastView.Result> results = new ArrayList<>();
+        for (String drone : targets) {
+            results.add(one(principal, face, drone, command.withId(idFor(id, drone))));
+        }
+        return new BroadcastView(id, List.copyOf(results));
+    }
+
+    private BroadcastView.Result one(Principal principal, String face, String drone, CommandRequest command) {
+        String name = commands.nameOf(drone);
+        try {
+            return new BroadcastView.Result(drone, name, commands.submit(principal, face, drone, command), null);
+        } catch (Rejection rejection) {
+            String refused = rejection.commandId();
+            return refused == null
+                    ? new BroadcastView.Result(drone, name, null, rejection.sentence())
+                    : new BroadcastView.Result(drone, name, commands.command(refused), null);
+        }
+    }
+
+    /** A value that no drone can take is refused before anything is sent to any. */
+    private void checkForAll(List<String> targets, CommandRequest command) {
+        targets.stream()
+                .flatMap(drone -> commands.known(drone).stream())
+                .findFirst()
+                .ifPresent(drone -> {
+                    try {
+                        CommandReader.read(
+                                command, drone, cloud.onBoard(drone.id()).parameters());
+                    } catch (InvalidInput wrong) {
+                        throw new InvalidInput("command." + wrong.field(), wrong.allowed(), wrong.sentence());
+                    }
+                });
+    }
+
+    private List<String> targets(@Nullable List<@Nullable String> asked) {
+        if (asked == null || asked.isEmpty()) {
+            throw InvalidInput.missing("drones", DRONES_FORM);
+        }
+        if (asked.size() == 1 && ALL.equals(asked.get(0))) {
+            return cloud.drones().stream()
+                    .filter(drone -> !drone.replay())
+                    .map(DroneState::id)
+                    .map(id -> id.value())
+                    .toList();
+        }
+        Set<String> each = new LinkedHashSet<>();
+        for (String drone : asked) {
+            if (drone == null) {
+                throw InvalidInput.outside("drones", DRONES_FORM, "a list with null in it");
+            }
+            each.add(drone);
+        }
+        if (each.size() > MOST_DRONES) {
+            throw InvalidInput.outside("drones", DRONES_FORM, each.size() + " ids");
+        }
+        return List.copyOf(each);
+    }
+
+    /** The whole once every command has ended, or as it stands when the wait is over. */
+    public CompletableFuture<BroadcastView> awaitEnd(BroadcastView broadcast, Duration wait) {
+        List<CompletableFuture<BroadcastView.Result>> ends = broadcast.results().stream()
+                .map(result -> {
+                    CommandView command = result.command();
+                    return command == null
+                            ? CompletableFuture.completedFuture(result)
+                            : commands.awaitEnd(command, wait)
+                                    .thenApply(ended -> new BroadcastView.Result(
+                                            result.drone(), result.name(), ended, result.problem()));
+                })
+                .toList();
+        return CompletableFuture.allOf(ends.toArray(CompletableFuture[]::new))
+                .thenApply(all -> new BroadcastView(
+                        broadcast.id(),
+                        ends.stream().map(CompletableFuture::join).toList()));
+    }
+
+    private static String id(@Nullable String given) {
+        if (given == null) {
+            return "all-" + UUID.randomUUID().toString().substring(0, 18);
+        }
+        if (!given.matches("[A-Za-z0-9_-]{8,36}")) {
+            throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");
+        }
+        return given;
+    }
+
+    /** The same for the same drone whenever it is asked, so that repeating acts once. */
+    private static String idFor(String id, String drone) {
+        String whole = id + "-" + drone.replaceAll("[^A-Za-z0-9_-]", "_");
+        return whole.length() <= LONGEST_COMMAND_ID ? whole : whole.substring(0, LONGEST_COMMAND_ID);
+    }
+}
