@@ -105,7 +105,10 @@ describe('hold button', () => {
     const confirm = vi.fn();
     const children = createRawSnippet(() => ({ render: () => '<span>Arm</span>' }));
     render(HoldButton, { onconfirm: confirm, disabled, children });
-    return { confirm, element: screen.getByRole('button', { name: 'Arm' }) };
+    const element = screen.getByRole('button', { name: 'Arm' });
+    element.setPointerCapture = vi.fn();
+    element.getBoundingClientRect = () => new DOMRect(0, 100, 100, 40);
+    return { confirm, element };
   }
 
   it('confirms by a held pointer', async () => {
@@ -127,11 +130,31 @@ describe('hold button', () => {
 
   it('does nothing when the pointer leaves before the time', async () => {
     const { confirm, element } = button();
-    await fireEvent.pointerDown(element, { button: 0 });
+    await fireEvent.pointerDown(element, { button: 0, clientX: 50, clientY: 120 });
     vi.advanceTimersByTime(400);
-    await fireEvent.pointerLeave(element);
+    await fireEvent.pointerMove(element, { clientX: 50, clientY: 300 });
     vi.advanceTimersByTime(900);
     expect(confirm).not.toHaveBeenCalled();
+  });
+
+  it('goes on when news above it move the button away from under a hand that keeps still', async () => {
+    const { confirm, element } = button();
+    await fireEvent.pointerDown(element, { button: 0, clientX: 50, clientY: 120 });
+    expect(element.setPointerCapture).toHaveBeenCalled();
+    vi.advanceTimersByTime(400);
+    element.getBoundingClientRect = () => new DOMRect(0, 60, 100, 40);
+    await fireEvent.pointerMove(element, { clientX: 51, clientY: 121 });
+    await fireEvent.pointerLeave(element, { clientX: 51, clientY: 121 });
+    vi.advanceTimersByTime(500);
+    expect(confirm).toHaveBeenCalledTimes(1);
+  });
+
+  it('keeps saying that it wants holding after a finger was lifted, which ends as a pointer that leaves', async () => {
+    const { element } = button();
+    await fireEvent.pointerDown(element, { button: 0, clientX: 50, clientY: 120 });
+    await fireEvent.pointerUp(element, { clientX: 50, clientY: 120 });
+    await fireEvent.pointerLeave(element, { clientX: 50, clientY: 120 });
+    expect(screen.getByText('Keep holding until the ring is full.')).toBeTruthy();
   });
 
   it('does nothing while it is disabled', async () => {
