@@ -102,6 +102,7 @@ fail_from_log() { # LOG CODE SENTENCE…
         fail "$EXIT_NETWORK" "A package could not be downloaded: no network. Check the connection (and the proxy settings of apt, npm," \
             "pip and Maven) and run the same command again. Details: $log"
     fi
-    tail -n 20 "$log" >&2
+    # What Java noted on its way is no reason.
+    grep -vE '^[0-9:.]+ \[[^]]+\] (INFO|DEBUG) ' "$log" | tail -n 20 >&2 || true
     fail "$code" "$* Details: $log"
 }

@@ -209,6 +209,15 @@ class BadInputTest {
     }
 
     @Test
+    void saysWhatIsNoJsonInWordsForItsSenderNotForItsBuilder() {
+        Http.Answer answer = operator.post(
+                "/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"takeOff\",\"altitude\":NaN}");
+
+        assertThat(answer.status()).isEqualTo(400);
+        assertThat(answer.text("detail")).isEqualTo("This is not JSON: line 1, column 33: Non-standard token 'NaN'.");
+    }
+
+    @Test
     void answersEveryMistakeOfHttpWithAProblem() {
         assertThat(operator.send("/api/v1/drones", request -> request.DELETE()).status())
                 .isEqualTo(405);

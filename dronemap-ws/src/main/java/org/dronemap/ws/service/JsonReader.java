@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.TokenStreamLocation;
@@ -13,6 +14,9 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Reads and writes JSON for the faces, and says in a sentence what is wrong with what a client wrote. Any thread. */
 public final class JsonReader {
+    /** What the parser tells programmers about itself. */
+    private static final Pattern INTERNALS = Pattern.compile("( \\(start marker|: enable `).*");
+
     private final JsonMapper mapper;
 
     public JsonReader() {
@@ -74,8 +78,7 @@ public final class JsonReader {
 
     private static String firstLine(String text) {
         String line = text.lines().findFirst().orElse("it ends too soon");
-        int internals = line.indexOf(" (start marker");
-        String trimmed = internals < 0 ? line : line.substring(0, internals);
+        String trimmed = INTERNALS.matcher(line).replaceFirst("");
         return trimmed.endsWith(".") ? trimmed.substring(0, trimmed.length() - 1) : trimmed;
     }
 
