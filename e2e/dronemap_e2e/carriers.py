@@ -75,6 +75,63 @@ class UdpListener:
         self._socket.close()
 
 
+class UdpCaller:
+    """A vehicle that sends to one address, from a port of its own."""
+
+    def __init__(self, port: int) -> None:
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.connect(("127.0.0.1", port))
+        self._socket.settimeout(PATIENCE)
+        self.port: int = self._socket.getsockname()[1]
+
+    def send(self, frame: bytes) -> None:
+        self._socket.send(frame)
+
+    def receive(self) -> bytes:
+        try:
+            return self._socket.recv(65535)
+        except (TimeoutError, ConnectionError):
+            return b""
+
+    def close(self) -> None:
+        self._socket.close()
+
+
+class Together:
+    """Several links of one vehicle: each frame goes over all of them, and answers come over any."""
+
+    def __init__(self, *carriers: Carrier) -> None:
+        self._carriers = list(carriers)
+        self._down: queue.Queue[bytes] = queue.Queue()
+        self._closed = False
+        self._threads = [threading.Thread(target=self._hear, args=(c,), daemon=True) for c in carriers]
+        for thread in self._threads:
+            thread.start()
+
+    def _hear(self, carrier: Carrier) -> None:
+        while not self._closed:
+            data = carrier.receive()
+            if data:
+                self._down.put(data)
+
+    def send(self, frame: bytes) -> None:
+        for carrier in self._carriers:
+            carrier.send(frame)
+
+    def receive(self) -> bytes:
+        try:
+            return self._down.get(timeout=PATIENCE)
+        except queue.Empty:
+            return b""
+
+    def close(self) -> None:
+        self._closed = True
+        for thread in self._threads:
+            thread.join()
+        for carrier in self._carriers:
+            carrier.close()
+
+
 class TcpListener:
     """A modem that listens; it takes one connection after the other."""
 
