@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 public final class FrameReader {
     private static final int LONGEST = Frame.HEADER_2 + 255 + 2 + Frame.SIGNATURE_BYTES;
 
+    private final int gapBytes;
     private final byte[] pending = new byte[4 * LONGEST];
     private int start;
     private int end;
@@ -21,11 +22,22 @@ public final class FrameReader {
     private long skippedBytes;
     private long skippedRuns;
     private boolean skipping;
+    private boolean atGap;
     private final byte[] lastSkipped = new byte[8];
 
     /** Counts since the start; bytes that belong to no frame come in runs. */
     public record Counts(
             long goodFrames, long unverifiedFrames, long brokenFrames, long skippedBytes, long skippedRuns) {}
+
+    public FrameReader() {
+        this(0);
+    }
+
+    /** {@code gapBytes}: what stands before each frame and is none of it, as the time in recordings. */
+    public FrameReader(int gapBytes) {
+        this.gapBytes = gapBytes;
+        atGap = gapBytes > 0;
+    }
 
     /** Takes bytes in and hands every frame that they complete to {@code frames}, in order. */
     public void read(ByteBuffer bytes, Consumer<Frame> frames) {
@@ -81,6 +93,9 @@ public final class FrameReader {
 
     private void parse(Consumer<Frame> frames, boolean last) {
         while (start < end) {
+            if (atGap && !passGap(last)) {
+                return;
+            }
             int need = lengthAt(pending, start, end);
             if (need == 0) {
                 skip();
@@ -93,6 +108,25 @@ public final class FrameReader {
                 take(need, frames);
             }
         }
+    }
+
+    /**
+     * Skips the gap unseen when a good frame follows: it may look like a frame itself, and would swallow what comes after
+     * it. False when that cannot be told yet.
+     */
+    private boolean passGap(boolean last) {
+        int at = start + gapBytes;
+        int need = at < end ? lengthAt(pending, at, end) : -1;
+        if (!last && (need < 0 || at + need > end)) {
+            return false;
+        }
+        atGap = false;
+        if (isGoodFrameAt(pending, at, end)) {
+            for (int i = 0; i < gapBytes; i++) {
+                skip();
+            }
+        }
+        return true;
     }
 
     /** Whole frame length at this place; 0: no frame begins here, -1: cannot be told yet. */
@@ -126,6 +160,7 @@ public final class FrameReader {
         Frame frame = new Frame(Arrays.copyOfRange(pending, start, start + length), entry != null);
         start += length;
         skipping = false;
+        atGap = gapBytes > 0;
         if (entry != null) {
             goodFrames++;
         } else {

@@ -20,7 +20,7 @@ public final class TlogReader {
     private static final long LATEST_MICROS = 4_102_444_800_000_000L;
 
     private final InputStream in;
-    private final FrameReader reader = new FrameReader();
+    private final FrameReader reader = new FrameReader(Long.BYTES);
     private final ArrayDeque<Timed> ready = new ArrayDeque<>();
     private final byte[] chunk = new byte[CHUNK];
     private final byte[] lastEight = new byte[8];
