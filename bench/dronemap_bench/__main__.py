@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from . import configurations, machine, report
+from . import configurations, machine, report, router
 from .measure import measure
 from .programs import ROOT
 
@@ -19,7 +19,10 @@ def main(words: list[str]) -> None:
     results = []
     for number, configuration in enumerate(chosen, 1):
         print(f"[{number}/{len(chosen)}] {configuration.name}: {configuration.what}", file=sys.stderr)
-        results.append(measure(configuration))
+        result = measure(configuration)
+        if options.router and configuration.impairment is None and configuration.flood is None:
+            result["router"] = router.measure(configuration, options.router)
+        results.append(result)
         whole = {"machine": _about(), "configurations": results}
         report.write(options.out, options.name, whole)
     print(report.table(whole))
@@ -32,6 +35,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--seconds", type=int, default=0, help="measure so long instead of a minute")
     parser.add_argument("--out", type=Path, default=ROOT / "bench" / "results", help="folder for the results")
     parser.add_argument("--name", default="latest", help="name of the result files")
+    parser.add_argument("--router", type=Path, help="a mavlink-routerd that gets the same load beside it")
     return parser.parse_args(words)
 
 

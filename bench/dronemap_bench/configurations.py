@@ -29,6 +29,18 @@ class Impairment:
 
 
 @dataclass(frozen=True)
+class Flood:
+    """Nonsense from one address, that of half of the vehicles, for the second half of the time."""
+
+    kind: str
+    rate: int = 50_000
+    seed: int = 1
+
+    def arguments(self) -> list[str]:
+        return ["--kind", self.kind, "--rate", str(self.rate), "--seed", str(self.seed)]
+
+
+@dataclass(frozen=True)
 class Configuration:
     """So many vehicles, each with so many messages a second."""
 
@@ -40,6 +52,12 @@ class Configuration:
     warm_up: int = 15
     only_positions: bool = False
     impairment: Impairment | None = None
+    flood: Flood | None = None
+
+    @property
+    def hosts(self) -> int:
+        """Vehicles are spread over so many addresses; a flood comes from the first of them."""
+        return 2 if self.flood else 1
 
     def steps(self) -> int:
         return self.rate * (self.warm_up + self.seconds)
@@ -92,6 +110,22 @@ CONFIGURATIONS = [
         24,
         only_positions=True,
         impairment=MOVING,
+    ),
+    Configuration(
+        "flood-broken",
+        "50,000 broken datagrams/s from one address in the second half",
+        8,
+        24,
+        only_positions=True,
+        flood=Flood("broken"),
+    ),
+    Configuration(
+        "flood-hostile",
+        "50,000 good frames/s that mean no good from one address in the second half",
+        8,
+        24,
+        only_positions=True,
+        flood=Flood("hostile"),
     ),
 ]
 

@@ -19,11 +19,13 @@ class Sample:
     machine_busy: float
     machine_all: float
     drops: int
+    backlog_drops: int
 
 
 def sample(pid: int, udp_port: int) -> Sample:
     busy, everything = _machine()
-    return Sample(time.monotonic(), cpu(pid), _threads(pid), busy, everything, kernel_drops(udp_port))
+    drops = kernel_drops(udp_port)
+    return Sample(time.monotonic(), cpu(pid), _threads(pid), busy, everything, drops, backlog_drops())
 
 
 def cpu(pid: int) -> float:
@@ -67,6 +69,12 @@ def kernel_drops(udp_port: int) -> int:
             if int(fields[1].split(":")[1], 16) == udp_port:
                 drops += int(fields[-1])
     return drops
+
+
+def backlog_drops() -> int:
+    """Packets of the whole machine that the kernel threw away before they came to any socket."""
+    lines = Path("/proc/net/softnet_stat").read_text().splitlines()
+    return sum(int(line.split()[1], 16) for line in lines)
 
 
 def processor() -> str:

@@ -11,9 +11,9 @@ from typing import Any
 
 from . import machine
 from .configurations import Configuration
-from .programs import Json, Load, Server, free_port
+from .programs import Json, Load, Programs, Server, free_port
 
-LEAD_SECONDS = 4.0
+LEAD_SECONDS = 0.5
 END_SECONDS = 90
 SHOWN_THREADS = 10
 
@@ -31,33 +31,50 @@ def measure(configuration: Configuration) -> Json:
 def _measure(c: Configuration, server: Server, folder: Path) -> Json:
     time.sleep(2)
     idle_bytes = machine.resident_bytes(server.pid)
-    start = time.monotonic() + LEAD_SECONDS + c.vehicles / 1000
-    begin, end = start + c.warm_up, start + c.warm_up + c.seconds
     pace = ["--vehicles", str(c.vehicles), "--rate", str(c.rate)]
+    hosts = ["--hosts", str(c.hosts)]
     kind = ["--steps", str(c.steps()), "--only-positions", "yes" if c.only_positions else "no"]
-    timed = [*pace, "--start-nanos", str(int(start * 1e9))]
     with _network(c, server) as (port, network):
-        sender = Load("send", *timed, *kind, "--port", str(port))
-        watcher: Load | None = None
+        programs = Programs(network)
         try:
+            sender = programs.start("send", *pace, *kind, *hosts, "--port", str(port))
+            sender.await_ready()
+            start = time.monotonic() + LEAD_SECONDS
+            begin, end = start + c.warm_up, start + c.warm_up + c.seconds
+            flooded = begin + c.seconds / 2
+            sender.tell(str(int(start * 1e9)))
             _sleep_until(begin - 3)
-            watch = ["--from-nanos", str(int(begin * 1e9)), "--until-nanos", str(int(end * 1e9))]
-            where = ["--port", str(server.stream_port), "--key", server.key()]
-            watcher = Load("watch", *timed, *watch, *where)
+            where = [
+                *pace,
+                "--start-nanos",
+                str(int(start * 1e9)),
+                *hosts,
+                "--port",
+                str(server.stream_port),
+                "--key",
+                server.key(),
+            ]
+            watcher = programs.start("watch", *where, *_between(flooded if c.flood else begin, end))
+            calm = programs.start("watch", *where, *_between(begin, flooded)) if c.flood else None
+            flooder = _flooder(c, programs, port, (flooded, end))
             _sleep_until(begin)
             before = machine.sample(server.pid, server.udp_port)
-            own_before = _cpu(sender, watcher, network)
+            own_before = programs.cpu()
+            _sleep_until(flooded)
+            middle_bytes = machine.resident_bytes(server.pid)
             _sleep_until(end)
             after = machine.sample(server.pid, server.udp_port)
-            own_after = _cpu(sender, watcher, network)
+            own_after = programs.cpu()
             busy_bytes = machine.resident_bytes(server.pid)
             live = _live(server)
-            sent = sender.result(END_SECONDS)
-            stream = watcher.result(END_SECONDS)
+            ends = {
+                "sent": sender.result(END_SECONDS),
+                "stream": watcher.result(END_SECONDS),
+                "calm": calm.result(END_SECONDS) if calm else None,
+                "flood": flooder.result(END_SECONDS) if flooder else None,
+            }
         finally:
-            sender.stop()
-            if watcher is not None:
-                watcher.stop()
+            programs.stop()
         tlogs = _check(c, server, folder, [*pace, *kind])
     figures = _figures(c, before, after, own_after - own_before)
     return figures | {
@@ -68,10 +85,10 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
         "seconds": c.seconds,
         "impaired": c.impairment is not None,
         "live": live,
-        "sent": sent,
-        "stream": stream,
+        **ends,
         "tlogs": tlogs,
         "idleMegabytes": round(idle_bytes / 1e6, 1),
+        "middleMegabytes": round(middle_bytes / 1e6, 1),
         "busyMegabytes": round(busy_bytes / 1e6, 1),
         "kilobytesPerDrone": round((busy_bytes - idle_bytes) / c.vehicles / 1e3, 1),
     }
@@ -93,6 +110,7 @@ def _figures(c: Configuration, before: machine.Sample, after: machine.Sample, ot
         "threadsPercentOfOneCore": dict(top),
         "kernelDrops": after.drops - before.drops,
         "kernelDropsWhileWarmingUp": before.drops,
+        "backlogDrops": after.backlog_drops - before.backlog_drops,
         "foreignLoadPercentOfMachine": round(
             100 * max(0.0, busy - used - others) / (after.machine_all - before.machine_all), 1
         ),
@@ -116,8 +134,14 @@ def _network(c: Configuration, server: Server) -> Iterator[tuple[int, Load | Non
         impairer.stop()
 
 
-def _cpu(*programs: Load | None) -> float:
-    return sum(machine.cpu(p.pid) for p in programs if p is not None)
+def _between(begin: float, end: float) -> list[str]:
+    return ["--from-nanos", str(int(begin * 1e9)), "--until-nanos", str(int(end * 1e9))]
+
+
+def _flooder(c: Configuration, programs: Programs, port: int, when: tuple[float, float]) -> Load | None:
+    if c.flood is None:
+        return None
+    return programs.start("flood", "--port", str(port), *_between(*when), *c.flood.arguments())
 
 
 def _live(server: Server) -> int:

@@ -10,6 +10,8 @@ import urllib.request
 from pathlib import Path
 from typing import Any
 
+from . import machine
+
 ROOT = Path(__file__).resolve().parents[2]
 SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 LOAD_JAR = ROOT / "dronemap-sim" / "target" / "dronemap-sim.jar"
@@ -108,6 +110,27 @@ class Server:
         raise SystemExit("The server did not start in time")
 
 
+class Programs:
+    """The load programs of one measurement, to be stopped together."""
+
+    def __init__(self, *running: "Load | None") -> None:
+        self._all = [program for program in running if program is not None]
+        self._own: list[Load] = []
+
+    def start(self, *arguments: str) -> "Load":
+        program = Load(*arguments)
+        self._all.append(program)
+        self._own.append(program)
+        return program
+
+    def cpu(self) -> float:
+        return sum(machine.cpu(program.pid) for program in self._all)
+
+    def stop(self) -> None:
+        for program in self._own:
+            program.stop()
+
+
 class Load:
     """One of the load programs; its result is the line of JSON that it prints at its end."""
 
@@ -122,6 +145,18 @@ class Load:
     @property
     def pid(self) -> int:
         return self._process.pid
+
+    def await_ready(self) -> None:
+        """Returns when it has said that it is."""
+        assert self._process.stdout is not None
+        line = self._process.stdout.readline()
+        if line.strip() != "ready":
+            raise SystemExit(f"A load program did not get ready: {line}")
+
+    def tell(self, line: str) -> None:
+        assert self._process.stdin is not None
+        self._process.stdin.write(line + "\n")
+        self._process.stdin.flush()
 
     def result(self, seconds: float) -> Json:
         output, _ = self._process.communicate(timeout=seconds)

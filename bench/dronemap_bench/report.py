@@ -52,8 +52,36 @@ def table(results: Json) -> str:
         _line(head),
         _line(["---"] * len(head)),
         *(_line(cells) for cells in rows),
+        *_beside(results),
     ]
     return "\n".join(lines) + "\n"
+
+
+def _beside(results: Json) -> list[str]:
+    """What the same load did elsewhere, and what a flood did to the vehicles beside it."""
+    all_results = results["configurations"]
+    lines = [_router(r) for r in all_results if r.get("router")]
+    lines += [_flood(r) for r in all_results if r.get("flood")]
+    return ["", *lines] if lines else []
+
+
+def _router(r: Json) -> str:
+    beside = r["router"]
+    return (
+        f"- `{r['name']}` through mavlink-router: {beside['received']:,} of {beside['sent']:,} forwarded, "
+        f"{beside['cpuMicrosPerMessage']} us/message"
+    )
+
+
+def _flood(r: Json) -> str:
+    calm, flooded = (
+        [each["percentiles"]["99.0"] / 1000 for each in r[when]["ageByHost"]] for when in ("calm", "stream")
+    )
+    return (
+        f"- `{r['name']}`: {r['flood']['sent']:,} datagrams; p99 at the flooder's address "
+        f"{calm[0]:.2f} ms before, {flooded[0]:.2f} ms under it, else {calm[1]:.2f} and {flooded[1]:.2f}; "
+        f"memory {r['middleMegabytes']} and {r['busyMegabytes']} MB"
+    )
 
 
 def row(r: Json) -> list[str]:

@@ -98,6 +98,15 @@ def test_two_thousand_vehicles_stay_live() -> None:
 
 
 @pytest.mark.soak
+@pytest.mark.parametrize("name", ["flood-broken", "flood-hostile"])
+def test_a_flood_from_one_address_leaves_other_vehicles_alone(name: str) -> None:
+    result = measure(configurations.named([name])[0])
+    for calm, flooded in zip(result["calm"]["ageByHost"], result["stream"]["ageByHost"], strict=True):
+        assert flooded["percentiles"]["99.0"] <= 2 * calm["percentiles"]["99.0"], result
+    assert result["busyMegabytes"] <= result["middleMegabytes"] + 30, result
+
+
+@pytest.mark.soak
 @pytest.mark.parametrize("name", ["imatisse-1b", "imatisse-3b"])
 def test_an_unstable_network_adds_its_delay_and_little_more(name: str) -> None:
     result = measure(configurations.named([name])[0])

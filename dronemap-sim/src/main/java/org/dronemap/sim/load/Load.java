@@ -1,6 +1,9 @@
 package org.dronemap.sim.load;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 
@@ -10,21 +13,27 @@ public final class Load {
 
     private Load() {}
 
+    private static BufferedReader lines() {
+        return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.US_ASCII));
+    }
+
     public static void main(String[] words) throws IOException, InterruptedException {
         try {
             if (words.length == 0) {
-                throw new IllegalArgumentException("say send, watch, check or impair");
+                throw new IllegalArgumentException("say send, watch, check, impair, flood or sink");
             }
             Arguments arguments = new Arguments(List.of(Arrays.copyOfRange(words, 1, words.length)));
             System.out.println(
                     switch (words[0]) {
-                        case "send" -> new Sender(arguments).run();
+                        case "send" -> new Sender(arguments).run(lines(), System.out);
                         case "watch" -> new Watcher(arguments).run();
                         case "check" -> new Checker(arguments).run();
                         case "impair" -> Impairer.serve(arguments);
+                        case "sink" -> new Sink(arguments).run();
+                        case "flood" -> new Flooder(arguments).run();
                         default ->
                             throw new IllegalArgumentException(
-                                    "'" + words[0] + "' is none of send, watch, check, impair");
+                                    "'" + words[0] + "' is none of send, watch, check, impair, flood, sink");
                     });
         } catch (IllegalArgumentException e) {
             System.err.println(e.getMessage());

@@ -1,6 +1,8 @@
 package org.dronemap.sim.load;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
@@ -12,7 +14,8 @@ import java.util.List;
 final class Sender {
     private static final int FAREWELLS = 3;
 
-    private final Pace pace;
+    private final int vehicles;
+    private final int perSecond;
     private final int steps;
     private final List<LoadFrames> frames = new ArrayList<>();
     private final List<DatagramChannel> channels = new ArrayList<>();
@@ -21,24 +24,40 @@ final class Sender {
     private long refused;
 
     Sender(Arguments arguments) throws IOException {
-        pace = new Pace(
-                arguments.longInteger("--start-nanos"), arguments.integer("--vehicles"), arguments.integer("--rate"));
+        vehicles = arguments.integer("--vehicles");
+        perSecond = arguments.integer("--rate");
         steps = arguments.integer("--steps");
+        int hosts = Math.toIntExact((long) arguments.number("--hosts", 1));
         boolean onlyPositions = arguments.text("--only-positions", "no").equals("yes");
         InetSocketAddress server = new InetSocketAddress(InetAddress.getLoopbackAddress(), arguments.integer("--port"));
-        for (int vehicle = 0; vehicle < pace.vehicles(); vehicle++) {
-            frames.add(new LoadFrames(vehicle, pace.perSecond(), onlyPositions));
+        for (int vehicle = 0; vehicle < vehicles; vehicle++) {
+            frames.add(new LoadFrames(vehicle, perSecond, onlyPositions));
             DatagramChannel channel = DatagramChannel.open();
-            channel.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+            channel.bind(new InetSocketAddress(host(vehicle % hosts), 0));
             channel.connect(server);
             channel.configureBlocking(false);
             channels.add(channel);
         }
     }
 
-    String run() throws IOException {
+    /** Whole 127.0.0.0/8 is this machine: vehicles may be spread over some of its addresses. */
+    private static InetAddress host(int number) throws IOException {
+        return InetAddress.getByAddress(new byte[] {127, 0, 0, (byte) (number + 1)});
+    }
+
+    /** Says that it is ready, and sends from the time that it is then told: a slow start must not become a burst. */
+    String run(BufferedReader told, PrintStream out) throws IOException {
+        out.println("ready");
+        String startNanos = told.readLine();
+        if (startNanos == null) {
+            throw new IllegalArgumentException("nobody said when to start");
+        }
+        return run(new Pace(Long.parseLong(startNanos.strip()), vehicles, perSecond));
+    }
+
+    String run(Pace pace) throws IOException {
         for (int step = 0; step < steps; step++) {
-            for (int vehicle = 0; vehicle < pace.vehicles(); vehicle++) {
+            for (int vehicle = 0; vehicle < vehicles; vehicle++) {
                 long due = pace.dueNanos(vehicle, step);
                 Pace.await(due);
                 send(vehicle, frames.get(vehicle).next());
@@ -46,7 +65,7 @@ final class Sender {
             }
         }
         for (int again = 0; again < FAREWELLS; again++) {
-            for (int vehicle = 0; vehicle < pace.vehicles(); vehicle++) {
+            for (int vehicle = 0; vehicle < vehicles; vehicle++) {
                 send(vehicle, frames.get(vehicle).disarmed());
             }
         }

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.Random;
+import java.util.stream.Collectors;
 
 /**
  * Watches the state stream and measures how old each new position is when it arrives: from when its message was due to
@@ -30,6 +31,7 @@ final class Watcher {
     private final DataInputStream in;
     private final OutputStream out;
     private final Spread age = new Spread();
+    private final Spread[] ageByHost;
     private final int[] lastStep;
     private long messages;
     private long bytes;
@@ -39,6 +41,8 @@ final class Watcher {
                 arguments.longInteger("--start-nanos"), arguments.integer("--vehicles"), arguments.integer("--rate"));
         fromNanos = arguments.longInteger("--from-nanos");
         untilNanos = arguments.longInteger("--until-nanos");
+        ageByHost = new Spread[Math.toIntExact((long) arguments.number("--hosts", 1))];
+        Arrays.setAll(ageByHost, host -> new Spread());
         lastStep = new int[pace.vehicles()];
         Arrays.fill(lastStep, -1);
         socket = new Socket(InetAddress.getLoopbackAddress(), arguments.integer("--port"));
@@ -55,7 +59,8 @@ final class Watcher {
         }
         socket.close();
         return "{\"messages\":" + messages + ",\"bytes\":" + bytes + ",\"vehicles\":" + seen() + ",\"age\":"
-                + age.json() + "}";
+                + age.json() + ",\"ageByHost\":["
+                + Arrays.stream(ageByHost).map(Spread::json).collect(Collectors.joining(",")) + "]}";
     }
 
     private long seen() {
@@ -135,7 +140,9 @@ final class Watcher {
         if (step > lastStep[(int) vehicle]) {
             lastStep[(int) vehicle] = (int) step;
             if (measured) {
-                age.add(now - pace.dueNanos((int) vehicle, step));
+                long nanos = now - pace.dueNanos((int) vehicle, step);
+                age.add(nanos);
+                ageByHost[(int) vehicle % ageByHost.length].add(nanos);
             }
         }
     }

@@ -2,8 +2,10 @@ package org.dronemap.sim.load;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.StringReader;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
@@ -57,17 +59,8 @@ class LoadTest {
         try (DatagramSocket server = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))) {
             server.setSoTimeout(5_000);
             String result = new Sender(arguments(
-                            "--port",
-                            server.getLocalPort(),
-                            "--vehicles",
-                            2,
-                            "--rate",
-                            400,
-                            "--steps",
-                            STEPS,
-                            "--start-nanos",
-                            System.nanoTime()))
-                    .run();
+                            "--port", server.getLocalPort(), "--vehicles", 2, "--rate", 400, "--steps", STEPS))
+                    .run(new BufferedReader(new StringReader(System.nanoTime() + "\n")), System.out);
             assertThat(result).contains("\"sent\":" + 2 * (STEPS + 3)).contains("\"refused\":0");
             List<Integer> ports = new ArrayList<>();
             for (int i = 0; i < 2 * (STEPS + 3); i++) {
@@ -101,6 +94,41 @@ class LoadTest {
         said.add(12, said.get(11));
         write("a.tlog", said);
         assertThat(check(1)).contains("\"missing\":0", "\"foreign\":1");
+    }
+
+    @Test
+    void floodsFromOneAddressWithWhatIsBrokenOrMeansNoGood() throws IOException {
+        assertThat(read(flood("hostile"))).hasSizeGreaterThan(150).allMatch(Frame::verified);
+        assertThat(read(flood("broken"))).hasSizeLessThan(20);
+    }
+
+    private static List<byte[]> flood(String kind) throws IOException {
+        try (DatagramSocket server = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))) {
+            server.setSoTimeout(5_000);
+            long now = System.nanoTime();
+            String result = new Flooder(arguments(
+                            "--port",
+                            server.getLocalPort(),
+                            "--kind",
+                            kind,
+                            "--rate",
+                            200,
+                            "--seed",
+                            1,
+                            "--from-nanos",
+                            now,
+                            "--until-nanos",
+                            now + 2_000_000_000L))
+                    .run();
+            assertThat(result).contains("\"refused\":0");
+            List<byte[]> heard = new ArrayList<>();
+            for (int i = 0; i < 200; i++) {
+                DatagramPacket packet = new DatagramPacket(new byte[400], 400);
+                server.receive(packet);
+                heard.add(Arrays.copyOf(packet.getData(), packet.getLength()));
+            }
+            return heard;
+        }
     }
 
     private static List<byte[]> said(int vehicle, int rate) {
