@@ -1,5 +1,6 @@
 package org.dronemap.core.cloud;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -19,6 +20,10 @@ public final class Lane implements AutoCloseable {
     private static final long TICK_NANOS = 20_000_000L;
     /** A turn that takes longer than this is our own stall, and no silence of anybody else. */
     private static final long STALL_NANOS = 250_000_000L;
+    /** Shorter turns than this are told as one. */
+    private static final long TURN_NANOS = 1_000_000L;
+
+    private static final int AT_ONCE = 256;
 
     /** Something that wants to be called at every tick, on the lane's thread. */
     public interface Ticker {
@@ -35,6 +40,8 @@ public final class Lane implements AutoCloseable {
     private final Thread thread;
     private volatile boolean closed;
     // Owned by the lane's thread.
+    private final ArrayDeque<Runnable> taken = new ArrayDeque<>(AT_ONCE);
+    private final WakeRhythm rhythm = new WakeRhythm();
     private final List<Ticker> tickers = new ArrayList<>();
     private long lastTickNanos = System.nanoTime();
     private volatile Turn turn = new Turn(lastTickNanos, 0);
@@ -90,15 +97,15 @@ public final class Lane implements AutoCloseable {
     }
 
     private void run() {
+        boolean worked = false;
         while (!closed) {
             try {
-                Runnable task = tasks.poll(TICK_NANOS, TimeUnit.NANOSECONDS);
-                // Before the task, which may judge a silence that was our own.
-                noticeStall();
-                if (task != null) {
-                    guard(task);
+                if (tasks.drainTo(taken, AT_ONCE) == 0) {
+                    rhythm.pause(worked, this::await);
+                    tasks.drainTo(taken, AT_ONCE);
                 }
-                tickWhenDue();
+                worked = !taken.isEmpty();
+                work();
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
                 return;
@@ -106,9 +113,30 @@ public final class Lane implements AutoCloseable {
         }
     }
 
+    private void await() throws InterruptedException {
+        Runnable first = tasks.poll(TICK_NANOS, TimeUnit.NANOSECONDS);
+        if (first != null) {
+            taken.add(first);
+        }
+    }
+
+    private void work() {
+        for (Runnable task = taken.poll(); task != null && !closed; task = taken.poll()) {
+            // Before the task, which may judge a silence that was our own.
+            noticeStall();
+            guard(task);
+            tickWhenDue();
+        }
+        noticeStall();
+        tickWhenDue();
+    }
+
     private void noticeStall() {
         Turn before = turn;
         long gap = System.nanoTime() - before.beganNanos();
+        if (gap < TURN_NANOS) {
+            return;
+        }
         turn = new Turn(before.beganNanos() + gap, before.stalledNanos() + Math.max(0, gap - STALL_NANOS));
         if (gap > STALL_NANOS) {
             LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", thread.getName(), gap / 1_000_000);

@@ -25,7 +25,7 @@ final class PeerBook<K> {
     // guarded by this
     private final LinkedHashMap<K, Seat> seats = new LinkedHashMap<>(64, 0.75f, true);
     private final Map<String, Host> hosts = new HashMap<>();
-    private long sweptNanos = System.nanoTime();
+    private volatile long sweptNanos = System.nanoTime();
 
     /** How many peers there may be. */
     record Limits(int peers, int perHost) {}
@@ -106,13 +106,14 @@ final class PeerBook<K> {
     }
 
     /** Ends those that have been silent for a minute; at most once a second. */
-    synchronized void sweep(long now) {
+    void sweep(long now) {
+        // Asked for every datagram: without the lock.
         if (now - sweptNanos >= BETWEEN_SWEEPS_NANOS) {
             sweep(now, IDLE_NANOS);
         }
     }
 
-    private void sweep(long now, long strangerIdleNanos) {
+    private synchronized void sweep(long now, long strangerIdleNanos) {
         if (now - sweptNanos < SHORTEST_BETWEEN_SWEEPS_NANOS) {
             return;
         }

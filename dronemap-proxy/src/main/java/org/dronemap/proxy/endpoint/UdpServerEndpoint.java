@@ -7,8 +7,11 @@ import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
 import java.util.List;
 import java.util.OptionalLong;
+import org.dronemap.core.cloud.WakeRhythm;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -18,38 +21,44 @@ final class UdpServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(UdpServerEndpoint.class);
     private static final PeerBook.Limits LIMITS = new PeerBook.Limits(10_000, 2_500);
     private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;
-    /** A jumbo frame's worth; what is longer is cut, and counted as broken. */
-    private static final int LARGEST_DATAGRAM = 9_000;
+    private static final int INTAKE_BYTES = 4 * 1024 * 1024;
+    private static final int INTAKE_DATAGRAMS = 65_536;
+    private static final int BETWEEN_REFILLS = 64;
 
     private final EndpointUrl url;
     private final DatagramChannel channel;
+    private final Selector selector;
     private final EndpointCounters counters = new EndpointCounters();
     private final PeerBook<SocketAddress> peers;
     private final Seat.Place place;
+    private final Intake intake = new Intake(INTAKE_BYTES, INTAKE_DATAGRAMS);
     private final Thread thread;
 
-    private UdpServerEndpoint(
-            EndpointUrl url, DatagramChannel channel, InetSocketAddress bound, PeerHandler.Factory handlers) {
-        this.url = url;
+    private UdpServerEndpoint(EndpointUrl url, DatagramChannel channel, Selector selector, PeerHandler.Factory handlers)
+            throws IOException {
+        InetSocketAddress bound = (InetSocketAddress) channel.getLocalAddress();
+        this.url = url.withPort(bound.getPort());
         this.channel = channel;
+        this.selector = selector;
         peers = new PeerBook<>(counters, handlers, LIMITS);
-        place = new Seat.Place(url, SocketAddresses.isLocal(bound), true);
-        thread = new Thread(this::run, "udp-" + url.port());
+        place = new Seat.Place(this.url, SocketAddresses.isLocal(bound), true);
+        thread = new Thread(this::run, "udp-" + bound.getPort());
         thread.setDaemon(true);
     }
 
     static UdpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
         InetSocketAddress address = SocketAddresses.resolve(url);
         DatagramChannel channel = DatagramChannel.open();
+        UdpServerEndpoint endpoint;
         try {
             channel.setOption(StandardSocketOptions.SO_RCVBUF, RECEIVE_BUFFER_BYTES);
             channel.bind(address);
+            channel.configureBlocking(false);
+            endpoint = new UdpServerEndpoint(url, channel, Selector.open(), handlers);
         } catch (IOException e) {
             channel.close();
             throw SocketAddresses.cannotListen(url, e);
         }
-        InetSocketAddress bound = (InetSocketAddress) channel.getLocalAddress();
-        UdpServerEndpoint endpoint = new UdpServerEndpoint(url.withPort(bound.getPort()), channel, bound, handlers);
         int granted = channel.getOption(StandardSocketOptions.SO_RCVBUF);
         if (granted < RECEIVE_BUFFER_BYTES) {
             LOG.warn(
@@ -83,34 +92,58 @@ final class UdpServerEndpoint implements Endpoint {
     }
 
     private void run() {
-        ByteBuffer buffer = ByteBuffer.allocateDirect(LARGEST_DATAGRAM);
-        while (channel.isOpen()) {
-            try {
-                buffer.clear();
-                SocketAddress from = channel.receive(buffer);
-                buffer.flip();
-                if (from instanceof InetSocketAddress address) {
-                    deliver(address, buffer);
-                }
-            } catch (ClosedChannelException e) {
-                LOG.debug("{} is closed", url);
-            } catch (IOException | RuntimeException e) {
-                LOG.warn("{} could not take a datagram", url, e);
+        WakeRhythm rhythm = new WakeRhythm();
+        try (selector) {
+            channel.register(selector, SelectionKey.OP_READ);
+            while (channel.isOpen()) {
+                rhythm.pause(takeAll(), () -> selector.select(ready -> {}));
             }
+        } catch (ClosedChannelException e) {
+            LOG.debug("{} is closed", url);
+        } catch (IOException e) {
+            LOG.error("{} cannot wait for datagrams any more", url, e);
         }
         peers.clear();
     }
 
+    /** Works on all that is there; false when there was nothing. */
+    private boolean takeAll() throws ClosedChannelException {
+        refill();
+        boolean any = intake.waiting() > 0;
+        while (intake.waiting() > 0) {
+            int count = 0;
+            while (count < BETWEEN_REFILLS && intake.workOff(this::deliver)) {
+                count++;
+            }
+            refill();
+        }
+        return any;
+    }
+
+    private void refill() throws ClosedChannelException {
+        try {
+            intake.takeFrom(channel);
+        } catch (ClosedChannelException e) {
+            throw e;
+        } catch (IOException e) {
+            LOG.warn("{} could not take a datagram", url, e);
+        }
+    }
+
     private void deliver(InetSocketAddress from, ByteBuffer bytes) {
-        long now = System.nanoTime();
-        Seat seat = peers.find(from);
-        if (seat == null) {
-            seat = welcome(from, now);
+        try {
+            long now = System.nanoTime();
+            Seat seat = peers.find(from);
+            if (seat == null) {
+                seat = welcome(from, now);
+            }
+            if (seat != null) {
+                seat.received(bytes, now);
+            }
+            peers.sweep(now);
+        } catch (RuntimeException e) {
+            LOG.warn("{} could not work on a datagram of {}", url, from, e);
         }
-        if (seat != null) {
-            seat.received(bytes, now);
-        }
-        peers.sweep(now);
     }
 
     private @Nullable Seat welcome(InetSocketAddress from, long now) {
@@ -132,6 +165,7 @@ final class UdpServerEndpoint implements Endpoint {
     public void close() {
         try {
             channel.close();
+            selector.wakeup();
             thread.join(1000);
         } catch (IOException e) {
             LOG.warn("{} did not close cleanly", url, e);
