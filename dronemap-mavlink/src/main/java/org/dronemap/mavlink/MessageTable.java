@@ -16,7 +16,10 @@ import org.jspecify.annotations.Nullable;
  * newer than dronefleet's definitions from messages-newer.tsv.
  */
 public final class MessageTable {
+    private static final int LOW_IDS = 512;
     private static final Map<Integer, Entry> ENTRIES = readAll();
+    // Most of what vehicles send has a low number: found without a box for the key.
+    private static final @Nullable Entry[] LOW = low(ENTRIES);
 
     /** Payload lengths in bytes without and with the version 2 extension fields. */
     public record Entry(int id, String name, int checksumSeed, int shortestPayload, int longestPayload) {}
@@ -25,11 +28,19 @@ public final class MessageTable {
 
     /** Null for a message that is not known here. */
     public static @Nullable Entry find(int messageId) {
-        return ENTRIES.get(messageId);
+        return messageId >= 0 && messageId < LOW.length ? LOW[messageId] : ENTRIES.get(messageId);
     }
 
     static int checksumSeed(int messageId) {
         return Objects.requireNonNull(find(messageId), "no such message").checksumSeed();
+    }
+
+    private static @Nullable Entry[] low(Map<Integer, Entry> entries) {
+        @Nullable Entry[] low = new Entry[LOW_IDS];
+        for (int id = 0; id < LOW_IDS; id++) {
+            low[id] = entries.get(id);
+        }
+        return low;
     }
 
     private static Map<Integer, Entry> readAll() {

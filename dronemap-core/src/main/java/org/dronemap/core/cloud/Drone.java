@@ -19,6 +19,7 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Position;
@@ -36,6 +37,9 @@ final class Drone {
     private final boolean replay;
     private final MissionTracker mission;
     private final ArrayDeque<TextMessage> messages = new ArrayDeque<>();
+    // What changes rarely is not copied for every picture.
+    private List<TextMessage> told = List.of();
+    private MissionProgress progress;
     private String name;
     private DroneKey key;
     private String transport;
@@ -71,6 +75,7 @@ final class Drone {
         this.lastHeard = record.lastHeard();
         this.replay = replay;
         this.mission = mission;
+        this.progress = mission.progress();
         this.state = snapshot();
     }
 
@@ -183,6 +188,7 @@ final class Drone {
             onBoard = applied(e);
         } else {
             mission.apply(event).ifPresent(sentence -> addText(Severity.WARNING, sentence));
+            progress = mission.progress();
         }
     }
 
@@ -207,6 +213,7 @@ final class Drone {
             messages.removeFirst();
         }
         messages.addLast(new TextMessage(severity, text, clock.instant()));
+        told = List.copyOf(messages);
     }
 
     private void publish() {
@@ -239,8 +246,8 @@ final class Drone {
                 battery,
                 gps,
                 home,
-                mission.progress(),
-                List.copyOf(messages),
+                progress,
+                told,
                 clock.instant(),
                 version);
     }

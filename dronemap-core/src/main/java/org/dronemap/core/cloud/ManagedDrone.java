@@ -110,7 +110,9 @@ final class ManagedDrone implements Lane.Ticker {
     void heard() {
         liveness.heard(lane.activeNanos());
         drone.heard();
-        judge();
+        if (played || drone.state().link().state() != LinkState.LIVE) {
+            judge();
+        }
     }
 
     void accept(DroneEvent event) {

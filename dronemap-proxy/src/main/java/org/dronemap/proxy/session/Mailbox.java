@@ -1,8 +1,10 @@
 package org.dronemap.proxy.session;
 
-import java.util.concurrent.ArrayBlockingQueue;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.dronemap.core.cloud.Lane;
 import org.dronemap.mavlink.Frame;
@@ -19,9 +21,11 @@ import org.slf4j.LoggerFactory;
 final class Mailbox {
     private static final Logger LOG = LoggerFactory.getLogger(Mailbox.class);
     private static final int CAPACITY = 1_024;
+    private static final int REPLACEABLE_CAPACITY = CAPACITY - CAPACITY / 4;
     private static final int AT_ONCE = 256;
 
-    private final ArrayBlockingQueue<Frame> frames = new ArrayBlockingQueue<>(CAPACITY);
+    private final Queue<Frame> frames = new ConcurrentLinkedQueue<>();
+    private final AtomicInteger waiting = new AtomicInteger();
     private final AtomicBoolean scheduled = new AtomicBoolean();
     private final Consumer<Frame> consumer;
     private volatile Lane lane;
@@ -33,15 +37,19 @@ final class Mailbox {
 
     /** False when there was no room. Any thread. */
     boolean offer(Frame frame) {
-        boolean room = !isReplaceable(frame) || frames.remainingCapacity() > CAPACITY / 4;
-        boolean taken = room && frames.offer(frame);
+        boolean room = waiting.incrementAndGet() <= (isReplaceable(frame) ? REPLACEABLE_CAPACITY : CAPACITY);
+        if (room) {
+            frames.add(frame);
+        } else {
+            waiting.decrementAndGet();
+        }
         schedule();
-        return taken;
+        return room;
     }
 
     /** Frames that wait now. Any thread. */
     int waiting() {
-        return frames.size();
+        return waiting.get();
     }
 
     private static boolean isReplaceable(Frame frame) {
@@ -75,6 +83,7 @@ final class Mailbox {
                 if (frame == null) {
                     break;
                 }
+                waiting.decrementAndGet();
                 consumer.accept(frame);
             }
         } finally {
