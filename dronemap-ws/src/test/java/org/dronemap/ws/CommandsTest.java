@@ -16,6 +16,7 @@ import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.SoapOutcome;
+import org.dronemap.ws.soap.SoapWaypoint;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -122,6 +123,27 @@ class CommandsTest {
             assertThat(upload.mission().items()).hasSize(3);
             assertThat(upload.mission().items().get(0)).isEqualTo(new MissionItem.TakeOff(35));
         });
+    }
+
+    @Test
+    void warnsOfFarPlacesInAllFacesAndGoesOn() throws DronemapFault {
+        String sentence = "Item 2 is 289.36 km away from the drone.";
+        String far = "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":50,"
+                + "\"longitude\":8.5456,\"altitude\":35}]}";
+
+        Http.Answer waited = operator.post(commands + "?wait=10", far);
+        SoapOutcome soap = SoapClient.withKey(house, key)
+                .uploadMission(vehicle.id(), List.of(SoapWaypoint.at(50.0, 8.5456, 35.0)));
+        Http.Answer near = operator.post(commands + "?wait=10", far.replace(":50,", ":47.4,"));
+        Http.Answer atOnce = operator.post(commands, far);
+
+        assertThat(waited.json().path("warnings").path(0).asString()).isEqualTo(sentence);
+        assertThat(waited.json().path("outcome").path("result").asString()).isEqualTo("succeeded");
+        assertThat(soap.getWarning()).containsExactly(sentence);
+        assertThat(soap.getResult()).isEqualTo("succeeded");
+        assertThat(near.json().path("warnings").isArray()).isTrue();
+        assertThat(near.json().path("warnings").size()).isZero();
+        assertThat(atOnce.json().path("warnings").path(0).asString()).isEqualTo(sentence);
     }
 
     @Test

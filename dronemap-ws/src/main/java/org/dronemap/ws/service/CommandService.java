@@ -16,6 +16,9 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.MissionDoubts;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around commands; the one way from any face to the gate. Any thread. */
@@ -37,7 +40,17 @@ public final class CommandService {
         DroneState drone = drones.state(droneId);
         Command command =
                 CommandReader.read(request, drone, cloud.onBoard(drone.id()).parameters());
-        return give(principal, face, drone, request.id(), command);
+        return give(principal, face, drone, request.id(), command).warned(warnings(command, drone));
+    }
+
+    /** Nothing of it is refused: programs may mean what they say, and the page asks people before. */
+    private static List<String> warnings(Command command, DroneState drone) {
+        Position position = drone.position();
+        Geodetic from = position == null ? null : position.point();
+        if (command instanceof Command.UploadMission upload) {
+            return MissionDoubts.about(upload.mission(), from);
+        }
+        return command instanceof Command.GoTo goTo ? MissionDoubts.about(goTo.point(), from) : List.of();
     }
 
     /** Gives a checked command; {@code givenId} is the client's own. */
@@ -71,7 +84,7 @@ public final class CommandService {
                 .<Optional<CommandRecord>>thenApply(Optional::of)
                 .completeOnTimeout(Optional.empty(), wait.toMillis(), TimeUnit.MILLISECONDS)
                 .thenApply(ended -> ended.or(() -> cloud.gate().find(id))
-                        .map(CommandView::of)
+                        .map(record -> CommandView.of(record).warned(command.warnings()))
                         .orElse(command));
     }
 

@@ -1,7 +1,9 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.List;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.jspecify.annotations.Nullable;
@@ -18,7 +20,10 @@ public record CommandView(
         String phase,
         @Nullable OutcomeView outcome,
         @Nullable Instant finishedAt,
-        @Nullable ProgressView progress) {
+        @Nullable ProgressView progress,
+
+        @Schema(description = "What may be a slip of the hand, such as a far place; told once, to who gave the command")
+        List<String> warnings) {
 
     /** How it ended; {@code by} says who refused. */
     public record OutcomeView(
@@ -42,7 +47,12 @@ public record CommandView(
                 WireNames.camel(command.phase()),
                 outcome == null ? null : outcomeView(outcome),
                 finishedAt == null ? null : finishedAt.truncatedTo(ChronoUnit.MILLIS),
-                progress == null ? null : new ProgressView(progress.done(), progress.total()));
+                progress == null ? null : new ProgressView(progress.done(), progress.total()),
+                List.of());
+    }
+
+    CommandView warned(List<String> sentences) {
+        return new CommandView(id, drone, by, face, type, summary, at, phase, outcome, finishedAt, progress, sentences);
     }
 
     /** The one naming of outcomes for all faces. */

@@ -4,6 +4,8 @@ import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlElement;
 import jakarta.xml.bind.annotation.XmlType;
+import java.util.ArrayList;
+import java.util.List;
 import org.dronemap.ws.service.CommandView;
 import org.jspecify.annotations.Nullable;
 
@@ -12,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 @XmlType(
         name = "commandOutcome",
         namespace = Namespace.URI,
-        propOrder = {"commandId", "result", "by", "reason"})
+        propOrder = {"commandId", "result", "by", "reason", "warning"})
 public class SoapOutcome {
     @XmlElement(required = true)
     private String commandId = "";
@@ -22,12 +24,15 @@ public class SoapOutcome {
 
     private @Nullable String by;
     private @Nullable String reason;
+    private List<String> warning = new ArrayList<>();
 
     static SoapOutcome of(CommandView command) {
         CommandView.OutcomeView outcome = command.outcome();
-        return outcome == null
+        SoapOutcome soap = outcome == null
                 ? of(command.id(), "underWay", null, "It has not ended yet; ask for it by getCommand.")
                 : of(command.id(), outcome.result(), outcome.by(), outcome.reason());
+        soap.warning.addAll(command.warnings());
+        return soap;
     }
 
     static SoapOutcome of(String commandId, String result, @Nullable String by, @Nullable String reason) {
@@ -49,6 +54,10 @@ public class SoapOutcome {
 
     public @Nullable String getBy() {
         return by;
+    }
+
+    public List<String> getWarning() {
+        return List.copyOf(warning);
     }
 
     public @Nullable String getReason() {
