@@ -1,13 +1,7 @@
 package org.dronemap.store.secret;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.security.SecureRandom;
 import java.util.HexFormat;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
@@ -24,10 +18,7 @@ public final class ServerSecret {
             return box(given, "The server's secret that was given");
         }
         try {
-            if (Files.notExists(file)) {
-                create(file);
-            }
-            return box(Files.readString(file), "The server's secret in " + file);
+            return box(RandomFile.readOrCreate(file, SecretBox.SECRET_BYTES), "The server's secret in " + file);
         } catch (IOException e) {
             throw new StoreException("The server's secret cannot be kept in " + file + ": " + e.getMessage(), e);
         }
@@ -40,18 +31,5 @@ public final class ServerSecret {
                     + " characters or others than those.");
         }
         return new SecretBox(HexFormat.of().parseHex(digits));
-    }
-
-    private static void create(Path file) throws IOException {
-        byte[] random = new byte[SecretBox.SECRET_BYTES];
-        new SecureRandom().nextBytes(random);
-        Path fresh = file.resolveSibling(file.getFileName() + ".new");
-        Files.deleteIfExists(fresh);
-        Files.createFile(fresh, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-        Files.writeString(fresh, HexFormat.of().formatHex(random));
-        try (FileChannel channel = FileChannel.open(fresh, StandardOpenOption.WRITE)) {
-            channel.force(true);
-        }
-        Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE);
     }
 }
