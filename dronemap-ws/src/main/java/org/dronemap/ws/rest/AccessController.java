@@ -64,7 +64,7 @@ public class AccessController {
 
     @PostMapping("/access-keys")
     @Operation(summary = "Make an access key", description = "The key itself is in this answer and never shown again.")
-    public ResponseEntity<AccessService.KeyView> addKey(@RequestBody AccessService.KeyRequest request) {
+    public ResponseEntity<AccessService.KeyView> addKey(@RequestBody AccessService.AccessKeyRequest request) {
         AccessService.KeyView key = access.addKey(current.principal(), request);
         return ResponseEntity.created(URI.create("/api/v1/access-keys/" + key.id()))
                 .body(key);

@@ -89,7 +89,7 @@ public class LinkController {
     @Operation(
             summary = "Make the DTLS key of a vehicle (administrator)",
             description = "The secret is in this answer and never shown again; a drone's key before is void.")
-    public ResponseEntity<DtlsKeyService.DtlsKeyView> makeKey(@RequestBody DtlsKeyService.KeyRequest request) {
+    public ResponseEntity<DtlsKeyService.DtlsKeyView> makeKey(@RequestBody DtlsKeyService.DtlsKeyRequest request) {
         DtlsKeyService.DtlsKeyView key = keys.make(current.principal(), request);
         return ResponseEntity.created(URI.create("/api/v1/dtls-keys/" + key.identity()))
                 .body(key);

@@ -49,7 +49,7 @@ public class LinkSecurityController {
             summary = "Make a key, or bring one along (administrator)",
             description = "The key is in this answer and never shown again; it is not on the vehicle yet.")
     public ResponseEntity<LinkSecurityService.MadeKey> make(
-            @PathVariable String id, @RequestBody LinkSecurityService.KeyRequest request) {
+            @PathVariable String id, @RequestBody LinkSecurityService.LinkKeyRequest request) {
         LinkSecurityService.MadeKey made = links.makeKey(current.principal(), id, request);
         return ResponseEntity.status(HttpStatus.CREATED)
                 .cacheControl(CacheControl.noStore())

@@ -36,7 +36,7 @@ public final class AccessService {
     public record UserView(String name, String role, boolean mustChangePassword) {}
 
     /** A new access key as its owner asks for it; the role is the owner's own unless a lesser one is named. */
-    public record KeyRequest(
+    public record AccessKeyRequest(
             @Nullable String label, @Nullable String role) {}
 
     /** An access key as its owner sees it; the key itself is there once, in the answer that made it. */
@@ -119,7 +119,7 @@ public final class AccessService {
                 .toList();
     }
 
-    public KeyView addKey(Principal principal, KeyRequest request) {
+    public KeyView addKey(Principal principal, AccessKeyRequest request) {
         if (store.user(principal.name()).isEmpty()) {
             throw Rejection.forbidden("Only a user can own access keys; sign in as one.");
         }

@@ -30,7 +30,7 @@ public final class DtlsKeyService {
     private final SecureRandom random = new SecureRandom();
 
     /** A new key: for a drone that is known, whose key before is revoked, or for a vehicle still to come. */
-    public record KeyRequest(
+    public record DtlsKeyRequest(
             @Nullable String label, @Nullable String drone) {}
 
     /**
@@ -65,7 +65,7 @@ public final class DtlsKeyService {
                 .toList();
     }
 
-    public DtlsKeyView make(Principal principal, KeyRequest request) {
+    public DtlsKeyView make(Principal principal, DtlsKeyRequest request) {
         Roles.require(principal, Role.ADMINISTRATOR);
         String drone = request.drone();
         DroneState known = drone == null ? null : known(drone);

@@ -33,12 +33,12 @@ public final class LinkSecurityService {
     public record PolicyRequest(@Nullable String policy) {}
 
     /** A new key; without one given it is made up. */
-    public record KeyRequest(@Nullable String key) {
+    public record LinkKeyRequest(@Nullable String key) {
 
         /** It may hold a secret. */
         @Override
         public String toString() {
-            return "KeyRequest[]";
+            return "LinkKeyRequest[]";
         }
     }
 
@@ -79,7 +79,7 @@ public final class LinkSecurityService {
     }
 
     /** A key for a vehicle that uses none yet. */
-    public MadeKey makeKey(Principal principal, String id, KeyRequest request) {
+    public MadeKey makeKey(Principal principal, String id, LinkKeyRequest request) {
         DroneId drone = securable(principal, id);
         LinkKey key = request.key() == null ? newKey() : given(request.key());
         if (!links.put(drone, key)) {

@@ -1,0 +1,81 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tools.jackson.databind.JsonNode;
+
+/** What OpenAPI tells of the addresses is what they take. */
+class ApiDescriptionTest {
+    private static final Set<String> METHODS = Set.of("get", "post", "put", "patch", "delete");
+
+    @TempDir
+    static Path data;
+
+    private static TestHouse house;
+    private static JsonNode description;
+
+    @BeforeAll
+    static void open() {
+        house = new TestHouse(data, false);
+        description = new Http(house, "").get("/api/openapi.json").json();
+    }
+
+    @AfterAll
+    static void close() {
+        house.close();
+    }
+
+    /** Schemas go by the names of classes: two of one name would be one schema. */
+    @ParameterizedTest
+    @CsvSource({
+        "/api/v1/access-keys, label role",
+        "/api/v1/dtls-keys, label drone",
+        "/api/v1/drones/{id}/link-key, key",
+        "/api/v1/users, name role password",
+        "/api/v1/endpoints, url"
+    })
+    void describesEachRequestByItsOwnMembers(String path, String members) {
+        String schema = description
+                .path("paths")
+                .path(path)
+                .path("post")
+                .path("requestBody")
+                .path("content")
+                .path("application/json")
+                .path("schema")
+                .path("$ref")
+                .asString("");
+        JsonNode properties = description
+                .path("components")
+                .path("schemas")
+                .path(schema.substring(schema.lastIndexOf('/') + 1))
+                .path("properties");
+
+        assertThat(properties.propertyNames()).containsExactlyInAnyOrderElementsOf(List.of(members.split(" ")));
+    }
+
+    @Test
+    void hasASummaryForEachAddress() {
+        JsonNode paths = description.path("paths");
+
+        assertThat(paths.size()).isGreaterThan(40);
+        paths.forEachEntry((path, operations) -> operations.forEachEntry((method, operation) -> {
+            if (METHODS.contains(method)) {
+                assertThat(operation.path("summary").asString(""))
+                        .as(method + " " + path)
+                        .isNotEmpty();
+            }
+        }));
+    }
+}
