@@ -99,8 +99,11 @@ def signed(server: Server, api: Api, tmp_path: Path) -> Iterator[OnTwoLinks]:
         answer = api.call("POST", f"{path}/link-key/install")
         assert answer.status_code == 200 and answer.json()["key"]["inUse"], answer.text
         assert api.call("PUT", f"{path}/link-security", {"policy": "required"}).status_code == 200
+        # The first to bring a signed message has shown something; copies that come later have not.
+        weathers[0].weather = Weather(delay=0.1)
         weathers[1].weather = CLEAR
         wait_for("both links are known", lambda: both(api, drone["id"]), 30)
+        weathers[0].weather = CLEAR
         one, other = (Way(w, c.port) for w, c in zip(weathers, callers, strict=True))
         yield OnTwoLinks(one, other, drone["id"], drone["link"]["systemId"])
     for weather in weathers:

@@ -96,6 +96,11 @@ final class Keyring {
         return policy == LinkPolicy.REQUIRED;
     }
 
+    /** Signatures count for something. */
+    synchronized boolean isLookedAt() {
+        return policy != LinkPolicy.OFF;
+    }
+
     /** One of the keys made this frame's signature, whenever that was. */
     synchronized boolean signed(Frame frame) {
         return frame.systemId() == systemId

@@ -23,6 +23,7 @@ public final class LinkGuard {
     private final BooleanSupplier safe;
     private @Nullable DroneId bound;
     private @Nullable Keyring claimed;
+    private boolean signedHere;
     private boolean proven;
     private long lastSearchNanos;
     private boolean searched;
@@ -64,6 +65,7 @@ public final class LinkGuard {
         Keyring found = keyrings.signerOf(frame);
         if (found != null) {
             claimed = found;
+            signedHere = true;
         }
     }
 
@@ -85,12 +87,15 @@ public final class LinkGuard {
         return proven && ring != null ? Optional.of(ring.drone()) : Optional.empty();
     }
 
-    /** False while this link speaks in the name of a drone that must sign, and has not. */
+    /**
+     * False while this link speaks in the name of a drone that must sign, and has not, and while it brings nothing but old
+     * messages of a drone: copies that came over another link first prove nothing, nor do they come from a stranger.
+     */
     public boolean mayBind(Optional<DroneId> recognised) {
         if (claimed == null) {
             claimed = recognised.map(keyrings::find).orElse(null);
         }
-        return claimed == null || proven || !claimed.isRequired();
+        return claimed == null || proven || !(claimed.isRequired() || (signedHere && claimed.isLookedAt()));
     }
 
     public void bound(DroneId drone, int systemId) {

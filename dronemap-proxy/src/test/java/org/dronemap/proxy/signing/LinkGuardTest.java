@@ -88,6 +88,18 @@ class LinkGuardTest {
     }
 
     @Test
+    void whoBringsOnlyCopiesOfSignedMessagesIsNoStranger() {
+        LinkGuard guard = guard(LinkPolicy.OPTIONAL);
+        Frame old = vehicle.signed(KEY);
+        wall = wall.plusSeconds(3_600);
+
+        assertThat(guard.judge(old, now)).isEqualTo(Admission.REFUSED);
+        assertThat(guard.mayBind(Optional.empty())).isFalse();
+        assertThat(guard.judge(vehicle.signed(KEY), now)).isEqualTo(Admission.PROVEN);
+        assertThat(guard.mayBind(Optional.empty())).isTrue();
+    }
+
+    @Test
     void onlyHeartbeatsAreSignedForWhoHasNotProvenItself() {
         LinkGuard guard = guard(LinkPolicy.REQUIRED);
         assertThat(guard.signer(BEAT)).isNull();
