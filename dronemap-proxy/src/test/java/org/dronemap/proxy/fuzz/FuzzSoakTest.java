@@ -16,10 +16,11 @@ class FuzzSoakTest {
             "frame reader", ReaderFuzz::run,
             "translators", TranslatorFuzz::run,
             "procedures", ProcedureFuzz::run,
+            "signing", SigningFuzz::run,
             "sessions", SessionFuzz::run);
 
     @ParameterizedTest
-    @ValueSource(strings = {"frame reader", "translators", "procedures", "sessions"})
+    @ValueSource(strings = {"frame reader", "translators", "procedures", "signing", "sessions"})
     void survivesHoursOfHostileInput(String target) {
         Duration length =
                 Duration.ofMinutes(Long.parseLong(System.getenv().getOrDefault("DRONEMAP_FUZZ_MINUTES", "60")));

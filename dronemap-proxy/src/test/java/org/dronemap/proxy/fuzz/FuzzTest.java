@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 /** A minute of hostile input, another one each time; a failure names the seed that repeats it. */
 class FuzzTest {
-    private static final Duration SHORT = Duration.ofSeconds(13);
+    private static final Duration SHORT = Duration.ofSeconds(12);
 
     @Test
     void theFrameReaderFindsGoodFramesBehindAnything() {
@@ -22,6 +22,11 @@ class FuzzTest {
     @Test
     void everyCommandEndsWhateverTheVehicleAnswers() {
         assertThat(ProcedureFuzz.run(new Budget("procedures", SHORT))).isPositive();
+    }
+
+    @Test
+    void onlyARightSignatureThatIsNewIsBelieved() {
+        assertThat(SigningFuzz.run(new Budget("signing", SHORT))).isPositive();
     }
 
     @Test

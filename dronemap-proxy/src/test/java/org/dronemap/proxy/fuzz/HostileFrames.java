@@ -7,6 +7,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
+import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.MessageTable;
@@ -63,6 +64,13 @@ final class HostileFrames {
             writer = writers.get(0);
         }
         return writer.frame(new Raw(messageId, payload(Math.max(1, length))));
+    }
+
+    /** One of the first system's autopilot, rightly framed, that this signer signs. */
+    byte[] signed(FrameSigner signer) {
+        int messageId = FAVOURITES[random.nextInt(FAVOURITES.length)];
+        int length = random.nextInt(3) == 0 ? random.nextInt(256) : longest(messageId);
+        return writers.get(0).frame(new Raw(messageId, payload(Math.max(1, length))), signer);
     }
 
     private static int longest(int messageId) {

@@ -2,17 +2,23 @@ package org.dronemap.proxy.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
@@ -50,7 +56,34 @@ final class ProcedureFuzz {
             new Command.ClearMission(),
             new Command.Turn(90),
             new Command.TakePicture(),
-            new Command.SetRelay(0, RelaySetting.TOGGLE));
+            new Command.SetRelay(0, RelaySetting.TOGGLE),
+            new Command.ReadParameters(),
+            new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1500))),
+            new Command.ReadLogs(),
+            new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()),
+            new Command.ReadFence(),
+            new Command.SetFence(List.of(new FenceZone.Polygon(
+                    true, List.of(new Geodetic(47.4, 8.5), new Geodetic(47.5, 8.5), new Geodetic(47.4, 8.6))))),
+            new Command.ReadRallyPoints(),
+            new Command.SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.4, 8.5), 30))));
+
+    /** Takes every piece of a log and keeps none. */
+    private static final class Swallowing implements LogSink {
+        @Override
+        public BitSet kept() {
+            return new BitSet();
+        }
+
+        @Override
+        public boolean put(int piece, byte[] bytes) {
+            return true;
+        }
+
+        @Override
+        public boolean complete(long sizeBytes) {
+            return true;
+        }
+    }
 
     private final Random random;
     private final HostileFrames hostile;
