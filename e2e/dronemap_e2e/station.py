@@ -40,10 +40,8 @@ class Pointer:
         target.click()
 
     def hold(self, page: Page, target: Locator) -> None:
-        target.scroll_into_view_if_needed()
-        box = target.bounding_box()
-        assert box
-        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        # Comes to rest on it, also when what is above it has just changed.
+        target.hover()
         page.mouse.down()
         page.wait_for_timeout(HOLD_MILLISECONDS)
         page.mouse.up()
@@ -57,7 +55,7 @@ class Touch:
         target.tap()
 
     def hold(self, page: Page, target: Locator) -> None:
-        target.scroll_into_view_if_needed()
+        target.hover(trial=True)
         box = target.bounding_box()
         assert box
         point = {"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2}
@@ -110,7 +108,7 @@ class Station:
         self.press("Sign in")
         choose = self.page.get_by_label("New password")
         fleet = self.page.get_by_text(re.compile("Disarmed|Armed")).first
-        expect(choose.or_(fleet)).to_be_visible(timeout=15_000)
+        expect(choose.or_(fleet)).to_be_visible()
         if choose.is_visible():
             choose.fill(new_password)
             self.press("Save and continue")
@@ -123,11 +121,11 @@ class Station:
         return self.page.get_by_role("button", name=label, exact=True)
 
     def press(self, label: str) -> None:
-        expect(self.button(label)).not_to_have_attribute("aria-disabled", "true", timeout=30_000)
+        expect(self.button(label)).not_to_have_attribute("aria-disabled", "true")
         self.hands.press(self.page, self.button(label))
 
     def hold(self, label: str) -> None:
-        expect(self.button(label)).to_have_attribute("aria-disabled", "false", timeout=30_000)
+        expect(self.button(label)).to_have_attribute("aria-disabled", "false")
         self.hands.hold(self.page, self.button(label))
 
     def shows(self, text: str, seconds: float = 30) -> None:

@@ -15,11 +15,14 @@ from dronemap_e2e.flight import COPTER_RTL, items, triangle
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.stopwatch import Stopwatch
 from dronemap_e2e.waiting import wait_for
 
 # On the wire the home position is item 0 and the take-off item 1.
 HOME_ITEM = 1
 FIRST_WAYPOINT = 1
+# So soon after a restart all is shown again.
+RETURN_SECONDS = 15
 
 
 @pytest.fixture
@@ -63,10 +66,10 @@ def open_page(page: Page, server: Server, api: Api, drone: Json) -> Station:
     return station
 
 
-def restart(server: Server) -> tuple[Api, float]:
-    began = time.monotonic()
+def restart(server: Server) -> tuple[Api, Stopwatch]:
+    watch = Stopwatch()
     server.start()
-    return Api(server.address, server.local_key()), began
+    return Api(server.address, server.local_key()), watch
 
 
 @pytest.mark.parametrize("on_cloud_loss", ["continue", "rtl"])
@@ -78,12 +81,12 @@ def test_after_a_crash_the_vehicles_own_item_is_shown(
     wait_for("it heads for the first waypoint", lambda: api.drone(drone["id"])["mission"]["current"] == 1)
     own_server.kill()
     _watch(own_server.udp_port, on_cloud_loss)
-    again, began = restart(own_server)
+    again, watch = restart(own_server)
 
-    back = wait_for("it is back", lambda: _live(again, drone["id"]), 15)
-    now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 15)
+    back = wait_for("it is back", lambda: _live(again, drone["id"]), 60)
+    now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 60)
 
-    assert time.monotonic() - began <= 15
+    watch.expect_at_most(RETURN_SECONDS)
     assert back["id"] == drone["id"]
     assert len(now["mission"]["items"]) == 4
     texts = [m["text"] for m in now["messages"]]
@@ -105,11 +108,11 @@ def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
     own_server.kill()
     _replace_mission(own_server.udp_port, drone["home"])
 
-    again, began = restart(own_server)
-    now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 15)
+    again, watch = restart(own_server)
+    now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 60)
 
-    station.shows("2 items instead of 4", 15)
-    assert time.monotonic() - began <= 15
+    station.shows("2 items instead of 4", 60)
+    watch.expect_at_most(RETURN_SECONDS)
     assert len(now["mission"]["items"]) == 2
     assert "2 items instead of 4" in now["mission"]["notice"]
 
@@ -119,7 +122,7 @@ def _watch(port: int, on_cloud_loss: str) -> None:
     link: Any = mavutil.mavlink_connection(f"udpin:127.0.0.1:{port}", source_system=254)
     deadline = time.monotonic() + 60
     while time.monotonic() < deadline:
-        heard = link.recv_match(type=["MISSION_CURRENT", "HEARTBEAT"], blocking=True, timeout=5)
+        heard = link.recv_match(type=["MISSION_CURRENT", "HEARTBEAT"], blocking=True, timeout=30)
         assert heard is not None, "the vehicle is silent"
         passed_two = heard.get_type() == "MISSION_CURRENT" and heard.seq >= HOME_ITEM + FIRST_WAYPOINT + 2
         returns = heard.get_type() == "HEARTBEAT" and heard.custom_mode == COPTER_RTL
@@ -142,12 +145,12 @@ def _with_mission(api: Api, drone: str) -> Json | None:
 def _replace_mission(port: int, home: Json) -> None:
     """Takes the dead server's place on its port and uploads another mission with pymavlink."""
     link: Any = mavutil.mavlink_connection(f"udpin:127.0.0.1:{port}", source_system=254)
-    link.wait_heartbeat(timeout=10)
+    link.wait_heartbeat(timeout=30)
     waypoints = [(home["latitude"], home["longitude"]), *[(home["latitude"] + 2e-4, home["longitude"])] * 2]
     link.mav.mission_count_send(link.target_system, 1, len(waypoints))
     while True:
         asked = link.recv_match(
-            type=["MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK"], blocking=True, timeout=10
+            type=["MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK"], blocking=True, timeout=30
         )
         assert asked is not None, "the vehicle took no mission"
         if asked.get_type() == "MISSION_ACK":

@@ -2,7 +2,6 @@
 
 import json
 import secrets
-import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -14,6 +13,7 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.peer import OBEDIENT, Handler, Kind, Peer, obey
 from dronemap_e2e.server import Server
 from dronemap_e2e.soap import soap
+from dronemap_e2e.stopwatch import Stopwatch
 from dronemap_e2e.waiting import wait_for
 
 MakePeer = Callable[..., Peer]
@@ -78,14 +78,14 @@ def _outcome(message: Json, command: str) -> Json | None:
 def test_a_vehicle_that_never_answers_times_out_as_stated(api: Api, make_peer: MakePeer) -> None:
     peer = make_peer({})
     drone = listed(api, peer)["id"]
-    began = time.monotonic()
+    watch = Stopwatch()
 
     record = api.command(drone, {"type": "arm"})
 
-    took = time.monotonic() - began
     assert record["outcome"]["result"] == "timedOut", record
     stated = [float(word) for word in record["outcome"]["reason"].split() if word.replace(".", "").isdigit()]
-    assert stated and took <= stated[0] + 1, record["outcome"]["reason"]
+    assert stated, record["outcome"]["reason"]
+    watch.expect_at_most(stated[0] + 1)
     assert len(arm_commands(peer)) >= 5
     assert [int(m.confirmation) for m in arm_commands(peer)] == list(range(len(arm_commands(peer))))
 
@@ -156,17 +156,17 @@ def test_other_components_make_no_drone(api: Api, make_peer: MakePeer, kind: Kin
 def test_a_silent_vehicle_is_lost_within_six_seconds_and_returns(api: Api, make_peer: MakePeer) -> None:
     peer = make_peer()
     drone = listed(api, peer)["id"]
+    watch = Stopwatch()
     peer.silent = True
-    began = time.monotonic()
 
-    wait_for("lost", lambda: api.drone(drone)["link"]["state"] == "lost", 8)
+    wait_for("lost", lambda: api.drone(drone)["link"]["state"] == "lost", 60)
 
-    assert time.monotonic() - began <= 6
+    watch.expect_at_most(6)
     refused = api.call("POST", f"/drones/{drone}/commands", {"type": "arm"})
     assert refused.status_code == 409
     assert "no contact" in refused.json()["detail"]
     peer.silent = False
-    wait_for("back", lambda: api.drone(drone)["link"]["state"] == "live", 5)
+    wait_for("back", lambda: api.drone(drone)["link"]["state"] == "live")
 
 
 def test_a_vehicle_may_come_by_tcp_and_by_mavlink_1(api: Api, make_peer: MakePeer) -> None:
