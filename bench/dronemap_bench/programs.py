@@ -69,6 +69,10 @@ class Server:
         answer: Json = json.loads(self.read(path))
         return answer
 
+    def frames_in(self) -> int:
+        endpoints: list[Json] = self.get("/endpoints")["endpoints"]
+        return sum(int(endpoint["counts"]["framesIn"]) for endpoint in endpoints)
+
     def read(self, path: str) -> bytes:
         request = urllib.request.Request(
             f"http://127.0.0.1:{self.http_port}/api/v1{path}",

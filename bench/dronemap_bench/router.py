@@ -25,18 +25,15 @@ def measure(c: Configuration, binary: Path) -> Json:
             sender.await_ready()
             start = time.monotonic() + LEAD_SECONDS
             sender.tell(str(int(start * 1e9)))
-            _sleep_until(start + c.warm_up)
-            before, at = machine.cpu(pid), time.monotonic()
-            _sleep_until(start + c.warm_up + c.seconds)
-            used, wall = machine.cpu(pid) - before, time.monotonic() - at
-            sent = sender.result(END_SECONDS)
+            sent = sender.result(c.warm_up + c.seconds + END_SECONDS)
             time.sleep(1)
+            used, wall = machine.cpu(pid), time.monotonic() - start
             received = sink.result(END_SECONDS)
     finally:
         sender.stop()
         sink.stop()
     return {
-        "cpuMicrosPerMessage": round(1e6 * used / (c.vehicles * c.rate * wall), 2),
+        "cpuMicrosPerMessage": round(1e6 * used / sent["sent"], 2),
         "cpuPercentOfOneCore": round(100 * used / wall, 1),
         "sent": sent["sent"],
         "received": received["received"],
@@ -63,7 +60,3 @@ def _running(binary: Path, into: int, out: int) -> Iterator[int]:
     finally:
         process.terminate()
         process.wait()
-
-
-def _sleep_until(when: float) -> None:
-    time.sleep(max(0.0, when - time.monotonic()))

@@ -57,6 +57,7 @@ def test_results_are_written_as_table_plot_and_json(tmp_path: Path) -> None:
         "tlogs": {"found": 10, "expected": 10},
         "cpuPercentOfOneCore": 1.0,
         "cpuMicrosPerMessage": 2.0,
+        "compilerMicrosPerMessage": 0.5,
         "kilobytesPerDrone": 3.0,
         "foreignLoadPercentOfMachine": 4.0,
     }
