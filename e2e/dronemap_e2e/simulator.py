@@ -31,12 +31,26 @@ class Simulator:
 
     def fault(self, words: str) -> None:
         """Orders a fault: "7 alter RTL_ALT", "all silent 10s" …"""
+        answer = self.ask(f"fault {words}")
+        assert answer.startswith("ok"), answer
+
+    def payload(self, system_id: int) -> str:
+        """What a vehicle did with its camera and relays: "pictures 1 relays on: 0"."""
+        lines = self.ask("payload").splitlines()
+        return next(line.split(" ", 1)[1] for line in lines if line.startswith(f"{system_id} "))
+
+    def ask(self, words: str) -> str:
+        """The answer of the control port, up to the line that ends it."""
         port = wait_for("the control port is open", self._connect, 20)
         with port, port.makefile("rw", encoding="utf-8", newline="\n") as line:
-            line.write(f"fault {words}\n")
+            line.write(f"{words}\n")
             line.flush()
-            answer = line.readline()
-        assert answer.startswith("ok"), answer
+            answer = ""
+            for part in line:
+                answer += part
+                if part.startswith(("ok", "err")):
+                    break
+        return answer
 
     def _connect(self) -> socket.socket | None:
         try:

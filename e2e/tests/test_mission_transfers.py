@@ -118,6 +118,39 @@ def test_a_mission_goes_up_a_bad_link(bench: Bench, count: int, seconds: float) 
     assert bench.holds(items)
 
 
+def test_only_what_differs_goes_up_where_the_vehicle_takes_parts(bench: Bench) -> None:
+    items = waypoints(30)
+    assert bench.api.ended(bench.begin_upload(items), 60)["outcome"]["result"] == "succeeded"
+    first_hash = bench.api.drone(bench.drone)["mission"]["hash"]
+    assert first_hash
+    items[7]["altitude"] = 44
+    heard = bench.station.listen()
+
+    assert bench.api.ended(bench.begin_upload(items), 60)["outcome"]["result"] == "succeeded"
+
+    asked = {m.seq for m in heard() if m.get_type() in ("MISSION_REQUEST", "MISSION_REQUEST_INT")}
+    partly = bench.api.drone(bench.drone)["autopilot"] == "ArduPilot"
+    # Home stands before the items of an ArduPilot mission, and the cloud puts a take-off in front.
+    assert asked == ({9} if partly else set(range(31)))
+    assert bench.holds(items)
+    assert bench.api.drone(bench.drone)["mission"]["hash"] not in (None, first_hash)
+
+
+@pytest.mark.parametrize("count", [5, 80])
+def test_a_change_by_somebody_else_is_noticed_and_told(bench: Bench, count: int) -> None:
+    assert bench.api.ended(bench.begin_upload(waypoints(count)), 60)["outcome"]["result"] == "succeeded"
+    assert bench.api.drone(bench.drone)["mission"]["notice"] is None
+
+    bench.station.raise_item(4, 7)
+
+    def notice() -> str | None:
+        told: str | None = bench.api.drone(bench.drone)["mission"]["notice"]
+        return told
+
+    assert "differs" in wait_for("the change is told", notice, 120)
+    assert any("differs" in m["text"] for m in bench.api.drone(bench.drone)["messages"])
+
+
 def test_fence_and_rally_points_go_round(bench: Bench) -> None:
     path = f"/drones/{bench.drone}"
     corners = [

@@ -1,4 +1,6 @@
 import type { DtlsKey, Endpoint } from './endpoints';
+import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
+import type { ParameterFile, ParameterPage } from './parameters';
 import { Problem } from './problem';
 import type { RecordingPage } from './recordings';
 import type {
@@ -6,11 +8,8 @@ import type {
   Command,
   CommandRequest,
   Drone,
-  LinkPolicy,
-  LinkSecurity,
   MissionItem,
   NewAccessKey,
-  NewLinkKey,
   NewUser,
   ProblemBody,
   Role,
@@ -135,6 +134,20 @@ export class RestClient {
     return this.#call('DELETE', `/missions/${encodeURIComponent(id)}`);
   }
 
+  parametersOf(drone: string): Promise<ParameterPage> {
+    return this.#call('GET', `/drones/${encodeURIComponent(drone)}/parameters`);
+  }
+
+  /** Where the browser saves the parameters from: a list for Mission Planner and MAVProxy, a table for QGroundControl. */
+  parameterFileAddress(drone: string, form: 'list' | 'table'): string {
+    return `${this.#base}/drones/${encodeURIComponent(drone)}/parameters/file?form=${form}`;
+  }
+
+  /** What a file would change; nothing is sent to the vehicle. */
+  compareParameterFile(drone: string, file: Blob): Promise<ParameterFile> {
+    return this.#call('POST', `/drones/${encodeURIComponent(drone)}/parameters/file?dryRun=true`, file);
+  }
+
   recordingsOf(drone: string): Promise<RecordingPage> {
     return this.#call('GET', `/recordings?drone=${encodeURIComponent(drone)}`);
   }
@@ -216,7 +229,10 @@ export class RestClient {
     // The custom header cannot be sent by a foreign page: it is the guard against forged requests.
     const headers: Record<string, string> = { Accept: 'application/json', 'X-Dronemap': '1' };
     const init: RequestInit = { method, headers, credentials: 'same-origin' };
-    if (body !== undefined) {
+    if (body instanceof Blob) {
+      headers['Content-Type'] = 'text/plain';
+      init.body = body;
+    } else if (body !== undefined) {
       headers['Content-Type'] = 'application/json';
       init.body = JSON.stringify(body);
     }

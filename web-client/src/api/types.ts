@@ -130,6 +130,8 @@ export interface VehicleMission {
   /** Null when the vehicle does not say. */
   state: 'stopped' | 'running' | 'paused' | 'complete' | null;
   notice: string | null;
+  /** Equal hashes, equal missions. */
+  hash?: string | null;
 }
 
 export type Severity = 'emergency' | 'alert' | 'critical' | 'error' | 'warning' | 'notice' | 'info' | 'debug';
@@ -152,38 +154,19 @@ export type CommandKind =
   | 'uploadMission'
   | 'startMission'
   | 'pauseMission'
-  | 'clearMission';
+  | 'clearMission'
+  | 'turn'
+  | 'takePicture'
+  | 'setRelay'
+  | 'setHome'
+  | 'readHome'
+  | 'readParameters'
+  | 'setParameters';
 
 /** Whether a command would be let through now, and if not the sentence that says why. */
 export interface Action {
   allowed: boolean;
   why: string | null;
-}
-
-export type LinkPolicy = 'off' | 'optional' | 'required';
-
-/** How a drone's link is secured; a key shows its fingerprint only. */
-export interface LinkSecurity {
-  policy: LinkPolicy;
-  key: { fingerprint: string; inUse: boolean } | null;
-  nextKey: string | null;
-  changing: 'install' | 'rotate' | 'revoke' | null;
-  /** Null: the drone has no link now. */
-  safeLink: boolean | null;
-  messages: {
-    valid: number;
-    unsigned: number;
-    badSignature: number;
-    replayed: number;
-    tooOld: number;
-    tooManyStreams: number;
-  };
-}
-
-/** A key that was just made; it cannot be had again. */
-export interface NewLinkKey {
-  fingerprint: string;
-  key: string;
 }
 
 export interface Drone {
@@ -218,8 +201,15 @@ export interface Drone {
 /** What a vehicle on a mission does by itself when it no longer hears the cloud. */
 export type CloudLoss = 'continue' | 'rtl';
 
+export type RelaySetting = 'on' | 'off' | 'toggle';
+
 export type CommandRequest =
   | { type: 'arm' | 'land' | 'returnToLaunch' | 'hold' | 'pauseMission' | 'clearMission' }
+  | { type: 'takePicture' | 'readHome' | 'readParameters' }
+  | { type: 'turn'; degrees: number }
+  | { type: 'setRelay'; relay: number; setting: RelaySetting }
+  | { type: 'setHome'; latitude?: number; longitude?: number; altitude?: number; altitudeReference?: 'amsl' }
+  | { type: 'setParameters'; parameters: { name: string; value: number }[] }
   | { type: 'startMission'; onCloudLoss: CloudLoss }
   | { type: 'disarm'; force?: boolean }
   | { type: 'setMode'; mode: string }

@@ -1,7 +1,7 @@
 import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { Problem } from '../api/problem';
-import type { LinkSecurity } from '../api/types';
+import type { LinkSecurity } from '../api/link-security';
 import { STATION, Station } from '../state/station.svelte';
 import { aDrone } from '../testing';
 import LinkSecurityPanel from './LinkSecurity.svelte';

@@ -1,19 +1,28 @@
 package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.SoapOutcome;
 import org.dronemap.ws.soap.SoapWaypoint;
@@ -109,6 +118,60 @@ class CommandsTest {
             assertThat(streamed.path("command").path("outcome").path("reason").asString())
                     .isEqualTo(sentence);
         }
+    }
+
+    @Test
+    void setsAHomeThroughAllFaces() throws DronemapFault {
+        operator.post(
+                commands + "?wait=10",
+                "{\"type\":\"setHome\",\"latitude\":47.5,\"longitude\":8.25,\"altitude\":500,"
+                        + "\"altitudeReference\":\"amsl\"}");
+        operator.post(commands + "?wait=10", "{\"type\":\"setHome\"}");
+        SoapClient.withKey(house, key).setHome(vehicle.id(), 47.5, 8.25, 500.0);
+        Http.Answer half = operator.post(commands, "{\"type\":\"setHome\",\"latitude\":47.5}");
+
+        Command.SetHome there =
+                new Command.SetHome(new Geodetic(47.5, 8.25), new Altitude(500, Altitude.Reference.AMSL));
+        assertThat(vehicle.performed()).containsExactly(there, new Command.SetHome(null, null), there);
+        assertThat(half.status()).isEqualTo(422);
+        assertThat(half.text("field")).isEqualTo("longitude");
+    }
+
+    @Test
+    void givesOtherOrdersThroughSoapAsThroughRest() throws DronemapFault {
+        var soap = SoapClient.withKey(house, key);
+        vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT32, 1500))));
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
+        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        Waiting.until(
+                "it is known and in the air",
+                () -> Optional.of(operator.get("/api/v1/drones/" + vehicle.id()).json())
+                        .filter(drone -> drone.path("flight").asString("").equals("inAir")));
+
+        assertThat(soap.getParameters(vehicle.id(), "alt").get(0).getValue()).isEqualTo(1500);
+        assertThat(soap.readParameters(vehicle.id()).getResult()).isEqualTo("succeeded");
+        assertThat(soap.setParameter(vehicle.id(), "RTL_ALT", 2000.0).getResult())
+                .isEqualTo("succeeded");
+        assertThat(soap.takePicture(vehicle.id()).getResult()).isEqualTo("succeeded");
+        assertThat(soap.turn(vehicle.id(), -90.0).getResult()).isEqualTo("succeeded");
+        assertThatThrownBy(() -> soap.setParameter(vehicle.id(), "NOBODY", 1.0)).isInstanceOf(DronemapFault.class);
+        assertThat(vehicle.performed())
+                .containsExactly(
+                        new Command.ReadParameters(),
+                        new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 2000))),
+                        new Command.TakePicture(),
+                        new Command.Turn(-90));
+    }
+
+    @Test
+    void tellsTheHashOfTheMissionOnBoard() {
+        vehicle.says(new DroneEvent.MissionRead(List.of(new MissionItem.Land()), "c0ffee", false));
+
+        Waiting.until(
+                "the mission is shown",
+                () -> Optional.of(operator.get("/api/v1/drones/" + vehicle.id()).json())
+                        .filter(drone ->
+                                drone.path("mission").path("hash").asString("").equals("c0ffee")));
     }
 
     @Test

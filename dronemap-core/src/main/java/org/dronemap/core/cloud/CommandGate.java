@@ -14,6 +14,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -186,16 +187,18 @@ public final class CommandGate {
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */
     private @Nullable String makeRoom(Underway entry, VehicleChannel channel) {
-        Command.Contention contention = entry.open().command().contention();
+        Contention contention = entry.open().command().contention();
         for (Underway other : List.copyOf(underway.values())) {
             if (other.equals(entry) || other.drone() != entry.drone() || isEarlierThan(entry, other)) {
                 continue;
             }
-            if (other.open().command().contention() != contention) {
+            // One that has ended stays in the list until its outcome is written.
+            boolean ended = other.open().record().outcome() != null;
+            if (ended || other.open().command().contention() != contention) {
                 continue;
             }
             if (!contention.newerWins()) {
-                return contention == Command.Contention.TRANSFER
+                return contention == Contention.TRANSFER
                         ? "Another mission transfer with this drone is under way; wait for its end."
                         : "Wait for the end of what is under way: "
                                 + other.open().record().summary() + ".";

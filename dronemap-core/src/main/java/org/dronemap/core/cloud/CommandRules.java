@@ -66,7 +66,9 @@ public final class CommandRules {
                     SET_PARAMETERS,
                     READ_LOGS,
                     FENCE,
-                    RALLY_POINTS -> null;
+                    RALLY_POINTS,
+                    SET_HOME,
+                    READ_HOME -> null;
         };
     }
 

@@ -20,6 +20,8 @@ final class MissionTracker {
     private final TreeSet<Integer> reached = new TreeSet<>();
     private @Nullable KnownMission known;
     private @Nullable List<MissionItem> items;
+    private @Nullable String hash;
+    private @Nullable String knownHash;
     private @Nullable Integer current;
     private @Nullable Integer lastFlown;
     private @Nullable Integer lastReached;
@@ -34,7 +36,7 @@ final class MissionTracker {
     }
 
     MissionProgress progress() {
-        return new MissionProgress(items, current, phase, List.copyOf(reached), notice);
+        return new MissionProgress(items, hash, current, phase, List.copyOf(reached), notice);
     }
 
     /** Takes a mission event in; the answer is a sentence when something happened that people should hear of. */
@@ -59,13 +61,13 @@ final class MissionTracker {
             lastFlown = null;
         }
         items = read.items();
+        hash = read.hash();
         if (read.asUploaded()) {
             notice = null;
             comparedItem = true;
             return keep();
         }
-        Optional<String> difference =
-                before == null ? Optional.empty() : MissionComparison.difference(before.items(), read.items());
+        Optional<String> difference = before == null ? Optional.empty() : difference(before, read);
         if (difference.isPresent()) {
             notice = noticeOf(difference.get(), before, read.items());
             comparedItem = true;
@@ -75,8 +77,17 @@ final class MissionTracker {
         notice = null;
         if (before == null) {
             keep();
+        } else if (knownHash == null) {
+            // What was remembered before a restart has no hash.
+            knownHash = hash;
         }
         return first ? compareItem() : Optional.empty();
+    }
+
+    private Optional<String> difference(KnownMission before, DroneEvent.MissionRead read) {
+        Optional<String> visible = MissionComparison.difference(before.items(), read.items());
+        boolean otherHash = knownHash != null && read.hash() != null && !knownHash.equals(read.hash());
+        return visible.isEmpty() && otherHash ? Optional.of("its items have other settings") : visible;
     }
 
     private static String noticeOf(String difference, @Nullable KnownMission before, List<MissionItem> found) {
@@ -156,6 +167,7 @@ final class MissionTracker {
         if (items != null) {
             KnownMission now = new KnownMission(items, current);
             known = now;
+            knownHash = hash;
             remember.accept(now);
         }
         return Optional.empty();

@@ -11,6 +11,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterValue;
+import org.jspecify.annotations.Nullable;
 
 /** What may be asked of a drone. Discrete: each one ends in exactly one {@link Outcome}. */
 public sealed interface Command {
@@ -120,12 +121,7 @@ public sealed interface Command {
 
         @Override
         public String summary() {
-            return String.format(
-                    Locale.ROOT,
-                    "go to %.6f, %.6f at %.0f m",
-                    point.latitudeDegrees(),
-                    point.longitudeDegrees(),
-                    altitude.meters());
+            return String.format(Locale.ROOT, "go to %s at %.0f m", point.words(), altitude.meters());
         }
     }
 
@@ -194,6 +190,38 @@ public sealed interface Command {
         @Override
         public String summary() {
             return String.format(Locale.ROOT, "turn by %.0f degrees", degrees);
+        }
+    }
+
+    /** Make a place the one that it returns to; null for both: where it is now. */
+    record SetHome(@Nullable Geodetic point, @Nullable Altitude altitude) implements Command {
+        public SetHome {
+            if ((point == null) != (altitude == null)) {
+                throw new IllegalArgumentException("a home has a place and an altitude, or is where the vehicle is");
+            }
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.SET_HOME;
+        }
+
+        @Override
+        public String summary() {
+            return point == null ? "make this place its home" : "set home to " + point.words();
+        }
+    }
+
+    /** Ask the vehicle where its home is. */
+    record ReadHome() implements Command {
+        @Override
+        public Capability needs() {
+            return Capability.READ_HOME;
+        }
+
+        @Override
+        public String summary() {
+            return "read its home";
         }
     }
 
@@ -354,29 +382,6 @@ public sealed interface Command {
         }
     }
 
-    /** Which commands compete with each other on one vehicle. */
-    enum Contention {
-        /** Motors on or off; the newer one wins. */
-        ARMING,
-        /** Where to fly; the newer one wins. */
-        FLIGHT,
-        /** Mission items on the wire; the first one goes on. */
-        TRANSFER,
-        /** The camera; the first one goes on. */
-        CAMERA,
-        /** The relays; the first one goes on. */
-        RELAY,
-        /** Parameters on the wire; the first one goes on. */
-        PARAMETERS,
-        /** Logs on the wire; the first one goes on. */
-        LOGS;
-
-        /** A newer command takes the place of one that is under way; else it has to wait. */
-        public boolean newerWins() {
-            return this == ARMING || this == FLIGHT;
-        }
-    }
-
     /** What this command competes for. */
     default Contention contention() {
         return switch (needs()) {
@@ -386,6 +391,7 @@ public sealed interface Command {
             case SET_RELAY -> Contention.RELAY;
             case READ_PARAMETERS, SET_PARAMETERS -> Contention.PARAMETERS;
             case READ_LOGS -> Contention.LOGS;
+            case SET_HOME, READ_HOME -> Contention.HOME;
             default -> Contention.FLIGHT;
         };
     }

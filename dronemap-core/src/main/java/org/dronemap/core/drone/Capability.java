@@ -21,7 +21,9 @@ public enum Capability {
     SET_PARAMETERS("change its parameters"),
     READ_LOGS("tell its logs"),
     FENCE("keep a fence"),
-    RALLY_POINTS("keep rally points");
+    RALLY_POINTS("keep rally points"),
+    SET_HOME("set its home"),
+    READ_HOME("tell its home");
 
     private final String phrase;
 

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
  * The mission that is on the vehicle and how far it is.
  *
  * @param items what was read back from the vehicle; null as long as it was not read
+ * @param hash stands for all that the vehicle keeps of it, finer settings included; null when it is not known
  * @param current index into the items that the vehicle heads for; null when it said none
  * @param phase whether it flies the mission; null when the vehicle does not say
  * @param reached indices of the items that it said it reached since the mission changed or was started, in order
@@ -15,11 +16,12 @@ import org.jspecify.annotations.Nullable;
  */
 public record MissionProgress(
         @Nullable List<MissionItem> items,
+        @Nullable String hash,
         @Nullable Integer current,
         @Nullable MissionPhase phase,
         List<Integer> reached,
         @Nullable String notice) {
-    public static final MissionProgress UNKNOWN = new MissionProgress(null, null, null, List.of(), null);
+    public static final MissionProgress UNKNOWN = new MissionProgress(null, null, null, null, List.of(), null);
 
     /** Flown to the end: by the vehicle's own word, or when it gives none by the last item that it said it reached. */
     public boolean complete() {

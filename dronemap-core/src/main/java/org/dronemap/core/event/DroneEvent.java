@@ -53,10 +53,17 @@ public sealed interface DroneEvent {
 
     record MissionItemReached(int index) implements DroneEvent {}
 
-    /** The whole mission was read from the vehicle; {@code asUploaded}: as the end of the cloud's own upload. */
-    record MissionRead(List<MissionItem> items, boolean asUploaded) implements DroneEvent {
+    /**
+     * The whole mission was read from the vehicle; {@code asUploaded}: as the end of the cloud's own upload;
+     * {@code hash} of all that the vehicle keeps of it, null when it could not be read exactly.
+     */
+    record MissionRead(List<MissionItem> items, @Nullable String hash, boolean asUploaded) implements DroneEvent {
         public MissionRead {
             items = List.copyOf(items);
+        }
+
+        public MissionRead(List<MissionItem> items, boolean asUploaded) {
+            this(items, null, asUploaded);
         }
     }
 

@@ -1,5 +1,7 @@
 package org.dronemap.core.geo;
 
+import java.util.Locale;
+
 /** A point on WGS-84, degrees; altitudes are carried beside it with their reference. */
 public record Geodetic(double latitudeDegrees, double longitudeDegrees) {
     public Geodetic {
@@ -9,5 +11,10 @@ public record Geodetic(double latitudeDegrees, double longitudeDegrees) {
         if (!(Math.abs(longitudeDegrees) <= 180)) {
             throw new IllegalArgumentException("longitude must be -180 to 180 degrees: " + longitudeDegrees);
         }
+    }
+
+    /** For people: "47.397700, 8.545600". */
+    public String words() {
+        return String.format(Locale.ROOT, "%.6f, %.6f", latitudeDegrees, longitudeDegrees);
     }
 }

@@ -7,6 +7,7 @@ import static org.awaitility.Awaitility.await;
 import java.time.Clock;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.access.Principal;
@@ -209,6 +210,33 @@ class CommandGateTest {
                         .isInstanceOfSatisfying(
                                 Outcome.Refused.class,
                                 refused -> assertThat(refused.reason()).startsWith("Another mission transfer")));
+    }
+
+    @Test
+    void letsATransferBeginWhileTheOutcomeOfTheLastIsBeingWritten() {
+        CommandRecord first = gate.submit(OPERATOR, link.id(), id("upload-01"), UPLOAD);
+        store.disk = new CountDownLatch(1);
+        report(first).ended(new Outcome.Succeeded());
+
+        CommandRecord second = gate.submit(OPERATOR, link.id(), id("upload-02"), UPLOAD);
+        report(second).ended(new Outcome.Succeeded());
+        store.disk.countDown();
+
+        assertThat(gate.end(second.id()))
+                .succeedsWithin(5, TimeUnit.SECONDS)
+                .satisfies(done -> assertThat(done.outcome()).isEqualTo(new Outcome.Succeeded()));
+    }
+
+    @Test
+    void letsAHomeBeSetInTheMiddleOfAFlightCommand() {
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        report(gate.submit(OPERATOR, link.id(), id("flight-01"), new Command.Land()));
+
+        report(gate.submit(OPERATOR, link.id(), id("home-0001"), new Command.SetHome(null, null)));
+
+        assertThat(vehicle.cancelled).isEmpty();
+        assertThat(vehicle.performed).containsExactly(new Command.Land(), new Command.SetHome(null, null));
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
@@ -63,6 +64,8 @@ final class Fixtures {
     static final class HeapCommandStore implements CommandStore {
         final ConcurrentHashMap<CommandId, CommandRecord> records = new ConcurrentHashMap<>();
         volatile boolean broken;
+        /** Outcomes wait for it before they are written. */
+        volatile CountDownLatch disk = new CountDownLatch(0);
 
         @Override
         public boolean begin(CommandRecord command) {
@@ -74,6 +77,11 @@ final class Fixtures {
 
         @Override
         public void finish(CommandRecord command) {
+            try {
+                disk.await();
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
             if (broken) {
                 throw new IllegalStateException("the disk is full");
             }

@@ -70,6 +70,28 @@ class MissionTrackerTest {
     }
 
     @Test
+    void noticesThatOnlyTheFinerSettingsOfAMissionWereChanged() {
+        MissionTracker tracker = new MissionTracker(null, kept::add);
+        tracker.apply(new MissionRead(THREE, "aa", true));
+        assertThat(tracker.apply(new MissionRead(THREE, "aa", false))).isEmpty();
+
+        assertThat(tracker.apply(new MissionRead(THREE, "bb", false)))
+                .contains("The mission on the vehicle is not the one that the cloud last knew:"
+                        + " its items have other settings.");
+        assertThat(tracker.progress().hash()).isEqualTo("bb");
+        assertThat(tracker.apply(new MissionRead(THREE, "aa", false))).isEmpty();
+        assertThat(tracker.progress().notice()).isNull();
+    }
+
+    @Test
+    void learnsTheHashOfAMissionThatItRemembersFromBeforeARestart() {
+        MissionTracker tracker = new MissionTracker(new KnownMission(THREE, null), kept::add);
+        tracker.apply(new MissionRead(THREE, "aa", false));
+
+        assertThat(tracker.apply(new MissionRead(THREE, "bb", false))).isPresent();
+    }
+
+    @Test
     void saysCalmlyThatTheVehicleHoldsNoMissionAfterARestart() {
         MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
 

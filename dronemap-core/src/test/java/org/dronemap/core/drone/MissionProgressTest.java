@@ -26,6 +26,6 @@ class MissionProgressTest {
     }
 
     private static MissionProgress progress(@Nullable MissionPhase phase, List<Integer> reached) {
-        return new MissionProgress(TWO, 1, phase, reached, null);
+        return new MissionProgress(TWO, null, 1, phase, reached, null);
     }
 }

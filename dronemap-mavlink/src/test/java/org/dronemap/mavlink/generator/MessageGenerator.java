@@ -16,6 +16,8 @@ public final class MessageGenerator {
             "Attitude",
             "AutopilotVersion",
             "BatteryStatus",
+            "CameraFeedback",
+            "CameraImageCaptured",
             "CommandAck",
             "CommandCancel",
             "CommandInt",

@@ -6,6 +6,7 @@ import java.util.Map;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
@@ -18,7 +19,7 @@ final class Errands {
     private record Errand(Exchange exchange, VehicleChannel.Report report, boolean transfer) {}
 
     void begin(CommandId id, Command command, Exchange exchange, VehicleChannel.Report report, long nowNanos) {
-        Errand errand = new Errand(exchange, report, command.contention() == Command.Contention.TRANSFER);
+        Errand errand = new Errand(exchange, report, command.contention() == Contention.TRANSFER);
         underway.put(id, errand);
         exchange.start(nowNanos);
         settle();

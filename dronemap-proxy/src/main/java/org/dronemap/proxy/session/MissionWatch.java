@@ -1,6 +1,7 @@
 package org.dronemap.proxy.session;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Consumer;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.event.DroneEvent;
@@ -12,10 +13,12 @@ import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.procedure.MissionStamp;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.dronemap.proxy.mavlink.translate.MissionCodec;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
+import org.dronemap.proxy.mavlink.translate.WireItems;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,19 +29,26 @@ final class MissionWatch {
     private static final long BETWEEN_LOOKS_NANOS = 10_000_000_000L;
     private static final long AFTER_FAILURE_NANOS = 15_000_000_000L;
     private static final int LOOKS_BEFORE_READING = 3;
+    /** So many items are read anew in one go; longer missions in parts of that many, one with each look. */
     private static final int CHEAP_ITEMS = 60;
+
+    private static final int ITEMS_OF_A_LOOK = 20;
 
     private final Target target;
     private final Autopilot autopilot;
     private final VehicleStatus status;
     private final Consumer<DroneEvent> out;
+    private final MissionStamps stamps = new MissionStamps();
     private @Nullable MissionDownload reading;
     private boolean readingWhole;
     private boolean wanted = true;
+    private boolean disturbed;
+    private boolean changedMeanwhile;
     private long nextNanos;
     private int looks;
+    private int lookedUpTo;
     private @Nullable List<MissionItem> known;
-    private int knownWireItems = -1;
+    private @Nullable String knownHash;
     private int lastTotal = -1;
 
     MissionWatch(Target target, Autopilot autopilot, VehicleStatus status, Consumer<DroneEvent> out) {
@@ -56,25 +66,42 @@ final class MissionWatch {
     }
 
     /** The cloud itself changed the mission and read it back. */
-    void changedByCloud(List<MissionItemInt> items) {
-        take(items, true);
+    void changedByCloud(MissionDownload readBack) {
+        take(readBack, true);
         wanted = false;
+        disturbed = false;
     }
 
     /** {@code transferring}: a command has the mission protocol for itself. */
     void heard(Frame frame, long nowNanos, boolean transferring) {
         if (transferring) {
-            reading = null;
+            disturb();
             return;
         }
+        boolean newStamp = stamps.heard(MissionStamp.of(frame));
+        boolean hinted = hintsAtChange(frame);
+        boolean changed = newStamp || hinted;
         MissionDownload current = reading;
         if (current != null) {
+            changedMeanwhile |= changed;
             current.heard(frame, nowNanos);
             settle(current, nowNanos);
-        } else if (hintsAtChange(frame)) {
+        } else if (changed || countsForAnybody(frame)) {
             wanted = true;
             nextNanos = Math.min(nextNanos, nowNanos);
         }
+    }
+
+    /** A vehicle that counts its items for somebody else may be about to get new ones. */
+    private static boolean countsForAnybody(Frame frame) {
+        return frame.messageId() == MissionCount.ID
+                && MissionCount.decode(frame).missionType() == 0;
+    }
+
+    /** Nobody knows what a transfer leaves behind, unless it ends with a reading of its own. */
+    private void disturb() {
+        reading = null;
+        disturbed = true;
     }
 
     private boolean hintsAtChange(Frame frame) {
@@ -83,7 +110,6 @@ final class MissionWatch {
                 MissionAck ack = MissionAck.decode(frame);
                 yield ack.type() == 0 && ack.missionType() == 0;
             }
-            case MissionCount.ID -> MissionCount.decode(frame).missionType() == 0;
             case MissionCurrent.ID -> {
                 int before = lastTotal;
                 lastTotal = MissionCurrent.decode(frame).total();
@@ -95,27 +121,37 @@ final class MissionWatch {
 
     void tick(long nowNanos, boolean transferring) {
         if (transferring) {
-            reading = null;
+            disturb();
             nextNanos = nowNanos + BETWEEN_LOOKS_NANOS;
             return;
         }
+        wanted |= disturbed;
+        disturbed = false;
         MissionDownload current = reading;
         if (current != null) {
             current.tick(nowNanos);
             settle(current, nowNanos);
         } else if (nowNanos - nextNanos >= 0) {
-            read(nowNanos);
+            look(nowNanos);
         }
     }
 
-    private void read(long nowNanos) {
+    private void look(long nowNanos) {
         looks++;
-        boolean timeToRead = looks % LOOKS_BEFORE_READING == 0 && knownWireItems <= CHEAP_ITEMS;
+        List<MissionItemInt> held = status.mission();
+        boolean isLong = held != null && held.size() > CHEAP_ITEMS;
+        boolean timeToRead = looks % LOOKS_BEFORE_READING == 0 && !isLong && !stamps.given();
         readingWhole = wanted || known == null || timeToRead;
-        MissionDownload next = readingWhole
-                ? MissionDownload.whole(target, MissionKind.MISSION)
-                : MissionDownload.count(target, MissionKind.MISSION);
+        MissionDownload next;
+        if (readingWhole) {
+            next = MissionDownload.whole(target, MissionKind.MISSION);
+        } else if (isLong && !stamps.given()) {
+            next = MissionDownload.part(target, MissionKind.MISSION, lookedUpTo, ITEMS_OF_A_LOOK);
+        } else {
+            next = MissionDownload.count(target, MissionKind.MISSION);
+        }
         reading = next;
+        changedMeanwhile = false;
         next.start(nowNanos);
     }
 
@@ -132,20 +168,47 @@ final class MissionWatch {
         nextNanos = nowNanos + BETWEEN_LOOKS_NANOS;
         if (readingWhole) {
             wanted = false;
-            take(current.items(), false);
-        } else if (current.count() != knownWireItems) {
+            take(current, false);
+        } else if (!isAsHeld(current)) {
+            wanted = true;
+            nextNanos = nowNanos;
+        }
+        if (changedMeanwhile) {
+            // What was read may be part old, part new.
             wanted = true;
             nextNanos = nowNanos;
         }
     }
 
-    private void take(List<MissionItemInt> items, boolean asUploaded) {
-        List<MissionItem> mission = MissionCodec.fromWire(items, autopilot.itemsBeforeMission());
-        knownWireItems = items.size();
-        status.missionRead(items.size());
-        if (asUploaded || !mission.equals(known)) {
+    /** As many items as known, and those that were read the same. */
+    private boolean isAsHeld(MissionDownload seen) {
+        List<MissionItemInt> held = status.mission();
+        if (held == null || seen.count() != held.size()) {
+            return false;
+        }
+        int first = lookedUpTo;
+        lookedUpTo = first + seen.items().size() >= held.size()
+                ? 0
+                : first + seen.items().size();
+        for (int index = 0; index < seen.items().size(); index++) {
+            boolean own = first + index >= autopilot.itemsBeforeMission();
+            if (own && !WireItems.same(held.get(first + index), seen.items().get(index))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void take(MissionDownload read, boolean asUploaded) {
+        List<MissionItem> mission = MissionCodec.fromWire(read.items(), autopilot.itemsBeforeMission());
+        String hash = read.isExact() ? WireItems.hash(read.items(), autopilot.itemsBeforeMission()) : null;
+        stamps.read(read.stamp());
+        lookedUpTo = 0;
+        status.missionRead(read.items());
+        if (asUploaded || !mission.equals(known) || !Objects.equals(hash, knownHash)) {
             known = mission;
-            out.accept(new DroneEvent.MissionRead(mission, asUploaded));
+            knownHash = hash;
+            out.accept(new DroneEvent.MissionRead(mission, hash, asUploaded));
         }
     }
 }

@@ -9,6 +9,7 @@ import org.dronemap.sim.personality.SimulatedVehicle;
 public final class ControlCommands {
     static final String HELP = """
             list                                  all vehicles
+            payload                               pictures taken and relays switched on by each
             signing                               who has a signing key, and how many frames each did not listen to
             fault <sysid|all> silent <seconds>s   stops talking and listening for a while
             fault <sysid|all> gps off|on          loses or regains GPS
@@ -30,6 +31,7 @@ public final class ControlCommands {
         return switch (words[0]) {
             case "help" -> HELP;
             case "list" -> list(vehicles);
+            case "payload" -> payload(vehicles);
             case "signing" -> signing(vehicles);
             case "fault" -> fault(words, vehicles);
             default -> "err unknown word '" + words[0] + "': say help";
@@ -50,6 +52,18 @@ public final class ControlCommands {
                     craft.aboveHome(),
                     craft.body().groundSpeed(),
                     craft.battery().remainingPercent()));
+        }
+        return text + "ok " + vehicles.size() + " vehicles";
+    }
+
+    private static String payload(List<SimulatedVehicle> vehicles) {
+        StringBuilder text = new StringBuilder();
+        for (SimulatedVehicle vehicle : vehicles) {
+            text.append(String.format(
+                    Locale.ROOT,
+                    "%d %s%n",
+                    vehicle.systemId(),
+                    vehicle.autopilot().payload().words()));
         }
         return text + "ok " + vehicles.size() + " vehicles";
     }

@@ -37,6 +37,8 @@ public interface Autopilot {
 
     FlightPlan plan();
 
+    Payload payload();
+
     Parameters parameters();
 
     /** A new signing key is taken in flight as well. */
@@ -68,6 +70,9 @@ public interface Autopilot {
 
     /** A mission may be cleared now. */
     boolean mayClearMission();
+
+    /** The number of the mission in the plan, which another one never has; 0 when it numbers none. */
+    long missionStamp();
 
     /** A new mission is in the plan. */
     void missionChanged();

@@ -10,8 +10,10 @@ public final class Cmd {
     public static final int SET_MODE = 176;
     public static final int CHANGE_SPEED = 178;
     public static final int SET_HOME = 179;
+    public static final int SET_RELAY = 181;
     public static final int REPOSITION = 192;
     public static final int PAUSE_CONTINUE = 193;
+    public static final int DIGICAM_CONTROL = 203;
     public static final int SET_MISSION_CURRENT = 224;
     public static final int REBOOT = 246;
     public static final int MISSION_START = 300;
@@ -22,6 +24,7 @@ public final class Cmd {
     public static final int SET_MESSAGE_INTERVAL = 511;
     public static final int REQUEST_MESSAGE = 512;
     public static final int REQUEST_CAPABILITIES = 520;
+    public static final int IMAGE_START_CAPTURE = 2000;
     public static final int FORCE = 21196;
 
     private Cmd() {}

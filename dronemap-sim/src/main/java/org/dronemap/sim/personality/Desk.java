@@ -26,6 +26,7 @@ import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
 import org.dronemap.mavlink.message.MissionSetCurrent;
+import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.dronemap.mavlink.message.ParamRequestList;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
@@ -257,6 +258,7 @@ final class Desk {
                     missions.clear(clear.missionType(), fromSystem, fromComponent);
                 }
             }
+            case MissionWritePartialList.ID -> receivePart(MissionWritePartialList.decode(frame), frame, nowMillis);
             case MissionSetCurrent.ID -> setCurrent(MissionSetCurrent.decode(frame), nowMillis);
             default -> {
                 return false;
@@ -268,6 +270,12 @@ final class Desk {
     private void receiveItem(MissionItemInt item, Frame frame, long nowMillis) {
         if (isMine(item.targetSystem(), item.targetComponent())) {
             missions.item(item, frame.systemId(), nowMillis);
+        }
+    }
+
+    private void receivePart(MissionWritePartialList part, Frame frame, long nowMillis) {
+        if (isMine(part.targetSystem(), part.targetComponent())) {
+            missions.writePart(part, frame.systemId(), frame.componentId(), nowMillis);
         }
     }
 

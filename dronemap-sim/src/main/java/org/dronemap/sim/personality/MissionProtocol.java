@@ -9,6 +9,7 @@ import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.MissionItem;
@@ -111,6 +112,31 @@ final class MissionProtocol {
         } else {
             ask(nowMillis);
         }
+    }
+
+    /** Only ArduPilot takes a part, and only of items that it has; what it has beside them stays. */
+    void writePart(MissionWritePartialList message, int fromSystem, int fromComponent, long nowMillis) {
+        if (!style.overwritesInPlace() || message.missionType() != 0) {
+            return;
+        }
+        if (receiving && fromSystem != peerSystem) {
+            out.accept(new MissionAck(fromSystem, fromComponent, DENIED, 0));
+            return;
+        }
+        peerSystem = fromSystem;
+        peerComponent = fromComponent;
+        int first = message.startIndex();
+        int last = message.endIndex();
+        if (first < 0 || last < first || last >= plan.size()) {
+            acknowledge(ERROR, 0);
+            say(Severity.WARNING, "Flight plan update rejected");
+            return;
+        }
+        expected = first;
+        total = last + 1;
+        receiving = true;
+        lastItemAt = nowMillis;
+        ask(nowMillis);
     }
 
     private void ask(long nowMillis) {

@@ -50,6 +50,11 @@ public record Order(
         return frame == 0 || frame == 5;
     }
 
+    /** Of DO_DIGICAM_CONTROL: its fifth parameter says whether to take a picture. */
+    public boolean shoots() {
+        return Math.round(withFrame ? latitude * 1e7 : latitude) == 1;
+    }
+
     public boolean isOnEarth() {
         return Math.abs(latitude) <= 90 && Math.abs(longitude) <= 180;
     }

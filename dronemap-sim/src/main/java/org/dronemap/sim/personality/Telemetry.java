@@ -164,11 +164,13 @@ public final class Telemetry {
         return (Math.toDegrees(craft.body().yaw()) + 360) % 360;
     }
 
-    private MissionCurrent missionCurrent() {
+    private Message missionCurrent() {
         int size = autopilot.plan().size();
         int total = autopilot.missionStyle().firstItemIsHome() ? Math.max(0, size - 1) : size;
-        return new MissionCurrent(
-                autopilot.currentItem(), total, autopilot.missionState(), autopilot.inMissionMode() ? 1 : 0);
+        return new StampedMissionCurrent(
+                new MissionCurrent(
+                        autopilot.currentItem(), total, autopilot.missionState(), autopilot.inMissionMode() ? 1 : 0),
+                autopilot.missionStamp());
     }
 
     private VfrHud hud() {

@@ -37,6 +37,8 @@ final class CommandReader {
             case "takePicture" -> new Command.TakePicture();
             case "setRelay" ->
                 new Command.SetRelay(Ranges.relay("relay", request.relay()), relaySetting(request.setting()));
+            case "setHome" -> setHome(request);
+            case "readHome" -> new Command.ReadHome();
             case "readLogs" -> new Command.ReadLogs();
             case "readParameters" -> new Command.ReadParameters();
             case "setParameters" -> new Command.SetParameters(ParameterReader.read(request.parameters(), held));
@@ -50,6 +52,17 @@ final class CommandReader {
         Geodetic point = new Geodetic(
                 Ranges.latitude("latitude", request.latitude()), Ranges.longitude("longitude", request.longitude()));
         return new Command.GoTo(point, MissionReader.altitude("", request.altitude(), request.altitudeReference()));
+    }
+
+    /** Without a place: where the vehicle is. */
+    private static Command.SetHome setHome(CommandRequest request) {
+        boolean here = request.latitude() == null && request.longitude() == null && request.altitude() == null;
+        if (here) {
+            return new Command.SetHome(null, null);
+        }
+        Geodetic point = new Geodetic(
+                Ranges.latitude("latitude", request.latitude()), Ranges.longitude("longitude", request.longitude()));
+        return new Command.SetHome(point, MissionReader.altitude("", request.altitude(), request.altitudeReference()));
     }
 
     /** The exact name; names differ by vehicle, so the gate judges which there are. */

@@ -19,13 +19,16 @@ public record CommandRequest(
         @Schema(description = "setMode: one of the drone's modes") @Nullable
         String mode,
 
-        @Schema(description = "goTo: degrees") @Nullable Double latitude,
-        @Schema(description = "goTo: degrees") @Nullable Double longitude,
+        @Schema(description = "goTo, setHome: degrees; setHome without a place means where the vehicle is") @Nullable
+        Double latitude,
 
-        @Schema(description = "takeOff, goTo: metres") @Nullable
+        @Schema(description = "goTo, setHome: degrees") @Nullable
+        Double longitude,
+
+        @Schema(description = "takeOff, goTo, setHome: metres") @Nullable
         Double altitude,
 
-        @Schema(description = "goTo: home (the default) or amsl") @Nullable
+        @Schema(description = "goTo, setHome: home as it is now (the default) or amsl") @Nullable
         String altitudeReference,
 
         @Schema(description = "uploadMission: 1 to 500 items") @Nullable
@@ -49,8 +52,8 @@ public record CommandRequest(
         List<ParameterRequest> parameters) {
     /** What there is of types; fence, rally points and the download of a log have addresses of their own. */
     static final String TYPES = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
-            + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, readParameters, setParameters,"
-            + " readLogs";
+            + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, setHome, readHome,"
+            + " readParameters, setParameters, readLogs";
 
     /** A parameter and the value that it shall get. */
     public record ParameterRequest(
@@ -113,5 +116,43 @@ public record CommandRequest(
     public static CommandRequest setRelay(@Nullable Integer relay, @Nullable String setting) {
         return new CommandRequest(
                 "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting, null);
+    }
+
+    /** The altitude is above sea level; all three null: where the vehicle is. */
+    public static CommandRequest setHome(
+            @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAmsl) {
+        return new CommandRequest(
+                "setHome",
+                null,
+                null,
+                null,
+                latitude,
+                longitude,
+                altitudeAmsl,
+                "amsl",
+                null,
+                null,
+                null,
+                null,
+                null,
+                null);
+    }
+
+    public static CommandRequest setParameter(@Nullable String name, @Nullable Double value) {
+        return new CommandRequest(
+                "setParameters",
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                List.of(new ParameterRequest(name, value)));
     }
 }

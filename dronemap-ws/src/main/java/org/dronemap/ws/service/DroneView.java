@@ -93,7 +93,8 @@ public record DroneView(
 
     /**
      * The mission that is on the vehicle; indices are into the items. {@code state} is stopped, running, paused or
-     * complete; null when the vehicle does not say.
+     * complete; null when the vehicle does not say. {@code hash} stands for all that the vehicle keeps of the mission,
+     * finer settings included: equal hashes, equal missions.
      */
     public record MissionView(
             @Nullable List<MissionItemView> items,
@@ -102,7 +103,8 @@ public record DroneView(
             @Nullable Integer total,
             boolean running,
             @Nullable String state,
-            @Nullable String notice) {}
+            @Nullable String notice,
+            @Nullable String hash) {}
 
     /** A sentence of the vehicle or about it. */
     public record MessageView(String severity, String text, Instant at) {}

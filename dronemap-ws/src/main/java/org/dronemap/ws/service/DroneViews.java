@@ -158,7 +158,8 @@ public final class DroneViews {
                 items == null ? null : items.size(),
                 running,
                 phase == null ? null : WireNames.camel(phase),
-                mission.notice());
+                mission.notice(),
+                mission.hash());
     }
 
     private static List<DroneView.MessageView> messages(DroneState state) {

@@ -12,6 +12,7 @@ import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.jspecify.annotations.Nullable;
@@ -31,11 +32,14 @@ public class ControllerService implements MAVLinkController {
     private final SoapCaller caller;
     private final DroneService drones;
     private final CommandService commands;
+    private final ParameterService parameters;
 
-    public ControllerService(Authentication authentication, DroneService drones, CommandService commands) {
+    public ControllerService(
+            Authentication authentication, DroneService drones, CommandService commands, ParameterService parameters) {
         this.caller = new SoapCaller(authentication);
         this.drones = drones;
         this.commands = commands;
+        this.parameters = parameters;
     }
 
     @Override
@@ -140,6 +144,34 @@ public class ControllerService implements MAVLinkController {
     public SoapOutcome setRelay(String droneId, @Nullable Integer relay, @Nullable String setting)
             throws DronemapFault {
         return act(droneId, CommandRequest.setRelay(relay, setting));
+    }
+
+    @Override
+    public SoapOutcome setHome(
+            String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAmsl)
+            throws DronemapFault {
+        return act(droneId, CommandRequest.setHome(latitude, longitude, altitudeAmsl));
+    }
+
+    @Override
+    public SoapOutcome readParameters(String droneId) throws DronemapFault {
+        return act(droneId, CommandRequest.simple("readParameters"));
+    }
+
+    @Override
+    public List<SoapParameter> getParameters(String droneId, @Nullable String search) throws DronemapFault {
+        return answer(() -> {
+            caller.principal();
+            return parameters.parameters(droneId, search).parameters().stream()
+                    .map(SoapParameter::of)
+                    .toList();
+        });
+    }
+
+    @Override
+    public SoapOutcome setParameter(String droneId, @Nullable String name, @Nullable Double value)
+            throws DronemapFault {
+        return act(droneId, CommandRequest.setParameter(name, value));
     }
 
     @Override

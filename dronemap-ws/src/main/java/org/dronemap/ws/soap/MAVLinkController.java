@@ -105,6 +105,36 @@ public interface MAVLinkController {
             @WebParam(name = "setting") @Nullable String setting)
             throws DronemapFault;
 
+    /** The altitude is above sea level; without a place: where the vehicle is. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome setHome(
+            @WebParam(name = DRONE) String droneId,
+            @WebParam(name = "latitude") @Nullable Double latitude,
+            @WebParam(name = "longitude") @Nullable Double longitude,
+            @WebParam(name = "altitudeAmsl") @Nullable Double altitudeAmsl)
+            throws DronemapFault;
+
+    /** Asks the vehicle for all its parameters. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome readParameters(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** As last heard; those whose name has all the words of {@code search} in it, all without. */
+    @WebMethod
+    @WebResult(name = "parameter")
+    List<SoapParameter> getParameters(
+            @WebParam(name = DRONE) String droneId, @WebParam(name = "search") @Nullable String search)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome setParameter(
+            @WebParam(name = DRONE) String droneId,
+            @WebParam(name = "name") @Nullable String name,
+            @WebParam(name = "value") @Nullable Double value)
+            throws DronemapFault;
+
     @WebMethod
     @WebResult(name = OUTCOME)
     SoapOutcome getCommand(@WebParam(name = "commandId") String commandId) throws DronemapFault;

@@ -8,6 +8,7 @@ import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.soap.ControllerService;
 import org.dronemap.ws.soap.KnownServices;
 import org.dronemap.ws.soap.SoapEndpoint;
@@ -27,8 +28,12 @@ public class SoapConfiguration {
 
     @Bean(destroyMethod = "stop")
     EndpointImpl soapEndpoint(
-            Bus soapBus, Authentication authentication, DroneService drones, CommandService commands) {
-        return SoapEndpoint.publish(soapBus, new ControllerService(authentication, drones, commands));
+            Bus soapBus,
+            Authentication authentication,
+            DroneService drones,
+            CommandService commands,
+            ParameterService parameters) {
+        return SoapEndpoint.publish(soapBus, new ControllerService(authentication, drones, commands, parameters));
     }
 
     @Bean

@@ -13,7 +13,6 @@ public final class MissionClear implements Exchange {
     private final Target target;
     private final MissionKind kind;
     private final Patience patience = new Patience();
-    private Pace pace = new Pace(0, 0, 0);
     private int tries;
     private long lastSentNanos;
     private @Nullable Outcome outcome;
@@ -25,7 +24,6 @@ public final class MissionClear implements Exchange {
 
     @Override
     public void start(long nowNanos) {
-        pace = Pace.of(target.roundTrip(), 0);
         patience.begin(nowNanos);
         send(nowNanos);
     }
@@ -45,7 +43,7 @@ public final class MissionClear implements Exchange {
 
     @Override
     public void tick(long nowNanos) {
-        if (outcome == null && nowNanos - lastSentNanos >= Math.max(LEAST_PAUSE_NANOS, pace.pauseNanos(tries))) {
+        if (outcome == null && nowNanos - lastSentNanos >= pauseNanos()) {
             outcome = patience.end(nowNanos);
             if (outcome == null) {
                 send(nowNanos);
@@ -58,6 +56,11 @@ public final class MissionClear implements Exchange {
         patience.asked(nowNanos);
         tries++;
         lastSentNanos = nowNanos;
+    }
+
+    /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
+    private long pauseNanos() {
+        return Math.max(LEAST_PAUSE_NANOS, Pace.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override

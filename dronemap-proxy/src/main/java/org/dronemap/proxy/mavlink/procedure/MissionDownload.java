@@ -14,42 +14,74 @@ import org.dronemap.mavlink.message.MissionRequestList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the mission of a vehicle (or its fence, or rally points): list, count, each item in order, thanks; goes on where
- * it was after a break of the link. Vehicles without integer items are heard too.
+ * Reads the mission of a vehicle (or its fence, or rally points), whole or a part: list, count, each item in order,
+ * thanks; goes on where it was after a break of the link. Vehicles without integer items are heard too.
  */
 public final class MissionDownload implements Exchange {
     private static final long LEAST_PAUSE_NANOS = 500_000_000L;
     private static final int MOST_ITEMS = 2_000;
+    /** Who answered so many questions for an integer item with nothing may know floating-point ones only. */
+    private static final int TRIES_BEFORE_FLOATS = 5;
+
+    private static final int REFUSALS = 2;
 
     private final Target target;
     private final MissionKind kind;
-    private final boolean countOnly;
+    private final Part part;
+    private final Observer observer;
     private final Patience patience = new Patience();
     private final List<MissionItemInt> items = new ArrayList<>();
     private int count = -1;
-    private Pace pace = new Pace(0, 0, 0);
     private int tries;
+    private int refusals;
     private long lastSentNanos;
+    private long stamp = MissionStamp.NONE;
+    private boolean integersHeard;
+    private boolean floatsTaken;
     private @Nullable Outcome outcome;
 
-    private MissionDownload(Target target, MissionKind kind, boolean countOnly) {
+    /** At most so many items from that one on. */
+    private record Part(int first, int most) {}
+
+    private MissionDownload(Target target, MissionKind kind, Part part, Observer observer) {
         this.target = target;
         this.kind = kind;
-        this.countOnly = countOnly;
+        this.part = part;
+        this.observer = observer;
     }
 
     public static MissionDownload whole(Target target, MissionKind kind) {
-        return new MissionDownload(target, kind, false);
+        return whole(target, kind, Observer.NONE);
+    }
+
+    /** {@code observer} hears of every item. */
+    public static MissionDownload whole(Target target, MissionKind kind, Observer observer) {
+        return new MissionDownload(target, kind, new Part(0, MOST_ITEMS), observer);
     }
 
     /** Only asks how many items there are. */
     public static MissionDownload count(Target target, MissionKind kind) {
-        return new MissionDownload(target, kind, true);
+        return new MissionDownload(target, kind, new Part(0, 0), Observer.NONE);
+    }
+
+    /** How many items there are, and some of them. */
+    public static MissionDownload part(Target target, MissionKind kind, int first, int most) {
+        return new MissionDownload(target, kind, new Part(first, most), Observer.NONE);
     }
 
     /** What was read so far, home included where the autopilot keeps it as item 0. */
     public List<MissionItemInt> items() {
         return items;
+    }
+
+    /** Positions are as exact as the vehicle knows them: none came as a floating-point number. */
+    public boolean isExact() {
+        return !floatsTaken;
+    }
+
+    /** The number that the vehicle gave this mission; {@link MissionStamp#NONE} when it gave none. */
+    public long stamp() {
+        return stamp;
     }
 
     /** How many items the vehicle said it has; -1 before. */
@@ -59,7 +91,6 @@ public final class MissionDownload implements Exchange {
 
     @Override
     public void start(long nowNanos) {
-        pace = Pace.of(target.roundTrip(), 0);
         patience.begin(nowNanos);
         ask(nowNanos);
     }
@@ -71,9 +102,12 @@ public final class MissionDownload implements Exchange {
         }
         patience.heard(nowNanos);
         switch (frame.messageId()) {
-            case MissionCount.ID -> counted(MissionCount.decode(frame), nowNanos);
-            case MissionItemInt.ID -> took(MissionItemInt.decode(frame), nowNanos);
-            case MissionItem.ID -> took(exact(MissionItem.decode(frame)), nowNanos);
+            case MissionCount.ID -> counted(MissionCount.decode(frame), MissionStamp.of(frame), nowNanos);
+            case MissionItemInt.ID -> {
+                integersHeard = true;
+                took(MissionItemInt.decode(frame), nowNanos);
+            }
+            case MissionItem.ID -> floatsTaken |= took(exact(MissionItem.decode(frame)), nowNanos);
             case MissionAck.ID -> refused(MissionAck.decode(frame));
             default -> {}
         }
@@ -81,13 +115,18 @@ public final class MissionDownload implements Exchange {
 
     @Override
     public void tick(long nowNanos) {
-        if (outcome != null || nowNanos - lastSentNanos < Math.max(LEAST_PAUSE_NANOS, pace.pauseNanos(tries))) {
+        if (outcome != null || nowNanos - lastSentNanos < pauseNanos()) {
             return;
         }
         outcome = patience.end(nowNanos);
         if (outcome == null) {
             ask(nowNanos);
         }
+    }
+
+    /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
+    private long pauseNanos() {
+        return Math.max(LEAST_PAUSE_NANOS, Pace.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override
@@ -100,18 +139,22 @@ public final class MissionDownload implements Exchange {
         int component = target.componentId();
         if (count < 0) {
             target.send(new MissionRequestList(system, component, kind.number()));
-        } else if (tries % 3 == 2) {
-            // Old vehicles know only the request for an item with floating-point position.
-            target.send(new MissionRequest(system, component, items.size(), kind.number()));
+        } else if (!integersHeard && tries >= TRIES_BEFORE_FLOATS && tries % 2 == 1) {
+            // Old vehicles know only the request for an item with floating-point position, good to half a metre.
+            target.send(new MissionRequest(system, component, next(), kind.number()));
         } else {
-            target.send(new MissionRequestInt(system, component, items.size(), kind.number()));
+            target.send(new MissionRequestInt(system, component, next(), kind.number()));
         }
         patience.asked(nowNanos);
         tries++;
         lastSentNanos = nowNanos;
     }
 
-    private void counted(MissionCount message, long nowNanos) {
+    private int next() {
+        return part.first() + items.size();
+    }
+
+    private void counted(MissionCount message, long newStamp, long nowNanos) {
         if (count >= 0 || message.missionType() != kind.number() || !Target.isForUs(message.targetSystem())) {
             return;
         }
@@ -120,20 +163,23 @@ public final class MissionDownload implements Exchange {
             return;
         }
         count = message.count();
-        next(nowNanos);
+        stamp = newStamp;
+        goOn(nowNanos);
     }
 
-    private void took(MissionItemInt item, long nowNanos) {
-        if (count < 0 || item.missionType() != kind.number() || item.seq() != items.size()) {
-            return;
+    private boolean took(MissionItemInt item, long nowNanos) {
+        if (count < 0 || item.missionType() != kind.number() || item.seq() != next()) {
+            return false;
         }
         items.add(item);
-        next(nowNanos);
+        observer.progress(items.size(), count);
+        goOn(nowNanos);
+        return true;
     }
 
-    private void next(long nowNanos) {
+    private void goOn(long nowNanos) {
         patience.news(nowNanos);
-        if (countOnly || items.size() == count) {
+        if (items.size() == part.most() || next() >= count) {
             target.send(new MissionAck(target.systemId(), target.componentId(), 0, kind.number()));
             outcome = new Outcome.Succeeded();
         } else {
@@ -142,14 +188,21 @@ public final class MissionDownload implements Exchange {
         }
     }
 
-    /** A refusal in the middle means that somebody else has changed the mission: begin again. */
+    /**
+     * A refusal in the middle means that somebody else has changed the mission: begin again. The first one before that,
+     * and a word about order, may still be about items of an upload that came twice.
+     */
     private void refused(MissionAck ack) {
-        if (ack.missionType() == kind.number() && ack.type() != 0 && Target.isForUs(ack.targetSystem())) {
-            if (count < 0) {
+        boolean ours = ack.missionType() == kind.number() && Target.isForUs(ack.targetSystem());
+        if (ours && ack.type() != MissionResult.ACCEPTED && ack.type() != MissionResult.INVALID_SEQUENCE) {
+            refusals++;
+            if (count < 0 && refusals >= REFUSALS) {
                 outcome = new Outcome.Refused("vehicle", MissionResult.words(ack.type()));
-            } else {
+            } else if (count >= 0) {
                 count = -1;
+                refusals = 0;
                 items.clear();
+                floatsTaken = false;
             }
         }
     }

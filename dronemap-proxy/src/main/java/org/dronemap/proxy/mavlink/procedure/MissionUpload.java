@@ -4,16 +4,19 @@ import java.util.List;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes a mission (or fence, or rally points) to a vehicle, which asks for the items one by one. Items given are the wire's, numbered from 0. A
- * transfer that stalls is begun again; when only the last acknowledgement is missing, a read-back must tell.
+ * Writes a mission (or fence, or rally points) to a vehicle, whole or a part, which asks for the items one by one. Items
+ * given are the wire's, numbered from 0. A transfer that stalls is begun again; when only the last acknowledgement is
+ * missing, a read-back must tell.
  */
 public final class MissionUpload implements Exchange {
     private static final int ROUNDS = 3;
@@ -27,11 +30,14 @@ public final class MissionUpload implements Exchange {
     private final Target target;
     private final MissionKind kind;
     private final List<MissionItemInt> items;
+    private final Span span;
     private final Observer observer;
     private final Patience patience = new Patience();
-    private Pace pace = new Pace(0, 0, 0);
     private int asked = -1;
     private int highest = -1;
+    /** The vehicle has asked for the last item, so that all before it have arrived. */
+    private boolean lastAsked;
+
     private int tries;
     private int rounds = 1;
     private long lastSentNanos;
@@ -40,16 +46,34 @@ public final class MissionUpload implements Exchange {
     private @Nullable String reason;
     private @Nullable Outcome outcome;
 
-    public MissionUpload(Target target, MissionKind kind, List<MissionItemInt> items, Observer observer) {
+    /** The items from the first to the last; both count. */
+    public record Span(int first, int last) {
+        public int size() {
+            return last - first + 1;
+        }
+    }
+
+    private MissionUpload(Target target, MissionKind kind, List<MissionItemInt> items, Span span, Observer observer) {
         this.target = target;
         this.kind = kind;
         this.items = List.copyOf(items);
+        this.span = span;
         this.observer = observer;
+    }
+
+    /** All of it. */
+    public MissionUpload(Target target, MissionKind kind, List<MissionItemInt> items, Observer observer) {
+        this(target, kind, items, new Span(0, items.size() - 1), observer);
+    }
+
+    /** Only what lies within the span goes up; the vehicle keeps what it holds before and behind it. */
+    public static MissionUpload part(
+            Target target, MissionKind kind, List<MissionItemInt> items, Span span, Observer observer) {
+        return new MissionUpload(target, kind, items, span, observer);
     }
 
     @Override
     public void start(long nowNanos) {
-        pace = Pace.of(target.roundTrip(), 0);
         patience.begin(nowNanos);
         send(nowNanos);
     }
@@ -90,9 +114,14 @@ public final class MissionUpload implements Exchange {
             if (reason != null || nowNanos - refusedNanos >= REASON_NANOS) {
                 outcome = new Outcome.Refused("vehicle", reason != null ? reason : MissionResult.words(refusal));
             }
-        } else if (nowNanos - lastSentNanos >= Math.max(LEAST_PAUSE_NANOS, pace.pauseNanos(tries))) {
+        } else if (nowNanos - lastSentNanos >= pauseNanos()) {
             again(nowNanos);
         }
+    }
+
+    /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
+    private long pauseNanos() {
+        return Math.max(LEAST_PAUSE_NANOS, Pace.of(target.roundTrip(), 0).pauseNanos(tries));
     }
 
     @Override
@@ -101,7 +130,7 @@ public final class MissionUpload implements Exchange {
     }
 
     private void again(long nowNanos) {
-        if (allAsked() && tries >= TRIES_FOR_THE_LAST_WORD && patience.isAudible(nowNanos)) {
+        if (lastAsked && tries >= TRIES_FOR_THE_LAST_WORD && patience.isAudible(nowNanos)) {
             outcome = new Outcome.Succeeded();
             return;
         }
@@ -110,19 +139,20 @@ public final class MissionUpload implements Exchange {
             return;
         }
         if (tries >= TRIES_BEFORE_BEGINNING_AGAIN) {
-            asked = -1;
-            tries = 0;
+            beginAgain();
         }
         send(nowNanos);
     }
 
-    private boolean allAsked() {
-        return asked == items.size() - 1;
+    private void beginAgain() {
+        asked = -1;
+        lastAsked = false;
+        tries = 0;
     }
 
     private void send(long nowNanos) {
         if (asked < 0) {
-            target.send(new MissionCount(target.systemId(), target.componentId(), items.size(), kind.number()));
+            target.send(announcement());
         } else {
             target.send(items.get(asked));
         }
@@ -131,8 +161,22 @@ public final class MissionUpload implements Exchange {
         lastSentNanos = nowNanos;
     }
 
+    private Message announcement() {
+        int system = target.systemId();
+        int component = target.componentId();
+        return span.size() < items.size()
+                ? new MissionWritePartialList(system, component, span.first(), span.last(), kind.number())
+                : new MissionCount(system, component, items.size(), kind.number());
+    }
+
     private void requested(int seq, int missionType, int targetSystem, long nowNanos) {
-        if (missionType != kind.number() || seq >= items.size() || !Target.isForUs(targetSystem)) {
+        boolean offered = seq >= span.first() && seq <= span.last();
+        if (missionType != kind.number() || !offered || !Target.isForUs(targetSystem)) {
+            return;
+        }
+        patience.answered();
+        if (seq < asked && seq != span.first()) {
+            // Vehicles ask in order: this question was overtaken by a later one, which counts.
             return;
         }
         if (seq != asked) {
@@ -140,9 +184,10 @@ public final class MissionUpload implements Exchange {
             patience.news(nowNanos);
         }
         asked = seq;
+        lastAsked = seq == span.last();
         if (seq > highest) {
             highest = seq;
-            observer.progress(seq, items.size());
+            observer.progress(seq - span.first(), span.size());
         }
         send(nowNanos);
     }
@@ -152,11 +197,11 @@ public final class MissionUpload implements Exchange {
             return;
         }
         if (ack.type() == MissionResult.ACCEPTED) {
-            if (allAsked()) {
-                observer.progress(items.size(), items.size());
+            if (lastAsked) {
+                observer.progress(span.size(), span.size());
                 outcome = new Outcome.Succeeded();
             }
-        } else if (allAsked() && tries > 1) {
+        } else if (lastAsked && tries > 1) {
             // The last word was lost and the vehicle wonders about the repetition: reading back must tell.
             outcome = new Outcome.Succeeded();
         } else if (ack.type() == MissionResult.INVALID_SEQUENCE) {
@@ -164,8 +209,7 @@ public final class MissionUpload implements Exchange {
             lastSentNanos = nowNanos;
         } else if (MissionResult.isPassing(ack.type()) && rounds < ROUNDS) {
             // The tick begins again after a pause, so that two sides never chase each other.
-            asked = -1;
-            tries = 0;
+            beginAgain();
             rounds++;
             lastSentNanos = nowNanos;
         } else {

@@ -40,7 +40,6 @@ public final class ParameterWriting implements Exchange {
     private final Map<String, Parameter> held = new HashMap<>();
     private final List<String> wrong = new ArrayList<>();
     private final Function<String, @Nullable Parameter> known;
-    private Pace pace = new Pace(0, 0, 0);
     private Phase phase = Phase.LEARN;
     private AskWindow<String> open;
     private int round = 1;
@@ -62,12 +61,11 @@ public final class ParameterWriting implements Exchange {
         this.known = known;
         this.observer = observer;
         values.forEach(value -> wanted.put(value.name(), value));
-        this.open = new AskWindow<>(0, pace, name -> {});
+        this.open = new AskWindow<>(0, new Pace(0, 0, 0), name -> {});
     }
 
     @Override
     public void start(long nowNanos) {
-        pace = Pace.of(target.roundTrip(), 0);
         patience.begin(nowNanos);
         List<String> unknown = new ArrayList<>();
         for (String name : wanted.keySet()) {
@@ -85,7 +83,7 @@ public final class ParameterWriting implements Exchange {
     private void enter(Phase next, List<String> names, java.util.function.Consumer<String> ask, long nowNanos) {
         phase = next;
         phaseNanos = nowNanos;
-        open = new AskWindow<>(IN_FLIGHT, pace, ask);
+        open = new AskWindow<>(IN_FLIGHT, Pace.of(target.roundTrip(), 0), ask);
         open.add(names);
     }
 

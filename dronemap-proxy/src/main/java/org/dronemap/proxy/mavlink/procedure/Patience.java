@@ -34,6 +34,11 @@ final class Patience {
         tries = 0;
     }
 
+    /** The vehicle has said something to the matter, though nothing new. */
+    void answered() {
+        tries = 0;
+    }
+
     /** Was asked (again); what nobody can hear is no try. */
     void asked(long nowNanos) {
         if (isAudible(nowNanos)) {

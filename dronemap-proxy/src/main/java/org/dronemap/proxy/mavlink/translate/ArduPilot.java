@@ -98,7 +98,9 @@ final class ArduPilot implements Autopilot {
                 Capability.SET_PARAMETERS,
                 Capability.READ_LOGS,
                 Capability.FENCE,
-                Capability.RALLY_POINTS);
+                Capability.RALLY_POINTS,
+                Capability.SET_HOME,
+                Capability.READ_HOME);
         if (table.has(AUTO)) {
             can.addAll(EnumSet.of(
                     Capability.UPLOAD_MISSION,
@@ -190,7 +192,7 @@ final class ArduPilot implements Autopilot {
             return upload(cockpit, upload.mission().items());
         }
         if (command instanceof Command.ClearMission) {
-            return Maneuvers.clear(cockpit, HOME_ITEMS);
+            return new MissionPlans(cockpit, HOME_ITEMS).clear();
         }
         if (command instanceof Command.StartMission start) {
             return start(cockpit, start.onCloudLoss());
@@ -278,11 +280,9 @@ final class ArduPilot implements Autopilot {
                 Sequence.Step.when(
                         () -> cockpit.status().armed() && cockpit.status().inMode(AUTO),
                         () -> hold(cockpit, Observer.NONE)),
-                Sequence.Step.of(() -> Maneuvers.upload(
-                        cockpit,
-                        mission,
-                        () -> MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM),
-                        HOME_ITEMS))));
+                Sequence.Step.of(() -> new MissionPlans(cockpit, HOME_ITEMS)
+                        .uploadInParts(
+                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM)))));
     }
 
     private Exchange start(Cockpit cockpit, CloudLoss onCloudLoss) {

@@ -1,9 +1,8 @@
 package org.dronemap.proxy.mavlink.translate;
 
-import java.util.List;
 import java.util.function.Consumer;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.Observer;
 import org.dronemap.proxy.mavlink.procedure.Target;
 
@@ -21,5 +20,5 @@ public record Cockpit(
         Target target,
         Observer observer,
         Consumer<DroneEvent> news,
-        Consumer<List<MissionItemInt>> missionRead,
+        Consumer<MissionDownload> missionRead,
         Consumer<String> warning) {}

@@ -14,7 +14,7 @@ import org.dronemap.proxy.mavlink.procedure.ParameterWriting;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 import org.jspecify.annotations.Nullable;
 
-/** What every autopilot does in the same way: pictures, parameters, logs, fences and rally points. */
+/** What every autopilot does in the same way: pictures, home, parameters, logs, fences and rally points. */
 final class CommonPlans {
     private CommonPlans() {}
 
@@ -28,6 +28,12 @@ final class CommonPlans {
         }
         if (command instanceof Command.SetParameters set) {
             return set(cockpit, set.values());
+        }
+        if (command instanceof Command.SetHome home) {
+            return HomePlans.set(cockpit, home);
+        }
+        if (command instanceof Command.ReadHome) {
+            return HomePlans.read(cockpit);
         }
         if (command instanceof Command.ReadLogs) {
             return logs(cockpit);

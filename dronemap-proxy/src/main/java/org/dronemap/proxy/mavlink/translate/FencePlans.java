@@ -14,6 +14,7 @@ import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
+import org.dronemap.proxy.mavlink.procedure.Stage;
 import org.jspecify.annotations.Nullable;
 
 /** Fences and rally points: written like missions, read back and compared. */
@@ -53,7 +54,7 @@ final class FencePlans {
     }
 
     private static Exchange read(Cockpit cockpit, MissionKind kind, Consumer<List<MissionItemInt>> found) {
-        MissionDownload download = MissionDownload.whole(cockpit.target(), kind);
+        MissionDownload download = MissionDownload.whole(cockpit.target(), kind, cockpit.observer());
         return new Sequence(List.of(
                 Sequence.Step.of(() -> download),
                 Sequence.Step.of(() -> new Conclusion(() -> {
@@ -64,11 +65,13 @@ final class FencePlans {
 
     private static Exchange write(
             Cockpit cockpit, MissionKind kind, List<MissionItemInt> items, Consumer<List<MissionItemInt>> found) {
-        MissionDownload readBack = MissionDownload.whole(cockpit.target(), kind);
+        int steps = 2 * items.size();
+        MissionDownload readBack =
+                MissionDownload.whole(cockpit.target(), kind, new Stage(cockpit.observer(), items.size(), steps));
         return new Sequence(List.of(
                 Sequence.Step.of(() -> items.isEmpty()
                         ? new MissionClear(cockpit.target(), kind)
-                        : new MissionUpload(cockpit.target(), kind, items, cockpit.observer())),
+                        : new MissionUpload(cockpit.target(), kind, items, new Stage(cockpit.observer(), 0, steps))),
                 Sequence.Step.of(() -> readBack),
                 Sequence.Step.of(() -> new Conclusion(() -> {
                     found.accept(readBack.items());

@@ -1,25 +1,15 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.time.Duration;
-import java.util.List;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.FlightPhase;
-import org.dronemap.core.mission.Counted;
-import org.dronemap.core.mission.MissionComparison;
-import org.dronemap.core.mission.MissionItem;
-import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.Alternative;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.CommandRequest;
 import org.dronemap.proxy.mavlink.procedure.Conclusion;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
-import org.dronemap.proxy.mavlink.procedure.MissionClear;
-import org.dronemap.proxy.mavlink.procedure.MissionDownload;
-import org.dronemap.proxy.mavlink.procedure.MissionKind;
-import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.Observer;
 import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
@@ -115,47 +105,6 @@ final class Maneuvers {
                 },
                 TO_CLIMB,
                 "The vehicle accepted the take-off, but did not climb within 25 s.");
-    }
-
-    /** Uploads, reads back, compares; once more when something else was found. */
-    static Exchange upload(
-            Cockpit cockpit, List<MissionItem> mission, Supplier<List<MissionItemInt>> wire, int itemsBefore) {
-        Supplier<Exchange> once = () -> {
-            MissionDownload readBack = MissionDownload.whole(cockpit.target(), MissionKind.MISSION);
-            return new Sequence(List.of(
-                    Sequence.Step.of(() ->
-                            new MissionUpload(cockpit.target(), MissionKind.MISSION, wire.get(), cockpit.observer())),
-                    Sequence.Step.of(() -> readBack),
-                    Sequence.Step.of(() -> new Conclusion(() -> compare(cockpit, mission, readBack, itemsBefore)))));
-        };
-        return new Alternative(once.get(), Outcome.Failed.class::isInstance, once);
-    }
-
-    private static Outcome compare(
-            Cockpit cockpit, List<MissionItem> mission, MissionDownload readBack, int itemsBefore) {
-        List<MissionItem> found = MissionCodec.fromWire(readBack.items(), itemsBefore);
-        return MissionComparison.difference(mission, found)
-                .<Outcome>map(difference ->
-                        new Outcome.Failed("The vehicle holds another mission than the one sent: " + difference + "."))
-                .orElseGet(() -> {
-                    cockpit.missionRead().accept(readBack.items());
-                    return new Outcome.Succeeded();
-                });
-    }
-
-    static Exchange clear(Cockpit cockpit, int itemsBefore) {
-        MissionDownload readBack = MissionDownload.whole(cockpit.target(), MissionKind.MISSION);
-        return new Sequence(List.of(
-                Sequence.Step.of(() -> new MissionClear(cockpit.target(), MissionKind.MISSION)),
-                Sequence.Step.of(() -> readBack),
-                Sequence.Step.of(() -> new Conclusion(() -> {
-                    if (readBack.count() > itemsBefore) {
-                        return new Outcome.Failed("The vehicle still has "
-                                + Counted.of(readBack.count() - itemsBefore, "mission item") + ".");
-                    }
-                    cockpit.missionRead().accept(readBack.items());
-                    return new Outcome.Succeeded();
-                }))));
     }
 
     /** Sets a parameter if the vehicle has it; goes on with a warning if not. */

@@ -153,14 +153,13 @@ final class Px4 implements Autopilot {
     private Exchange planMission(Command command, Cockpit cockpit) {
         if (command instanceof Command.UploadMission upload) {
             List<MissionItem> mission = upload.mission().items();
-            return Maneuvers.upload(
-                    cockpit,
-                    mission,
-                    () -> MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form(cockpit.status())),
-                    0);
+            return new MissionPlans(cockpit, 0)
+                    .upload(
+                            mission,
+                            MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form(cockpit.status())));
         }
         if (command instanceof Command.ClearMission) {
-            return Maneuvers.clear(cockpit, 0);
+            return new MissionPlans(cockpit, 0).clear();
         }
         if (command instanceof Command.StartMission start) {
             return start(cockpit, start.onCloudLoss());

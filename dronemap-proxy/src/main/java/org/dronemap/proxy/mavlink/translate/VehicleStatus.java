@@ -1,8 +1,10 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.List;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItemInt;
 import org.jspecify.annotations.Nullable;
 
 /** What one vehicle last said, as far as commands depend on it. Owned by the drone's lane. */
@@ -22,7 +24,7 @@ public final class VehicleStatus {
     private int homeLongitudeE7;
     private int currentSeq = -1;
     private int lastSeqReached = -1;
-    private int missionItems = -1;
+    private @Nullable List<MissionItemInt> mission;
     /** Begins anywhere, so that a camera never takes a new picture for the repetition of an old one. */
     private int pictures = (int) (System.nanoTime() / 1_000_000_000L % 1_000_000);
 
@@ -95,12 +97,14 @@ public final class VehicleStatus {
 
     /** It has reached its last mission item, so that starting means starting over. */
     public boolean missionFinished() {
-        return missionItems > 0 && lastSeqReached >= missionItems - 1;
+        List<MissionItemInt> items = mission;
+        return items != null && !items.isEmpty() && lastSeqReached >= items.size() - 1;
     }
 
     /** True only when it was read and found empty. */
     boolean hasNoMission() {
-        return missionItems == 0;
+        List<MissionItemInt> items = mission;
+        return items != null && items.isEmpty();
     }
 
     public int currentSeq() {
@@ -142,11 +146,17 @@ public final class VehicleStatus {
         lastSeqReached = seq;
     }
 
+    /** Its mission as last read, as on the wire, home included; null before. */
+    public @Nullable List<MissionItemInt> mission() {
+        return mission;
+    }
+
     /** The mission was read: items as on the wire, home included. */
-    public void missionRead(int wireItems) {
-        if (wireItems != missionItems) {
+    public void missionRead(List<MissionItemInt> wireItems) {
+        List<MissionItemInt> before = mission;
+        if (before == null || wireItems.size() != before.size()) {
             lastSeqReached = -1;
         }
-        missionItems = wireItems;
+        mission = List.copyOf(wireItems);
     }
 }

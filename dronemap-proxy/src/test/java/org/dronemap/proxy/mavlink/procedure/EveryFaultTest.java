@@ -14,6 +14,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.DynamicTest;
@@ -34,6 +35,8 @@ class EveryFaultTest {
                         EveryFaultTest::repeatableCommand,
                         EveryFaultTest::onceOnlyCommand,
                         EveryFaultTest::upload,
+                        EveryFaultTest::partialUpload,
+                        EveryFaultTest::homeReading,
                         EveryFaultTest::download,
                         EveryFaultTest::clear,
                         EveryFaultTest::listing,
@@ -111,6 +114,42 @@ class EveryFaultTest {
                     assertThat(outcome).isEqualTo(DONE);
                     assertThat(vehicle.held).isEqualTo(items());
                 });
+    }
+
+    private static Conversation partialUpload() {
+        MissionVehicle vehicle = new MissionVehicle();
+        vehicle.held = new ArrayList<>(otherItems());
+        return new Conversation(
+                "partial mission upload",
+                wire -> {
+                    wire.peer(vehicle::take);
+                    return MissionUpload.part(
+                            wire.target(), MissionKind.MISSION, items(), new MissionUpload.Span(1, 2), Observer.NONE);
+                },
+                (wire, outcome) -> {
+                    assertThat(outcome).isEqualTo(DONE);
+                    List<MissionItemInt> spliced = new ArrayList<>(otherItems());
+                    spliced.set(1, items().get(1));
+                    spliced.set(2, items().get(2));
+                    assertThat(vehicle.held).isEqualTo(spliced);
+                });
+    }
+
+    private static List<MissionItemInt> otherItems() {
+        return IntStream.range(0, 5)
+                .mapToObj(seq -> new MissionItemInt(1, 1, seq, 3, 16, 0, 1, 0f, 0f, 0f, 0f, 90 + seq, 20, 30f, 0))
+                .toList();
+    }
+
+    private static Conversation homeReading() {
+        return new Conversation(
+                "home reading",
+                wire -> {
+                    wire.peer((w, message) ->
+                            w.answer(new HomePosition(10, 20, 30_000, 0f, 0f, 0f, new float[4], 0f, 0f, 0f, 0L)));
+                    return new HomeReading(wire.target(), home -> home.latitude() == 10, home -> "elsewhere");
+                },
+                (wire, outcome) -> assertThat(outcome).isEqualTo(DONE));
     }
 
     private static Conversation download() {

@@ -6,15 +6,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
+import org.dronemap.mavlink.message.MissionWritePartialList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -207,5 +211,113 @@ class MissionTransferTest {
         assertThat(both.outcome()).isEqualTo(DONE);
         assertThat(vehicle.held).containsExactlyElementsOf(items());
         assertThat(readBack.items()).containsExactlyElementsOf(items());
+    }
+
+    @Test
+    void sendsOnlyThePartThatItIsToldTo() {
+        MissionVehicle vehicle = new MissionVehicle();
+        vehicle.held = new ArrayList<>(items());
+        wire.peer(vehicle::take);
+
+        assertThat(wire.runWhole(MissionUpload.part(
+                        wire.target(), MissionKind.MISSION, items(), new MissionUpload.Span(2, 3), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(wire.sent(MissionWritePartialList.class))
+                .containsExactly(new MissionWritePartialList(1, 1, 2, 3, 0));
+        assertThat(wire.sent(MissionItemInt.class)).containsExactly(items().get(2), items().get(3));
+        assertThat(wire.sent(MissionCount.class)).isEmpty();
+    }
+
+    @Test
+    void readsAPartAndHowManyThereAre() {
+        MissionVehicle vehicle = new MissionVehicle();
+        vehicle.held = new ArrayList<>(items());
+        wire.peer(vehicle::take);
+        MissionDownload middle = MissionDownload.part(wire.target(), MissionKind.MISSION, 3, 2);
+        MissionDownload end = MissionDownload.part(wire.target(), MissionKind.MISSION, 5, 20);
+
+        assertThat(wire.runWhole(middle)).isEqualTo(DONE);
+        assertThat(wire.runWhole(end)).isEqualTo(DONE);
+        assertThat(middle.items()).containsExactly(items().get(3), items().get(4));
+        assertThat(middle.count()).isEqualTo(ITEMS);
+        assertThat(end.items()).containsExactly(items().get(5));
+    }
+
+    @Test
+    void asksForFloatingPointItemsOnlyWhoNeverGivesIntegers() {
+        items().forEach(item -> held.put(item.seq(), item));
+        AtomicInteger lostAnswers = new AtomicInteger();
+        wire.chatter(true);
+        wire.peer((w, message) -> {
+            // The answer about the fourth item is lost seven times.
+            if (message instanceof MissionRequestInt request
+                    && request.seq() == 3
+                    && lostAnswers.incrementAndGet() < 8) {
+                return;
+            }
+            vehicle(w, message);
+        });
+        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+
+        assertThat(wire.runWhole(download)).isEqualTo(DONE);
+        assertThat(download.isExact()).isTrue();
+        assertThat(wire.sent(MissionRequest.class)).isEmpty();
+    }
+
+    @Test
+    void readsFromOldVehiclesThatKnowFloatingPointItemsOnly() {
+        wire.peer((w, message) -> {
+            if (message instanceof MissionRequestList) {
+                w.answer(new MissionCount(255, 190, 1, 0));
+            } else if (message instanceof MissionRequest) {
+                w.answer(new MissionItem(255, 190, 0, 3, 16, 0, 1, 0f, 0f, 0f, 0f, 47.5f, 8.25f, 30f, 0));
+            }
+        });
+        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+
+        assertThat(wire.runWhole(download)).isEqualTo(DONE);
+        assertThat(download.isExact()).isFalse();
+        assertThat(download.items()).extracting(MissionItemInt::x).containsExactly(475_000_000);
+    }
+
+    @Test
+    void overlooksAQuestionThatALaterOneHasOvertaken() {
+        wire.peer((w, message) -> {
+            if (message instanceof MissionItemInt item && item.seq() == ITEMS - 1) {
+                w.answer(new MissionRequestInt(255, 190, ITEMS - 2, 0));
+            }
+            vehicle(w, message);
+        });
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(wire.sent(MissionItemInt.class)).hasSize(ITEMS);
+    }
+
+    @Test
+    void overlooksWhatIsSaidOfItemsThatCameTwiceWhenItBeginsToReadBack() {
+        items().forEach(item -> held.put(item.seq(), item));
+        wire.peer(this::vehicle);
+        wire.answer(new MissionAck(255, 190, 13, 0));
+        wire.answer(new MissionAck(255, 190, 1, 0));
+        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+
+        assertThat(wire.runWhole(download)).isEqualTo(DONE);
+        assertThat(download.items()).hasSize(ITEMS);
+    }
+
+    @Test
+    void waitsAsLongAsTheLinkHasComeToNeed() {
+        wire.target().roundTrip().measured(10_000_000L);
+        wire.chatter(true);
+        MissionUpload upload = new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE);
+        upload.start(wire.now());
+        for (int measure = 0; measure < 20; measure++) {
+            wire.target().roundTrip().measured(2_500_000_000L);
+        }
+        wire.run(upload, 9);
+
+        assertThat(upload.outcome()).isNull();
+        assertThat(wire.sent()).hasSizeLessThan(5);
     }
 }

@@ -11,16 +11,25 @@ import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
+import org.dronemap.mavlink.message.MissionWritePartialList;
 
-/** A vehicle's side of the mission protocol that keeps its old mission until the new one is whole. */
-final class MissionVehicle {
-    List<MissionItemInt> held = new ArrayList<>();
+/** A vehicle's side of the mission protocol that keeps its old mission until the new one is whole; parts go in place. */
+public final class MissionVehicle {
+    public List<MissionItemInt> held = new ArrayList<>();
+    /** Answers to a part that it does not take. */
+    public boolean refusesParts;
+
+    private int partFrom = -1;
+    private int partTo = -1;
     private final Map<Integer, MissionItemInt> arriving = new TreeMap<>();
     private int expected = -1;
 
-    void take(Wire wire, Message message) {
-        if (message instanceof MissionCount count) {
+    public void take(Wire wire, Message message) {
+        if (message instanceof MissionWritePartialList part) {
+            takePart(wire, part);
+        } else if (message instanceof MissionCount count) {
             expected = count.count();
+            partFrom = -1;
             arriving.clear();
             wire.answer(new MissionRequestInt(255, 190, 0, count.missionType()));
         } else if (message instanceof MissionItemInt item) {
@@ -35,7 +44,28 @@ final class MissionVehicle {
         }
     }
 
+    private void takePart(Wire wire, MissionWritePartialList part) {
+        if (refusesParts) {
+            wire.answer(new MissionAck(255, 190, 3, part.missionType()));
+            return;
+        }
+        partFrom = part.startIndex();
+        partTo = part.endIndex();
+        wire.answer(new MissionRequestInt(255, 190, partFrom, part.missionType()));
+    }
+
     private void takeItem(Wire wire, MissionItemInt item) {
+        if (partFrom >= 0 && partFrom <= partTo) {
+            if (item.seq() == partFrom) {
+                held.set(item.seq(), item);
+                partFrom++;
+            }
+            wire.answer(
+                    partFrom > partTo
+                            ? new MissionAck(255, 190, 0, item.missionType())
+                            : new MissionRequestInt(255, 190, partFrom, item.missionType()));
+            return;
+        }
         if (expected < 0) {
             return;
         }

@@ -39,6 +39,9 @@ public final class Wire {
     private int faultAt;
     private int crossed;
     private double loss;
+    private double doubling;
+    private long leastDelayNanos;
+    private long mostDelayNanos;
     private Random random = new Random(1);
     private boolean cut;
     private boolean chatter;
@@ -59,9 +62,16 @@ public final class Wire {
         faultAt = number;
     }
 
-    void lossy(double share, Random source) {
+    public void lossy(double share, Random source) {
         loss = share;
         random = source;
+    }
+
+    /** Everything takes a random time between these, so that messages overtake each other, and some come twice. */
+    public void slow(double leastSeconds, double mostSeconds, double shareDoubled) {
+        leastDelayNanos = (long) (leastSeconds * 1e9);
+        mostDelayNanos = (long) (mostSeconds * 1e9);
+        doubling = shareDoubled;
     }
 
     /** Nothing crosses any more, until the wire is mended. */
@@ -70,7 +80,7 @@ public final class Wire {
     }
 
     /** The vehicle is heard all the time, whatever it answers. */
-    void chatter(boolean on) {
+    public void chatter(boolean on) {
         chatter = on;
     }
 
@@ -86,7 +96,10 @@ public final class Wire {
         }
         Fault what = fault;
         if (!struck || what == null) {
-            arrival.run();
+            travel(arrival);
+            if (doubling > 0 && random.nextDouble() < doubling) {
+                travel(arrival);
+            }
             return;
         }
         switch (what) {
@@ -97,6 +110,14 @@ public final class Wire {
                 arrival.run();
                 delayed.add(new Delayed(nowNanos + AGAIN_NANOS, arrival));
             }
+        }
+    }
+
+    private void travel(Runnable arrival) {
+        if (mostDelayNanos == 0) {
+            arrival.run();
+        } else {
+            delayed.add(new Delayed(nowNanos + random.nextLong(leastDelayNanos, mostDelayNanos), arrival));
         }
     }
 

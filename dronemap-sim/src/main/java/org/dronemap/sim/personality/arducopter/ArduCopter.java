@@ -13,6 +13,7 @@ import org.dronemap.sim.flight.Severity;
 import org.dronemap.sim.personality.Autopilot;
 import org.dronemap.sim.personality.MissionStyle;
 import org.dronemap.sim.personality.Order;
+import org.dronemap.sim.personality.Payload;
 import org.dronemap.sim.personality.Result;
 
 /** An ArduCopter: checks before arming, modes, fail-safes. Orders are taken apart by {@link CopterOrders}. */
@@ -25,6 +26,7 @@ public final class ArduCopter implements Autopilot {
     private final Craft craft;
     private final Parameters parameters;
     private final FlightPlan plan = new FlightPlan();
+    private final Payload payload = new Payload();
     private final Consumer<FlightEvent> events;
     private final CopterFlight flight;
     private final CopterOrders orders;
@@ -178,6 +180,10 @@ public final class ArduCopter implements Autopilot {
         events.accept(new FlightEvent.Text(severity, text));
     }
 
+    long nowMillis() {
+        return now;
+    }
+
     CopterFlight flight() {
         return flight;
     }
@@ -253,6 +259,16 @@ public final class ArduCopter implements Autopilot {
     @Override
     public FlightPlan plan() {
         return plan;
+    }
+
+    @Override
+    public Payload payload() {
+        return payload;
+    }
+
+    @Override
+    public long missionStamp() {
+        return 0;
     }
 
     @Override

@@ -8,6 +8,7 @@ import org.dronemap.sim.flight.Cruise;
 import org.dronemap.sim.flight.Drive;
 import org.dronemap.sim.flight.GoTo;
 import org.dronemap.sim.flight.Severity;
+import org.dronemap.sim.flight.TurnOnSpot;
 import org.dronemap.sim.personality.Cmd;
 import org.dronemap.sim.personality.Order;
 import org.dronemap.sim.personality.Result;
@@ -22,6 +23,7 @@ final class CopterOrders {
     private static final int IGNORE_VELOCITY = 7 << 3;
     private static final int IGNORE_YAW = 1 << 10;
     private static final float FORCE_ARM = 2989;
+    private static final double QUICKEST_TURN = 60;
 
     private final ArduCopter copter;
     private final CopterFlight flight;
@@ -50,6 +52,9 @@ final class CopterOrders {
             case Cmd.MISSION_START -> startMission(order);
             case Cmd.SET_MISSION_CURRENT -> Result.acceptedIf(copter.setCurrentItem((int) order.param1()));
             case Cmd.SET_HOME -> setHome(order);
+            case Cmd.IMAGE_START_CAPTURE -> picture(order.param3() == 1);
+            case Cmd.DIGICAM_CONTROL -> picture(order.shoots());
+            case Cmd.SET_RELAY -> copter.payload().setRelay((int) order.param1(), (int) order.param2());
             case Cmd.RUN_PREARM_CHECKS -> runChecks();
             default -> Result.UNSUPPORTED;
         };
@@ -108,10 +113,26 @@ final class CopterOrders {
         if (craft.landed() || flight.mode() != CopterMode.GUIDED) {
             return Result.acceptedIf(craft.landed() || flight.mode() == CopterMode.AUTO);
         }
-        double from = order.param4() != 0 ? craft.body().yaw() : 0;
-        double sign = order.param4() != 0 && order.param3() < 0 ? -1 : 1;
-        double yaw = from + sign * Math.toRadians(order.param1());
-        flight.follow(new GoTo(craft.body().stoppingPoint(), flight.cruise(), yaw));
+        double angle = Math.toRadians(order.param1());
+        flight.follow(
+                order.param4() == 0
+                        ? new GoTo(craft.body().stoppingPoint(), flight.cruise(), angle)
+                        : new TurnOnSpot(
+                                craft, flight.cruise(), order.param3() < 0 ? -angle : angle, rate(order.param2())));
+        return Result.ACCEPTED;
+    }
+
+    /** Radians a second; 0 asks for as quick as it may. */
+    private static double rate(double degreesPerSecond) {
+        return Math.toRadians(degreesPerSecond > 0 ? Math.min(degreesPerSecond, QUICKEST_TURN) : QUICKEST_TURN);
+    }
+
+    private Result picture(boolean single) {
+        if (!single) {
+            return Result.FAILED;
+        }
+        copter.payload().takePicture();
+        out.accept(copter.payload().feedback(craft, copter.nowMillis() * 1000));
         return Result.ACCEPTED;
     }
 
@@ -160,7 +181,10 @@ final class CopterOrders {
         } else if (!order.isOnEarth()) {
             return Result.DENIED;
         } else {
-            craft.setHome(new LocalFrame(order.latitude(), order.longitude(), order.altitude()));
+            // A COMMAND_LONG has no frame: ArduPilot takes a home's altitude as AMSL.
+            boolean amsl = order.isAmsl() || !order.withFrame();
+            double altitude = amsl ? order.altitude() : craft.home().altitudeAmsl() + order.altitude();
+            craft.setHome(new LocalFrame(order.latitude(), order.longitude(), altitude));
         }
         sendHome();
         return Result.ACCEPTED;

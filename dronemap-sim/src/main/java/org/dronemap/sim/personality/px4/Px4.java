@@ -22,6 +22,7 @@ import org.dronemap.sim.flight.Severity;
 import org.dronemap.sim.personality.Autopilot;
 import org.dronemap.sim.personality.MissionStyle;
 import org.dronemap.sim.personality.Order;
+import org.dronemap.sim.personality.Payload;
 import org.dronemap.sim.personality.Result;
 
 /** A PX4 multicopter: what it accepts by which order, and when it acts by itself. */
@@ -32,6 +33,7 @@ public final class Px4 implements Autopilot {
     private final Craft craft;
     private final Parameters parameters;
     private final FlightPlan plan = new FlightPlan();
+    private final Payload payload = new Payload();
     private final Consumer<FlightEvent> events;
     private final Runnable modeAnnouncer;
     private final Px4Flight flight;
@@ -39,6 +41,7 @@ public final class Px4 implements Autopilot {
     private final Px4Failsafes failsafes;
     private long now;
     private long flightlessSince;
+    private long missionStamp = 1;
 
     /** {@code modeAnnouncer} is called when the mode has changed: the heartbeat does not wait for its second */
     public Px4(Craft craft, int systemId, Consumer<FlightEvent> events, Consumer<Message> out, Runnable modeAnnouncer) {
@@ -155,6 +158,10 @@ public final class Px4 implements Autopilot {
         events.accept(new FlightEvent.Text(severity, text));
     }
 
+    long nowMillis() {
+        return now;
+    }
+
     Px4Flight flight() {
         return flight;
     }
@@ -233,6 +240,16 @@ public final class Px4 implements Autopilot {
     }
 
     @Override
+    public Payload payload() {
+        return payload;
+    }
+
+    @Override
+    public long missionStamp() {
+        return missionStamp;
+    }
+
+    @Override
     public Parameters parameters() {
         return parameters;
     }
@@ -294,6 +311,7 @@ public final class Px4 implements Autopilot {
 
     @Override
     public void missionChanged() {
+        missionStamp = (missionStamp * 1_103_515_245L + 12_345) & 0xFFFF_FFFFL;
         flight.missionChanged();
         if (plan.size() == 0 && inMissionMode() && !craft.landed()) {
             change(Px4Mode.HOLD);

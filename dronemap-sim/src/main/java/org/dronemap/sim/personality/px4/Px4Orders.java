@@ -8,6 +8,7 @@ import org.dronemap.sim.personality.Cmd;
 import org.dronemap.sim.personality.Order;
 import org.dronemap.sim.personality.Result;
 import org.dronemap.sim.personality.Telemetry;
+import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
 
 /** How PX4 answers MAV_CMDs: take-off and go-to by modes of their own, altitudes AMSL. */
@@ -38,6 +39,7 @@ final class Px4Orders {
             case Cmd.MISSION_START -> startMission(order);
             case Cmd.SET_MISSION_CURRENT -> Result.acceptedIf(px4.setCurrentItem((int) order.param1()));
             case Cmd.SET_HOME -> setHome(order);
+            case Cmd.DIGICAM_CONTROL -> picture(order.shoots());
             case Cmd.RUN_PREARM_CHECKS -> Result.ACCEPTED;
             default -> Result.UNSUPPORTED;
         };
@@ -111,12 +113,28 @@ final class Px4Orders {
         return px4.arm(false);
     }
 
+    /** Altitudes are AMSL whatever frame is named. */
     private Result setHome(Order order) {
-        if (order.param1() != 1 || !craft.navigation().hasEstimate()) {
+        if (order.param1() > 0.5) {
+            if (!craft.navigation().hasEstimate()) {
+                return Result.TEMPORARILY_REJECTED;
+            }
+            craft.setHomeHere();
+        } else if (order.isOnEarth() && Float.isFinite(order.altitude())) {
+            craft.setHome(new LocalFrame(order.latitude(), order.longitude(), order.altitude()));
+        } else {
             return Result.DENIED;
         }
-        craft.setHomeHere();
         sendHome();
+        return Result.ACCEPTED;
+    }
+
+    private Result picture(boolean single) {
+        if (!single) {
+            return Result.DENIED;
+        }
+        px4.payload().takePicture();
+        out.accept(px4.payload().captured(craft, px4.nowMillis()));
         return Result.ACCEPTED;
     }
 

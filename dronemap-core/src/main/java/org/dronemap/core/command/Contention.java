@@ -1,0 +1,26 @@
+package org.dronemap.core.command;
+
+/** Which commands compete with each other on one vehicle. */
+public enum Contention {
+    /** Motors on or off; the newer one wins. */
+    ARMING,
+    /** Where to fly; the newer one wins. */
+    FLIGHT,
+    /** Mission items on the wire; the first one goes on. */
+    TRANSFER,
+    /** The camera; the first one goes on. */
+    CAMERA,
+    /** The relays; the first one goes on. */
+    RELAY,
+    /** Parameters on the wire; the first one goes on. */
+    PARAMETERS,
+    /** Logs on the wire; the first one goes on. */
+    LOGS,
+    /** Where home is; the first one goes on. */
+    HOME;
+
+    /** A newer command takes the place of one that is under way; else it has to wait. */
+    public boolean newerWins() {
+        return this == ARMING || this == FLIGHT;
+    }
+}

@@ -1,0 +1,99 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.List;
+import java.util.Locale;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.HomePosition;
+import org.dronemap.proxy.mavlink.procedure.CommandExchange;
+import org.dronemap.proxy.mavlink.procedure.CommandRequest;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.HomeReading;
+import org.dronemap.proxy.mavlink.procedure.Sequence;
+import org.jspecify.annotations.Nullable;
+
+/** Where a vehicle returns to: set, and asked for until the vehicle itself says so. */
+final class HomePlans {
+    private static final int DO_SET_HOME = 179;
+    private static final int FRAME_GLOBAL = 0;
+    private static final float HERE = 1f;
+    private static final float THERE = 0f;
+    private static final double SAME_METERS = 1;
+    private static final String NO_HOME =
+            "The vehicle has not told its home yet, so an altitude above it means nothing;"
+                    + " give the altitude above sea level.";
+
+    private HomePlans() {}
+
+    /** A home in wire units: degrees × 1e7, metres above mean sea level. */
+    private record Place(int latitudeE7, int longitudeE7, double altitudeMeters) {
+        boolean isSaidBy(HomePosition home) {
+            Geodetic said = Readings.point(home.latitude(), home.longitude());
+            Geodetic meant = new Geodetic(latitudeE7 / 1e7, longitudeE7 / 1e7);
+            return said != null
+                    && Geodesy.distanceMeters(meant, said) <= SAME_METERS
+                    && Math.abs(home.altitude() / 1000.0 - altitudeMeters) <= SAME_METERS;
+        }
+    }
+
+    static Exchange read(Cockpit cockpit) {
+        return new HomeReading(cockpit.target(), any -> true, HomePlans::words);
+    }
+
+    /** Altitudes go down above sea level: what is above home would move with it. */
+    static Exchange set(Cockpit cockpit, Command.SetHome command) {
+        Geodetic point = command.point();
+        Altitude altitude = command.altitude();
+        if (point == null || altitude == null) {
+            return said(cockpit, null);
+        }
+        Double before = cockpit.status().homeAltitudeAmslMeters();
+        if (altitude.reference() == Altitude.Reference.AMSL) {
+            return said(cockpit, place(point, altitude.meters()));
+        }
+        return before == null ? Maneuvers.refuse(NO_HOME) : said(cockpit, place(point, before + altitude.meters()));
+    }
+
+    private static Place place(Geodetic point, double altitudeMeters) {
+        return new Place(
+                MissionCodec.e7(point.latitudeDegrees()), MissionCodec.e7(point.longitudeDegrees()), altitudeMeters);
+    }
+
+    private static Exchange said(Cockpit cockpit, @Nullable Place place) {
+        return new Sequence(List.of(
+                Sequence.Step.of(() -> order(cockpit, place)),
+                Sequence.Step.of(() -> new HomeReading(
+                        cockpit.target(), home -> place == null || place.isSaidBy(home), HomePlans::words))));
+    }
+
+    private static Exchange order(Cockpit cockpit, @Nullable Place place) {
+        Place there = place == null ? new Place(0, 0, 0) : place;
+        CommandInt message = new CommandInt(
+                cockpit.target().systemId(),
+                cockpit.target().componentId(),
+                FRAME_GLOBAL,
+                DO_SET_HOME,
+                0,
+                0,
+                place == null ? HERE : THERE,
+                0f,
+                0f,
+                place == null ? 0f : Float.NaN,
+                there.latitudeE7(),
+                there.longitudeE7(),
+                (float) there.altitudeMeters());
+        return new CommandExchange(cockpit.target(), CommandRequest.ofInt(message), cockpit.observer());
+    }
+
+    private static String words(HomePosition home) {
+        return String.format(
+                Locale.ROOT,
+                "The vehicle says that its home is %.6f, %.6f at %.1f m.",
+                home.latitude() / 1e7,
+                home.longitude() / 1e7,
+                home.altitude() / 1000.0);
+    }
+}

@@ -1,0 +1,127 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionWritePartialList;
+import org.dronemap.proxy.mavlink.procedure.MissionVehicle;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class MissionPlansTest {
+    private static final Outcome DONE = new Outcome.Succeeded();
+
+    private final MissionVehicle vehicle = new MissionVehicle();
+
+    private static Command.UploadMission mission(int changed, double altitude) {
+        List<MissionItem> items = new ArrayList<>(IntStream.range(0, 10)
+                .<MissionItem>mapToObj(number -> waypoint(number, 20))
+                .toList());
+        if (changed >= 0) {
+            items.set(changed, waypoint(changed, altitude));
+        }
+        return new Command.UploadMission(new Mission(items));
+    }
+
+    private static MissionItem waypoint(int number, double altitude) {
+        return new MissionItem.Waypoint(
+                new Geodetic(47 + number / 1000.0, 8.5), new Altitude(altitude, Altitude.Reference.HOME), 0);
+    }
+
+    private PlanBench bench(boolean arduPilot) {
+        PlanBench bench = new PlanBench(arduPilot ? PlanBench.ARDUCOPTER : PlanBench.PX4);
+        bench.wire.peer(vehicle::take);
+        assertThat(bench.perform(mission(-1, 20))).isEqualTo(DONE);
+        bench.wire.sent().clear();
+        return bench;
+    }
+
+    @Test
+    void sendsOnlyWhatDiffersToAVehicleThatTakesParts() {
+        PlanBench bench = bench(true);
+
+        assertThat(bench.perform(mission(4, 33))).isEqualTo(DONE);
+
+        assertThat(bench.wire.sent(MissionWritePartialList.class))
+                .containsExactly(new MissionWritePartialList(1, 1, 5, 5, 0));
+        assertThat(bench.wire.sent(MissionItemInt.class)).hasSize(1);
+        assertThat(bench.wire.sent(MissionCount.class)).isEmpty();
+        assertThat(vehicle.held).hasSize(11);
+        assertThat(vehicle.held.get(5).z()).isEqualTo(33f);
+    }
+
+    @Test
+    void sendsAllToAVehicleThatRefusesParts() {
+        PlanBench bench = bench(true);
+        vehicle.refusesParts = true;
+
+        assertThat(bench.perform(mission(4, 33))).isEqualTo(DONE);
+
+        assertThat(bench.wire.sent(MissionCount.class)).hasSize(1);
+        assertThat(vehicle.held.get(5).z()).isEqualTo(33f);
+    }
+
+    @Test
+    void sendsAllToAPx4() {
+        PlanBench bench = bench(false);
+
+        assertThat(bench.perform(mission(4, 33))).isEqualTo(DONE);
+
+        assertThat(bench.wire.sent(MissionWritePartialList.class)).isEmpty();
+        assertThat(bench.wire.sent(MissionItemInt.class)).hasSize(10);
+        assertThat(vehicle.held.get(4).z()).isEqualTo(33f);
+    }
+
+    @Test
+    void sendsAllWhenSomebodyElseChangedTheMissionMeanwhile() {
+        PlanBench bench = bench(true);
+        vehicle.held.set(9, vehicle.held.get(3));
+
+        assertThat(bench.perform(mission(4, 33))).isEqualTo(DONE);
+
+        assertThat(bench.wire.sent(MissionCount.class)).hasSize(1);
+        assertThat(vehicle.held.get(5).z()).isEqualTo(33f);
+        assertThat(vehicle.held.get(9).x()).isEqualTo(470_080_000);
+    }
+
+    /** 500 ± 200 ms and a tenth lost each way, some doubled: as many items as a long survey has. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
+    void bringsALongMissionUpABadLinkAndBack(int seed) {
+        List<MissionItem> items = IntStream.range(0, 200)
+                .<MissionItem>mapToObj(number -> waypoint(number, 20 + number % 30))
+                .toList();
+        PlanBench bench = new PlanBench(seed % 2 == 0 ? PlanBench.ARDUCOPTER : PlanBench.PX4);
+        bench.wire.peer(vehicle::take);
+        bench.wire.target().roundTrip().measured(20_000_000L);
+        bench.wire.chatter(true);
+        bench.wire.lossy(0.1, new Random(seed));
+        bench.wire.slow(0.3, 0.7, 0.02);
+
+        assertThat(bench.perform(new Command.UploadMission(new Mission(items)), 3_000))
+                .isEqualTo(DONE);
+        assertThat(MissionCodec.fromWire(vehicle.held, seed % 2 == 0 ? 1 : 0)).isEqualTo(items);
+    }
+
+    @Test
+    void tellsOfItsProgressAlsoWhileItReadsBack() {
+        PlanBench bench = bench(true);
+
+        assertThat(bench.progress)
+                .startsWith("0/22")
+                .contains("11/22", "12/22", "21/22")
+                .endsWith("22/22");
+    }
+}

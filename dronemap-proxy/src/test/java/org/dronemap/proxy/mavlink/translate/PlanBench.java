@@ -1,0 +1,60 @@
+package org.dronemap.proxy.mavlink.translate;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.MissionDownload;
+import org.dronemap.proxy.mavlink.procedure.Observer;
+import org.dronemap.proxy.mavlink.procedure.Wire;
+import org.jspecify.annotations.Nullable;
+
+/** A cockpit before a wire in memory: carries one command out after another as the autopilot's adapter plans it. */
+final class PlanBench {
+    static final Heartbeat ARDUCOPTER = new Heartbeat(2, 3, 81, 0, 3, 3);
+    static final Heartbeat PX4 = new Heartbeat(2, 12, 81, 4 << 16 | 3 << 24, 3, 3);
+
+    final Wire wire = new Wire();
+    final VehicleStatus status;
+    final List<String> progress = new ArrayList<>();
+    private final Autopilot autopilot;
+    private final Cockpit cockpit;
+
+    PlanBench(Heartbeat heartbeat) {
+        autopilot = Autopilot.of(heartbeat);
+        status = new VehicleStatus(heartbeat.type());
+        status.heartbeat(heartbeat, autopilot.modeName(heartbeat));
+        Observer observer = new Observer() {
+            @Override
+            public void progress(int done, int total) {
+                progress.add(done + "/" + total);
+            }
+        };
+        cockpit = new Cockpit(
+                status,
+                new ParameterTable(autopilot, event -> {}),
+                wire.target(),
+                observer,
+                event -> {},
+                this::missionRead,
+                sentence -> {});
+    }
+
+    private void missionRead(MissionDownload read) {
+        status.missionRead(read.items());
+    }
+
+    @Nullable
+    Outcome perform(Command command) {
+        return perform(command, 120);
+    }
+
+    @Nullable
+    Outcome perform(Command command, double seconds) {
+        Exchange exchange = autopilot.plan(command, cockpit);
+        exchange.start(wire.now());
+        return wire.run(exchange, seconds);
+    }
+}

@@ -1,0 +1,173 @@
+"""Parameters, home and payload on the page, at desk and phone; judged by what the vehicle holds."""
+
+import os
+import secrets
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect, sync_playwright
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.impairer import Impairer
+from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.station import Hands, Pointer, Station, Touch, launch
+from dronemap_e2e.waiting import wait_for
+
+from .conftest import SYSTEM_IDS
+
+DESK = (1440, 900)
+PHONE = (390, 844)
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One simulated copter with many parameters, and a station plugged into it."""
+
+    simulator: Simulator
+    station: PluggedStation
+    system_id: int
+    drone: Json
+
+
+@pytest.fixture
+def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
+    system_id = next(SYSTEM_IDS)
+    link = Impairer(server.udp_port, seed=system_id)
+    simulator = Simulator(
+        tmp_path / "sim.log",
+        f"udp://127.0.0.1:{link.port}",
+        *("--sysid", str(system_id), "--parameters", "300"),
+    )
+    station = PluggedStation(link, system_id)
+    drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)
+    yield Bench(simulator, station, system_id, drone)
+    simulator.stop()
+    link.close()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        started = launch(playwright)
+        yield started
+        started.close()
+
+
+@pytest.fixture
+def page(request: pytest.FixtureRequest, browser: Browser) -> Iterator[Page]:
+    (width, height), touch, dark = request.param
+    context = browser.new_context(
+        viewport={"width": width, "height": height},
+        has_touch=touch,
+        is_mobile=touch,
+        color_scheme="dark" if dark else "light",
+    )
+    yield context.new_page()
+    context.close()
+
+
+DESK_LIGHT = pytest.param((DESK, False, False), id="desk-light")
+DESK_DARK = pytest.param((DESK, False, True), id="desk-dark")
+PHONE_LIGHT = pytest.param((PHONE, True, False), id="phone-light")
+PHONE_DARK = pytest.param((PHONE, True, True), id="phone-dark")
+
+
+def open_panel(server: Server, api: Api, page: Page, bench: Bench) -> Station:
+    name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
+    answer = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
+    assert answer.status_code == 201, answer.text
+    size = page.viewport_size
+    assert size
+    hands: Hands = Touch() if size["width"] == PHONE[0] else Pointer()
+    station = Station(page, hands)
+    station.sign_in(server.address, name, password, secrets.token_hex(10))
+    station.choose(bench.drone["name"])
+    return station
+
+
+def disclose(station: Station, title: str) -> None:
+    station.hands.press(station.page, station.page.get_by_role("button").filter(has_text=title).first)
+
+
+def picture(page: Page, name: str) -> None:
+    """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+    folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
+    if folder:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        page.screenshot(path=Path(folder) / f"{name}.png")
+
+
+@pytest.mark.parametrize("page", [DESK_LIGHT, DESK_DARK, PHONE_LIGHT, PHONE_DARK], indirect=True)
+def test_a_person_reads_searches_changes_and_loads_parameters(
+    request: pytest.FixtureRequest, server: Server, api: Api, page: Page, bench: Bench, tmp_path: Path
+) -> None:
+    look = request.node.callspec.id
+    station = open_panel(server, api, page, bench)
+    disclose(station, "Parameters")
+    station.press("Read all parameters")
+    station.shows("300 parameters, all read at")
+    picture(page, f"parameters-{look}-1-read")
+
+    page.get_by_label("Search by name").fill("alt rtl")
+    row = page.get_by_role("list", name="Parameters").get_by_role("button").filter(has_text="RTL_ALT")
+    station.hands.press(page, row)
+    field = page.get_by_label("New value of RTL_ALT")
+    field.fill("1.5")
+    station.shows("It must be a whole number")
+    field.fill("2500")
+    picture(page, f"parameters-{look}-2-change")
+    station.press("Set")
+    station.shows("Change: Done")
+    expect(row).to_contain_text("2500")
+    assert bench.station.parameters()["RTL_ALT"][0] == 2500
+
+    bench.simulator.fault(f"{bench.system_id} alter RTL_ALT")
+    station.hands.press(page, row)
+    field.fill("3000")
+    station.press("Set")
+    station.shows("The vehicle holds RTL_ALT = 3001, not 3000.")
+    bench.simulator.fault(f"{bench.system_id} repair")
+
+    file = tmp_path / "copter.param"
+    file.write_text("RTL_ALT,1800\nLAND_SPEED,60\nDISARM_DELAY,10\nNOBODY_KNOWS,1\n")
+    page.locator("input[type=file]").set_input_files(file)
+    station.shows("2 values differ, 1 is the same.")
+    station.shows("The vehicle does not have: NOBODY_KNOWS.")
+    station.button("Load 2 values").scroll_into_view_if_needed()
+    picture(page, f"parameters-{look}-3-compared")
+    station.hold("Load 2 values")
+    station.shows("Change: Done")
+    held = bench.station.parameters()
+    assert (held["RTL_ALT"][0], held["LAND_SPEED"][0]) == (1800, 60)
+    with page.expect_download() as saved:
+        station.hands.press(page, page.get_by_role("link", name="Save .param", exact=True))
+    lines = Path(saved.value.path()).read_text().splitlines()
+    assert "RTL_ALT,1800" in lines
+
+
+@pytest.mark.parametrize("page", [DESK_LIGHT, PHONE_DARK], indirect=True)
+def test_a_person_sets_home_takes_a_picture_and_switches_a_relay(
+    request: pytest.FixtureRequest, server: Server, api: Api, page: Page, bench: Bench
+) -> None:
+    look = request.node.callspec.id
+    station = open_panel(server, api, page, bench)
+    disclose(station, "Home")
+    page.get_by_label("Home at coordinates").fill("47.4012, 8.5501")
+    page.get_by_label("Altitude above sea level (m)").fill("501")
+    picture(page, f"home-{look}")
+    station.hold("Set home")
+    station.shows("Set home: Done")
+    assert bench.station.home() == (474_012_000, 85_501_000, 501_000)
+
+    disclose(station, "Turn, camera, relays")
+    station.press("Take a picture")
+    wait_for("the picture is taken", lambda: "pictures 1 " in bench.simulator.payload(bench.system_id), 30)
+    page.get_by_label("Relay", exact=True).fill("3")
+    station.press("Switch")
+    wait_for("it is on", lambda: bench.simulator.payload(bench.system_id).endswith("relays on: 3"), 30)
+    expect(station.button("Turn")).to_have_attribute("aria-disabled", "true")
+    picture(page, f"payload-{look}")
