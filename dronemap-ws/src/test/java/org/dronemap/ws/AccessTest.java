@@ -5,11 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.http.HttpRequest;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.util.Base64;
 import java.util.function.UnaryOperator;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
@@ -145,8 +143,7 @@ class AccessTest {
 
     @Test
     void signsInToSoapByNameAndPassword() throws IOException, DronemapFault {
-        String basic = "Basic "
-                + Base64.getEncoder().encodeToString(("admin:" + firstPassword()).getBytes(StandardCharsets.UTF_8));
+        String basic = Http.basic("admin", firstPassword());
 
         assertThat(SoapClient.withHeader(house, basic).getDronesList()).isNullOrEmpty();
     }

@@ -25,7 +25,7 @@ public interface AccessStore {
 
     void deleteSignIn(String tokenHash);
 
-    /** Ends every session of a user but the one named. */
+    /** Ends every session of a user but the one named; an empty name keeps none. */
     void deleteOtherSignIns(String user, String keepTokenHash);
 
     List<AccessKey> accessKeys(String owner);
@@ -36,4 +36,18 @@ public interface AccessStore {
 
     /** True when that owner had such a key. */
     boolean deleteAccessKey(String owner, String id);
+
+    /** Those that have not expired at {@code now}, the one that expires first before the others. */
+    List<Invitation> invitations(Instant now);
+
+    /** Forgets those that have expired at {@code now}, too. */
+    void addInvitation(Invitation invitation, Instant now);
+
+    /** True when there was one. */
+    boolean deleteInvitation(String id);
+
+    Optional<Invitation> invitation(String codeHash, Instant now);
+
+    /** The user is there and the invitation used up, or, when either cannot be, neither: then false. */
+    boolean acceptInvitation(String invitationId, User user);
 }

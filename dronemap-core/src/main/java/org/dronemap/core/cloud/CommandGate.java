@@ -8,7 +8,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
@@ -82,10 +81,7 @@ public final class CommandGate {
 
     /** Why this principal cannot give that command now; empty when it can. */
     public Optional<String> whyNot(Principal principal, DroneState drone, Command command) {
-        if (!principal.may(Role.OPERATOR)) {
-            return Optional.of("Your role may look, not command; ask an administrator for the operator role.");
-        }
-        return CommandRules.whyNot(drone, command);
+        return RoleRules.whyNot(principal.role(), drone, command.needs()).or(() -> CommandRules.whyNot(drone, command));
     }
 
     public Optional<CommandRecord> find(CommandId id) {

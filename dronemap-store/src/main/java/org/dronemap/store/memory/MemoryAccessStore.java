@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
 import org.dronemap.store.SignInLimit;
@@ -20,6 +21,7 @@ public final class MemoryAccessStore implements AccessStore {
     private final Map<String, User> users = new TreeMap<>();
     private final Map<String, SignIn> signIns = new HashMap<>();
     private final Map<String, AccessKey> keys = new HashMap<>();
+    private final Map<String, Invitation> invitations = new HashMap<>();
 
     @Override
     public synchronized List<User> users() {
@@ -120,6 +122,52 @@ public final class MemoryAccessStore implements AccessStore {
     public synchronized boolean deleteAccessKey(String owner, String id) {
         AccessKey key = keys.get(id);
         return key != null && key.owner().equals(owner) && keys.remove(id, key);
+    }
+
+    @Override
+    public synchronized List<Invitation> invitations(Instant now) {
+        return invitations.values().stream()
+                .filter(invitation -> invitation.expiresAt().isAfter(StoredInstant.of(now)))
+                .sorted(Comparator.comparing(Invitation::expiresAt).thenComparing(Invitation::id))
+                .toList();
+    }
+
+    @Override
+    public synchronized void addInvitation(Invitation invitation, Instant now) {
+        invitations.values().removeIf(other -> !other.expiresAt().isAfter(StoredInstant.of(now)));
+        if (invitations.containsKey(invitation.id())) {
+            throw new StoreException("That invitation exists already.");
+        }
+        invitations.put(
+                invitation.id(),
+                new Invitation(
+                        invitation.id(),
+                        invitation.label(),
+                        invitation.role(),
+                        invitation.codeHash(),
+                        invitation.invitedBy(),
+                        StoredInstant.of(invitation.expiresAt())));
+    }
+
+    @Override
+    public synchronized boolean deleteInvitation(String id) {
+        return invitations.remove(id) != null;
+    }
+
+    @Override
+    public synchronized Optional<Invitation> invitation(String codeHash, Instant now) {
+        return invitations(now).stream()
+                .filter(invitation -> invitation.codeHash().equals(codeHash))
+                .findFirst();
+    }
+
+    @Override
+    public synchronized boolean acceptInvitation(String invitationId, User user) {
+        if (!invitations.containsKey(invitationId) || !addUser(user)) {
+            return false;
+        }
+        invitations.remove(invitationId);
+        return true;
     }
 
     private void requireUser(String name) {

@@ -7,6 +7,8 @@ import java.util.Optional;
 import javax.sql.DataSource;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
@@ -34,15 +36,17 @@ public final class PostgresAccessStore implements AccessStore {
     @Override
     public boolean addUser(User user) {
         return sql.update("""
-                        INSERT INTO account (name, role, password_hash, must_change_password) VALUES (?, ?, ?, ?)
-                        ON CONFLICT (name) DO NOTHING""", user.name(), user.role(), user.passwordHash(), user.mustChangePassword()) == 1;
+                        INSERT INTO account (name, role, state, password_hash, must_change_password)
+                        VALUES (?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING""", user.name(), user.role(), user.state(), user.passwordHash(), user.mustChangePassword())
+                == 1;
     }
 
     @Override
     public void updateUser(User user) {
         int changed = sql.update(
-                "UPDATE account SET role = ?, password_hash = ?, must_change_password = ? WHERE name = ?",
+                "UPDATE account SET role = ?, state = ?, password_hash = ?, must_change_password = ? WHERE name = ?",
                 user.role(),
+                user.state(),
                 user.passwordHash(),
                 user.mustChangePassword(),
                 user.name());
@@ -111,10 +115,79 @@ public final class PostgresAccessStore implements AccessStore {
         return sql.update("DELETE FROM access_key WHERE account_name = ? AND id = ?", owner, id) > 0;
     }
 
+    @Override
+    public List<Invitation> invitations(Instant now) {
+        return sql.list(
+                "SELECT * FROM invitation WHERE expires_at > ? ORDER BY expires_at, id COLLATE \"C\"",
+                PostgresAccessStore::invitation,
+                now);
+    }
+
+    @Override
+    public void addInvitation(Invitation invitation, Instant now) {
+        sql.update(
+                """
+                WITH expired AS (DELETE FROM invitation WHERE expires_at <= ?)
+                INSERT INTO invitation (id, label, role, code_hash, invited_by, expires_at)
+                VALUES (?, ?, ?, ?, ?, ?)""",
+                now,
+                invitation.id(),
+                invitation.label(),
+                invitation.role(),
+                invitation.codeHash(),
+                invitation.invitedBy(),
+                invitation.expiresAt());
+    }
+
+    @Override
+    public boolean deleteInvitation(String id) {
+        return sql.update("DELETE FROM invitation WHERE id = ?", id) > 0;
+    }
+
+    @Override
+    public Optional<Invitation> invitation(String codeHash, Instant now) {
+        return sql.one(
+                "SELECT * FROM invitation WHERE code_hash = ? AND expires_at > ?",
+                PostgresAccessStore::invitation,
+                codeHash,
+                now);
+    }
+
+    @Override
+    public boolean acceptInvitation(String invitationId, User user) {
+        // The row lock of the deletion makes one of two at once find it gone; a name that is taken leaves it in place.
+        return sql.update(
+                        """
+                        WITH used AS (
+                            DELETE FROM invitation WHERE id = ? AND NOT EXISTS (SELECT 1 FROM account WHERE name = ?)
+                            RETURNING id)
+                        INSERT INTO account (name, role, state, password_hash, must_change_password)
+                        SELECT ?, ?, ?, ?, ? FROM used""",
+                        invitationId,
+                        user.name(),
+                        user.name(),
+                        user.role(),
+                        user.state(),
+                        user.passwordHash(),
+                        user.mustChangePassword())
+                == 1;
+    }
+
+    private static Invitation invitation(Row row) throws SQLException {
+        return new Invitation(
+                row.text("id"),
+                row.text("label"),
+                row.name("role", Role.class),
+                row.text("code_hash"),
+                row.text("invited_by"),
+                row.time("expires_at"));
+    }
+
     private static User user(Row row) throws SQLException {
         return new User(
                 row.text("name"),
                 row.name("role", Role.class),
+                row.name("state", AccountState.class),
                 row.text("password_hash"),
                 row.bool("must_change_password"));
     }

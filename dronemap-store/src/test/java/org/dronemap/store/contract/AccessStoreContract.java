@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Instant;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
@@ -17,8 +19,8 @@ import org.junit.jupiter.api.Test;
 /** What every {@link AccessStore} keeps to. */
 public abstract class AccessStoreContract {
     private static final Instant NOW = Instant.parse("2026-03-04T05:06:07.5Z");
-    private static final User ALICE = new User("alice", Role.ADMINISTRATOR, "salt$hash", true);
-    private static final User BOB = new User("bob", Role.VIEWER, "salt$other", false);
+    private static final User ALICE = new User("alice", Role.ADMINISTRATOR, AccountState.ACTIVE, "salt$hash", true);
+    private static final User BOB = new User("bob", Role.VIEWER, AccountState.ACTIVE, "salt$other", false);
 
     private AccessStore store;
 
@@ -43,14 +45,15 @@ public abstract class AccessStoreContract {
     @Test
     void refusesANameThatIsTaken() {
         store.addUser(ALICE);
-        assertThat(store.addUser(new User("alice", Role.VIEWER, "x", false))).isFalse();
+        assertThat(store.addUser(new User("alice", Role.VIEWER, AccountState.ACTIVE, "x", false)))
+                .isFalse();
         assertThat(store.user("alice")).contains(ALICE);
     }
 
     @Test
     void updatesAUserAndRefusesOneThatIsNotThere() {
         store.addUser(ALICE);
-        User changed = new User("alice", Role.OPERATOR, "new$hash", false);
+        User changed = new User("alice", Role.SUPERVISOR, AccountState.DISABLED, "new$hash", false);
         store.updateUser(changed);
         assertThat(store.users()).containsExactly(changed);
         assertThatThrownBy(() -> store.updateUser(BOB))
@@ -141,6 +144,54 @@ public abstract class AccessStoreContract {
         assertThat(store.deleteAccessKey("alice", "k1")).isTrue();
         assertThat(store.deleteAccessKey("alice", "k1")).isFalse();
         assertThat(store.accessKey("secret")).isEmpty();
+    }
+
+    @Test
+    void takesEveryRoleAndState() {
+        for (Role role : Role.values()) {
+            User user = new User("u-" + role, role, AccountState.WAITING, "h", false);
+            assertThat(store.addUser(user)).isTrue();
+            assertThat(store.user(user.name())).contains(user);
+        }
+    }
+
+    @Test
+    void keepsInvitationsUntilTheyExpire() {
+        Invitation soon = invitation("i1", "code", NOW.plusSeconds(60));
+        Invitation later = invitation("i2", "other", NOW.plusSeconds(120));
+        store.addInvitation(later, NOW);
+        store.addInvitation(soon, NOW);
+        assertThat(store.invitations(NOW)).containsExactly(soon, later);
+        assertThat(store.invitation("code", NOW)).contains(soon);
+        assertThat(store.invitation("guess", NOW)).isEmpty();
+        assertThat(store.invitation("code", NOW.plusSeconds(60))).isEmpty();
+        assertThat(store.invitations(NOW.plusSeconds(60))).containsExactly(later);
+        store.addInvitation(invitation("i3", "third", NOW.plusSeconds(300)), NOW.plusSeconds(120));
+        assertThat(store.invitations(NOW)).extracting(Invitation::id).containsExactly("i3");
+        assertThat(store.deleteInvitation("i3")).isTrue();
+        assertThat(store.deleteInvitation("i3")).isFalse();
+    }
+
+    @Test
+    void usesAnInvitationOnce() {
+        store.addUser(ALICE);
+        store.addInvitation(invitation("i1", "code", NOW.plusSeconds(60)), NOW);
+        assertThat(store.acceptInvitation("i1", ALICE))
+                .as("a name that is taken")
+                .isFalse();
+        assertThat(store.invitation("code", NOW))
+                .as("the invitation after that")
+                .isPresent();
+        assertThat(store.acceptInvitation("i1", BOB)).isTrue();
+        assertThat(store.users()).containsExactly(ALICE, BOB);
+        assertThat(store.invitation("code", NOW)).isEmpty();
+        assertThat(store.acceptInvitation("i1", new User("eve", Role.VIEWER, AccountState.ACTIVE, "x", false)))
+                .isFalse();
+        assertThat(store.user("eve")).isEmpty();
+    }
+
+    private static Invitation invitation(String id, String codeHash, Instant until) {
+        return new Invitation(id, "for bob", Role.PLANNER, codeHash, "alice", until);
     }
 
     private static AccessKey key(String id, String owner, String secretHash) {

@@ -18,6 +18,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import java.util.zip.ZipOutputStream;
 import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
@@ -66,7 +67,7 @@ class BackupTest {
             null,
             new Outcome.Refused("vehicle", "PreArm: \\N is not null, \\. is no end"),
             AT);
-    private static final User ALICE = new User("alice", Role.ADMINISTRATOR, "salt$hash", false);
+    private static final User ALICE = new User("alice", Role.ADMINISTRATOR, AccountState.ACTIVE, "salt$hash", false);
     private static final AccessKey KEY = new AccessKey("k1", "script", "alice", Role.OPERATOR, "secret", AT);
 
     @TempDir
@@ -92,7 +93,7 @@ class BackupTest {
         database.drones().delete(DRONE.id());
         database.access().deleteUser("alice");
         database.missions().delete("m1");
-        database.access().addUser(new User("bob", Role.VIEWER, "x", false));
+        database.access().addUser(new User("bob", Role.VIEWER, AccountState.ACTIVE, "x", false));
 
         BackupSummary restored = database.backup().restore(zip);
 

@@ -11,6 +11,7 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.time.Duration;
+import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.store.StoreException;
@@ -42,7 +43,7 @@ class DatabaseTest {
 
     @Test
     void migratesAnEmptyDatabaseAndFindsItAgain() throws SQLException {
-        User alice = new User("alice", Role.VIEWER, "hash", false);
+        User alice = new User("alice", Role.VIEWER, AccountState.ACTIVE, "hash", false);
         try (Database first = open(password)) {
             assertThat(first.access().addUser(alice)).isTrue();
             assertThat(text(first, "SELECT string_agg(version, ',') FROM schema_history WHERE version IS NOT NULL"))

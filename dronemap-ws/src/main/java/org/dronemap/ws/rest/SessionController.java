@@ -7,7 +7,7 @@ import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.SessionCookie;
 import org.dronemap.ws.security.SignedIn;
-import org.dronemap.ws.service.AccessService;
+import org.dronemap.ws.service.AccountService;
 import org.springframework.http.HttpHeaders;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -23,12 +23,12 @@ import org.springframework.web.bind.annotation.RestController;
 @Tag(name = "Session", description = "Sign in by name and password; the answer's cookie is the session.")
 public class SessionController {
     private final Authentication authentication;
-    private final AccessService access;
+    private final AccountService account;
     private final CurrentPrincipal current;
 
-    public SessionController(Authentication authentication, AccessService access, CurrentPrincipal current) {
+    public SessionController(Authentication authentication, AccountService account, CurrentPrincipal current) {
         this.authentication = authentication;
-        this.access = access;
+        this.account = account;
         this.current = current;
     }
 
@@ -59,10 +59,21 @@ public class SessionController {
 
     @PostMapping("/password")
     @Operation(summary = "Change one's own password", description = "Ends all other sessions of the user.")
-    public ResponseEntity<Void> changePassword(@RequestBody AccessService.PasswordRequest request) {
+    public ResponseEntity<Void> changePassword(@RequestBody AccountService.PasswordRequest request) {
         SignedIn caller = current.signedIn();
         String session = caller.sessionHash();
-        access.changePassword(caller.principal(), session == null ? "" : session, request);
+        account.changePassword(caller.principal(), session == null ? "" : session, request);
         return ResponseEntity.noContent().build();
+    }
+
+    @PostMapping("/sign-out-everywhere")
+    @Operation(
+            summary = "Sign out everywhere",
+            description = "Ends all one's own sessions, this one too, and their open streams; access keys stay.")
+    public ResponseEntity<Void> signOutEverywhere(HttpServletRequest request) {
+        account.signOutEverywhere(current.principal());
+        return ResponseEntity.noContent()
+                .header(HttpHeaders.SET_COOKIE, SessionCookie.clear(request.isSecure()))
+                .build();
     }
 }

@@ -57,8 +57,8 @@ public final class AccessFilter extends OncePerRequestFilter {
             return;
         }
         SignedIn caller = identify(request).orElseThrow(() -> noCaller(request));
-        if (!path.equals("session") && !path.equals("session/password")) {
-            authentication.requireOpen();
+        if (!path.equals("session") && !path.startsWith("session/")) {
+            authentication.admit(caller);
         }
         CurrentPrincipal.set(request, caller);
     }

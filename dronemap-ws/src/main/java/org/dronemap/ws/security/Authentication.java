@@ -2,6 +2,7 @@ package org.dronemap.ws.security;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Comparator;
 import java.util.Optional;
 import org.dronemap.core.access.AccessStore;
@@ -13,6 +14,7 @@ import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.Roles;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.WireNames;
 import org.jspecify.annotations.Nullable;
@@ -23,6 +25,8 @@ public final class Authentication {
     public static final Duration SESSION_LENGTH = Duration.ofHours(12);
 
     private static final String WRONG = "The name or the password is not right.";
+    private static final String PASSWORD_SEEN =
+            "Somebody else has seen your password; take one of your own first, then everything works.";
     private static final String WRONG_KEY = "The access key is not valid; it may have been removed.";
 
     private final AccessStore store;
@@ -83,29 +87,58 @@ public final class Authentication {
 
     /** Empty when there is no such session any more. */
     public Optional<SignedIn> bySession(String token) {
-        String hash = Secrets.hash(token);
-        return store.signIn(hash, clock.instant())
-                .flatMap(signIn -> store.user(signIn.user()))
-                .map(user -> new SignedIn(new Principal(user.name(), user.role()), SignedIn.Proof.SESSION, hash));
+        return bySessionHash(Secrets.hash(token));
     }
 
     /** A key never does more than its owner may now. */
     public SignedIn byKey(String key) {
-        String hash = Secrets.hash(key);
+        return byKeyHash(Secrets.hash(key)).orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+    }
+
+    /** The same caller as things are now, for what stays open; empty when the proof is good no longer. */
+    public Optional<SignedIn> still(SignedIn caller) {
+        String hash = caller.tokenHash();
+        if (hash == null) {
+            return store.user(caller.principal().name())
+                    .filter(User::isActive)
+                    .map(user -> signedIn(user, user.role(), SignedIn.Proof.PASSWORD, null, null));
+        }
+        return caller.proof() == SignedIn.Proof.SESSION ? bySessionHash(hash) : byKeyHash(hash);
+    }
+
+    private Optional<SignedIn> bySessionHash(String hash) {
+        return store.signIn(hash, clock.instant())
+                .flatMap(signIn -> store.user(signIn.user())
+                        .filter(User::isActive)
+                        .map(user -> signedIn(user, user.role(), SignedIn.Proof.SESSION, hash, signIn.expiresAt())));
+    }
+
+    private Optional<SignedIn> byKeyHash(String hash) {
         if (hash.equals(localKeyHash)) {
-            return new SignedIn(new Principal(administrator(), Role.ADMINISTRATOR), SignedIn.Proof.KEY, null);
+            Principal owner = new Principal(administrator(), Role.ADMINISTRATOR);
+            return Optional.of(new SignedIn(owner, SignedIn.Proof.KEY, hash, null, false));
         }
         return store.accessKey(hash)
                 .flatMap(found -> store.user(found.owner())
-                        .map(owner -> owner.role().includes(found.role()) ? found.role() : owner.role())
-                        .map(role -> new SignedIn(new Principal(found.owner(), role), SignedIn.Proof.KEY, null)))
-                .orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+                        .filter(User::isActive)
+                        .map(owner -> signedIn(
+                                owner,
+                                owner.role().includes(found.role()) ? found.role() : owner.role(),
+                                SignedIn.Proof.KEY,
+                                hash,
+                                null)));
+    }
+
+    private static SignedIn signedIn(
+            User user, Role role, SignedIn.Proof proof, @Nullable String hash, @Nullable Instant until) {
+        boolean passwordSeen = user.mustChangePassword() && proof != SignedIn.Proof.KEY;
+        return new SignedIn(new Principal(user.name(), role), proof, hash, until, passwordSeen);
     }
 
     /** Whoever owns the machine acts as its first administrator. */
     private String administrator() {
         return store.users().stream()
-                .filter(user -> user.role() == Role.ADMINISTRATOR)
+                .filter(user -> user.role() == Role.ADMINISTRATOR && user.isActive())
                 .map(User::name)
                 .min(Comparator.comparing(name -> name.equals(FirstStart.ADMIN) ? "" : name))
                 .orElse(FirstStart.ADMIN);
@@ -113,15 +146,22 @@ public final class Authentication {
 
     public SignedIn byPassword(String name, String password, String address) {
         User user = check(new Credentials(name, password), address);
-        return new SignedIn(new Principal(user.name(), user.role()), SignedIn.Proof.PASSWORD, null);
+        return signedIn(user, user.role(), SignedIn.Proof.PASSWORD, null, null);
     }
 
-    /** Refuses everything but sign-in and password change while the first password is in use on an open network. */
-    public void requireOpen() {
+    /**
+     * Refuses everything but sign-in and password change while a password is in use that others have seen, and
+     * everything to those who may not even look.
+     */
+    public void admit(SignedIn caller) {
         Optional<String> closed = firstPassword.closed();
         if (closed.isPresent()) {
             throw Rejection.forbidden(closed.get());
         }
+        if (caller.passwordSeen() && !firstPassword.mayStay(caller.principal().name())) {
+            throw Rejection.forbidden(PASSWORD_SEEN);
+        }
+        Roles.require(caller.principal(), Role.VIEWER);
     }
 
     private User check(Credentials credentials, String address) {
@@ -142,7 +182,17 @@ public final class Authentication {
             throw Rejection.notSignedIn(WRONG);
         }
         throttle.right(name, address);
-        return user.get();
+        return active(user.get());
+    }
+
+    /** Told only to who knows the password. */
+    private static User active(User user) {
+        return switch (user.state()) {
+            case ACTIVE -> user;
+            case WAITING ->
+                throw Rejection.forbidden("Your account waits until an administrator lets you in; try again later.");
+            case DISABLED -> throw Rejection.forbidden("Your account has been disabled; ask an administrator.");
+        };
     }
 
     private static SessionView view(User user) {

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.ws.service.FirstPassword;
@@ -39,11 +40,11 @@ public final class FirstStart implements FirstPassword {
             AccessStore store, PasswordHashing passwords, Secrets secrets, Path dataDirectory, boolean publicMode) {
         Path file = dataDirectory.resolve("first-password.txt");
         Optional<User> admin = store.user(ADMIN);
-        boolean nobody = store.users().stream().noneMatch(user -> user.role() == Role.ADMINISTRATOR);
+        boolean nobody = store.users().stream().noneMatch(user -> user.role() == Role.ADMINISTRATOR && user.isActive());
         boolean unchanged = admin.map(User::mustChangePassword).orElse(false);
         if (nobody || (unchanged && !Files.exists(file))) {
             String password = secrets.password();
-            User user = new User(ADMIN, Role.ADMINISTRATOR, passwords.hash(password), true);
+            User user = new User(ADMIN, Role.ADMINISTRATOR, AccountState.ACTIVE, passwords.hash(password), true);
             if (!store.addUser(user)) {
                 store.updateUser(user);
             }
@@ -64,6 +65,11 @@ public final class FirstStart implements FirstPassword {
     @Override
     public Optional<String> closed() {
         return publicMode && pending ? Optional.of(CLOSED) : Optional.empty();
+    }
+
+    @Override
+    public boolean mayStay(String user) {
+        return !publicMode && pending && user.equals(ADMIN);
     }
 
     @Override

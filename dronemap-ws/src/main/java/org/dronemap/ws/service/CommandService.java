@@ -36,7 +36,7 @@ public final class CommandService {
 
     /** Checks everything, then asks the gate; the answer is under way, or ended when the id is an old one. */
     public CommandView submit(Principal principal, String face, String droneId, CommandRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        Roles.require(principal, Role.PLANNER);
         DroneState drone = drones.state(droneId);
         Command command =
                 CommandReader.read(request, drone, cloud.onBoard(drone.id()).parameters());

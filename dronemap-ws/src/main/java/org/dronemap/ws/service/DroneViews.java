@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CommandRules;
+import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
@@ -173,9 +174,8 @@ public final class DroneViews {
     private static Map<String, DroneView.ActionView> actions(DroneState state, Role role) {
         Map<String, DroneView.ActionView> actions = new LinkedHashMap<>();
         for (Capability capability : Capability.values()) {
-            Optional<String> why = role.includes(Role.OPERATOR)
-                    ? CommandRules.whyNot(state, capability)
-                    : Optional.of(Roles.MAY_LOOK_NOT_COMMAND);
+            Optional<String> why =
+                    RoleRules.whyNot(role, state, capability).or(() -> CommandRules.whyNot(state, capability));
             actions.put(WireNames.camel(capability), new DroneView.ActionView(why.isEmpty(), why.orElse(null)));
         }
         return actions;

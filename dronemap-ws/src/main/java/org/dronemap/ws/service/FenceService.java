@@ -37,12 +37,12 @@ public final class FenceService {
     }
 
     public CommandView setFence(Caller caller, String droneId, FenceView fence) {
-        Roles.require(caller.principal(), Role.OPERATOR);
+        Roles.require(caller.principal(), Role.PLANNER);
         return give(caller, droneId, new Command.SetFence(FenceReader.fence(fence)));
     }
 
     public CommandView setRallyPoints(Caller caller, String droneId, FenceView.RallyView points) {
-        Roles.require(caller.principal(), Role.OPERATOR);
+        Roles.require(caller.principal(), Role.PLANNER);
         return give(caller, droneId, new Command.SetRallyPoints(FenceReader.rally(points)));
     }
 
@@ -55,7 +55,7 @@ public final class FenceService {
     }
 
     private CommandView give(Caller caller, String droneId, Command command) {
-        Roles.require(caller.principal(), Role.OPERATOR);
+        Roles.require(caller.principal(), Role.PLANNER);
         DroneState drone = drones.state(droneId);
         return commands.give(caller.principal(), caller.face(), drone, null, command);
     }

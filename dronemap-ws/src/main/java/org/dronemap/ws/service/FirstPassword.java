@@ -7,19 +7,9 @@ public interface FirstPassword {
     /** Why nothing but a sign-in and a password change is served; empty when everything is. */
     Optional<String> closed();
 
+    /** The first administrator of a server that only its own machine reaches may keep the password for a while. */
+    boolean mayStay(String user);
+
     /** A user has taken a password of their own. */
     void changed(String user);
-
-    /** For a server that only its own machine reaches. */
-    FirstPassword NEVER = new FirstPassword() {
-        @Override
-        public Optional<String> closed() {
-            return Optional.empty();
-        }
-
-        @Override
-        public void changed(String user) {
-            // nothing depends on it
-        }
-    };
 }

@@ -52,19 +52,19 @@ public final class MissionService {
     }
 
     public SavedMissionView replace(Principal principal, String id, MissionRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        Roles.require(principal, Role.PLANNER);
         return save(principal, find(id).id(), request);
     }
 
     public void delete(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
+        Roles.require(principal, Role.PLANNER);
         if (!store.delete(id)) {
             throw Rejection.unknown("mission", id);
         }
     }
 
     private SavedMissionView save(Principal principal, String id, MissionRequest request) {
-        Roles.require(principal, Role.OPERATOR);
+        Roles.require(principal, Role.PLANNER);
         SavedMission saved = new SavedMission(
                 id,
                 Names.checked("name", request.name(), LONGEST_NAME),

@@ -1,22 +1,41 @@
 package org.dronemap.ws.service;
 
+import java.util.Arrays;
+import java.util.Map;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.jspecify.annotations.Nullable;
 
-/** What each role is told when it asks for more than it may. */
-final class Roles {
-    static final String MAY_LOOK_NOT_COMMAND =
-            "Your role may look, not command; ask an administrator for the operator role.";
+/** What each role is told when it asks for more than it may, and what roles are called. */
+public final class Roles {
+    private static final String NAMES = "administrator, supervisor, operator, planner, viewer or reporter";
+    private static final Map<Role, String> REFUSALS = Map.of(
+            Role.VIEWER, "Your role may send reports, not see drones; ask an administrator for the viewer role.",
+            Role.PLANNER, "Your role may look, not command; ask an administrator for the operator role.",
+            Role.OPERATOR, "Your role may look, not command; ask an administrator for the operator role.");
 
     private Roles() {}
 
-    static void require(Principal principal, Role needed) {
+    public static void require(Principal principal, Role needed) {
         if (!principal.may(needed)) {
-            throw Rejection.forbidden(
-                    needed == Role.OPERATOR
-                            ? MAY_LOOK_NOT_COMMAND
-                            : "Only an administrator may do this; you are signed in as "
-                                    + WireNames.camel(principal.role()) + ".");
+            throw Rejection.forbidden(REFUSALS.getOrDefault(
+                    needed,
+                    "Only " + article(needed) + " may do this; you are signed in as "
+                            + WireNames.camel(principal.role()) + "."));
         }
+    }
+
+    static Role named(@Nullable String text) {
+        if (text == null) {
+            throw InvalidInput.missing("role", NAMES);
+        }
+        return Arrays.stream(Role.values())
+                .filter(role -> WireNames.camel(role).equals(text))
+                .findFirst()
+                .orElseThrow(() -> InvalidInput.outside("role", NAMES, "\"" + text + "\""));
+    }
+
+    private static String article(Role role) {
+        return (role == Role.ADMINISTRATOR ? "an " : "a ") + WireNames.camel(role);
     }
 }

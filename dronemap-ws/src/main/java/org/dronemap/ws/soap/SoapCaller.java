@@ -11,6 +11,7 @@ import org.apache.cxf.phase.PhaseInterceptorChain;
 import org.apache.cxf.transport.http.AbstractHTTPDestination;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.Rejection;
 import org.w3c.dom.Element;
 
@@ -32,19 +33,17 @@ final class SoapCaller {
             throw new IllegalStateException("a SOAP call came without an HTTP request");
         }
         String authorization = request.getHeader("Authorization");
-        Principal principal = authorization == null
-                ? accessKey(message)
-                        .map(key -> authentication.byKey(key).principal())
-                        .orElseThrow(() -> Rejection.notSignedIn(WAYS))
+        SignedIn caller = authorization == null
+                ? accessKey(message).map(authentication::byKey).orElseThrow(() -> Rejection.notSignedIn(WAYS))
                 : byHttp(authorization, request.getRemoteAddr());
-        authentication.requireOpen();
-        return principal;
+        authentication.admit(caller);
+        return caller.principal();
     }
 
-    private Principal byHttp(String authorization, String address) {
+    private SignedIn byHttp(String authorization, String address) {
         String[] parts = authorization.strip().split("\\s+", 2);
         if (parts.length == 2 && parts[0].equalsIgnoreCase("Bearer")) {
-            return authentication.byKey(parts[1]).principal();
+            return authentication.byKey(parts[1]);
         }
         if (parts.length != 2 || !parts[0].equalsIgnoreCase("Basic")) {
             throw Rejection.notSignedIn(WAYS);
@@ -54,9 +53,7 @@ final class SoapCaller {
         if (colon < 0) {
             throw Rejection.notSignedIn(WAYS);
         }
-        return authentication
-                .byPassword(credentials.substring(0, colon), credentials.substring(colon + 1), address)
-                .principal();
+        return authentication.byPassword(credentials.substring(0, colon), credentials.substring(colon + 1), address);
     }
 
     private static String decode(String base64) {

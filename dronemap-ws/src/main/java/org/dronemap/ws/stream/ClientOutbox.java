@@ -51,6 +51,11 @@ final class ClientOutbox {
         return all;
     }
 
+    synchronized void clear() {
+        discrete.clear();
+        newest.clear();
+    }
+
     synchronized boolean isEmpty() {
         return discrete.isEmpty() && newest.isEmpty();
     }

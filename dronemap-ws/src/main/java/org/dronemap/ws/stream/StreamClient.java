@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.security.SignedIn;
 import org.java_websocket.WebSocket;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
@@ -19,22 +20,30 @@ final class StreamClient {
     private final WebSocket socket;
     private final ClientOutbox outbox = new ClientOutbox();
     private final long connectedNanos;
-    private volatile @Nullable Principal principal;
+    private volatile @Nullable SignedIn caller;
     private volatile @Nullable Set<String> wanted;
     private volatile int perSecond = Turns.MOST_PER_SECOND;
     private volatile long closingSinceNanos;
+    private volatile @Nullable Farewell farewell;
+
+    /** The last message to a client, and the code and reason of the close frame after it. */
+    record Farewell(int code, String reason, String message) {}
 
     StreamClient(WebSocket socket, long nowNanos) {
         this.socket = socket;
         this.connectedNanos = nowNanos;
     }
 
-    Optional<Principal> principal() {
-        return Optional.ofNullable(principal);
+    Optional<SignedIn> caller() {
+        return Optional.ofNullable(caller);
     }
 
-    void admit(Principal who) {
-        principal = who;
+    Optional<Principal> principal() {
+        return caller().map(SignedIn::principal);
+    }
+
+    void admit(SignedIn who) {
+        caller = who;
     }
 
     long connectedNanos() {
@@ -64,6 +73,12 @@ final class StreamClient {
         return only == null || only.contains(drone.value());
     }
 
+    /** From now on nothing but this farewell is sent; what was waiting is thrown away. */
+    void expel(Farewell last) {
+        caller = null;
+        farewell = last;
+    }
+
     void close(int code, String reason) {
         if (closingSinceNanos == 0) {
             closingSinceNanos = Math.max(1, System.nanoTime());
@@ -90,6 +105,15 @@ final class StreamClient {
                 // it does not even take the farewell
                 socket.closeConnection(TOO_SLOW, "too slow");
             }
+            return true;
+        }
+        Farewell last = farewell;
+        if (last != null) {
+            outbox.clear();
+            if (socket.isOpen()) {
+                socket.send(last.message());
+            }
+            close(last.code(), last.reason());
             return true;
         }
         if (outbox.isOverflown()) {

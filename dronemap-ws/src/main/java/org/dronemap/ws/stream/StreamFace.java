@@ -15,7 +15,9 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.DroneService;
@@ -46,12 +48,10 @@ public final class StreamFace implements CloudListener, AutoCloseable {
 
     /** The use cases behind the stream. */
     public record Services(
-            Authentication authentication,
-            StreamTickets tickets,
-            DroneService drones,
-            DroneViews views,
-            CommandService commands,
-            JsonReader json) {}
+            Entrance entrance, DroneService drones, DroneViews views, CommandService commands, JsonReader json) {}
+
+    /** Who may come in, and who has to leave. */
+    public record Entrance(Authentication authentication, StreamTickets tickets, Accounts accounts) {}
 
     public StreamFace(
             CloudManager cloud, Services services, InetSocketAddress address, @Nullable SSLContext tls, Clock clock) {
@@ -59,9 +59,15 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.services = services;
         this.clock = clock;
         this.feed = new DroneFeed(services.views(), services.json());
-        this.requests =
-                new StreamRequests(services.authentication(), services.drones(), services.commands(), services.json());
-        this.server = new StreamServer(address, requests, services.authentication(), services.tickets(), pump::wake);
+        this.requests = new StreamRequests(
+                services.entrance().authentication(), services.drones(), services.commands(), services.json());
+        services.entrance().accounts().onChange(this::judgeAnew);
+        this.server = new StreamServer(
+                address,
+                requests,
+                services.entrance().authentication(),
+                services.entrance().tickets(),
+                pump::wake);
         if (tls != null) {
             server.setWebSocketFactory(new DefaultSSLWebSocketServerFactory(tls));
         }
@@ -99,6 +105,16 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     public void droneRemoved(DroneId id) {
         feed.removed(id);
         removed.add(id);
+        wake();
+    }
+
+    /** Nobody stays connected by rights that are gone. */
+    private void judgeAnew(String user) {
+        for (StreamClient client : server.clients()) {
+            client.caller()
+                    .filter(caller -> caller.principal().name().equals(user))
+                    .ifPresent(caller -> requests.judgeAnew(client, caller));
+        }
         wake();
     }
 
@@ -148,13 +164,16 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     }
 
     private boolean attend(StreamClient client, boolean pingDue, long now) {
-        if (client.principal().isEmpty()) {
+        SignedIn caller = client.caller().orElse(null);
+        if (caller == null) {
             if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
                 Rejection late = Rejection.notSignedIn("No ticket, key or authenticate message came within 5 s.");
                 requests.say(client, new StreamMessage.Failure(Problem.of(late), null));
                 client.pump(now);
                 client.close(CloseFrame.POLICY_VALIDATION, late.sentence());
             }
+        } else if (caller.until() != null && pingDue && !caller.until().isAfter(clock.instant())) {
+            requests.expel(client, CloseFrame.POLICY_VALIDATION, Rejection.sessionEnded());
         } else if (pingDue) {
             requests.say(client, new StreamMessage.Ping(clock.instant()));
         }

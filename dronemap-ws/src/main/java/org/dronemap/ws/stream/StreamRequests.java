@@ -1,7 +1,9 @@
 package org.dronemap.ws.stream;
 
+import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
@@ -9,6 +11,7 @@ import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
 import org.dronemap.ws.service.WireNames;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
@@ -33,12 +36,42 @@ final class StreamRequests {
     }
 
     /** Lets a client in, with the whole list first. */
-    void welcome(StreamClient client, Principal principal) {
-        authentication.requireOpen();
-        say(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
-        // from here on changes are queued for it, so that none falls between the list and the first change
-        client.admit(principal);
-        say(client, new StreamMessage.Drones(drones.drones(principal)));
+    void welcome(StreamClient client, SignedIn proved) {
+        // First admitted, then judged: whatever is revoked from here on finds the client among those admitted.
+        client.admit(proved);
+        try {
+            SignedIn caller = authentication.still(proved).orElseThrow(Rejection::sessionEnded);
+            authentication.admit(caller);
+            Principal principal = caller.principal();
+            say(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
+            say(client, new StreamMessage.Drones(drones.drones(principal)));
+        } catch (Rejection rejection) {
+            expel(client, CloseFrame.POLICY_VALIDATION, rejection);
+        }
+    }
+
+    /** What a client may is judged anew; it has to leave when that has become less, or other. */
+    void judgeAnew(StreamClient client, SignedIn before) {
+        try {
+            Optional<SignedIn> now = authentication.still(before);
+            if (now.isEmpty()) {
+                expel(client, CloseFrame.POLICY_VALIDATION, Rejection.sessionEnded());
+            } else if (!now.get().principal().equals(before.principal())) {
+                expel(client, CloseFrame.TRY_AGAIN_LATER, Rejection.forbidden("Your role was changed; connect again."));
+            }
+        } catch (RuntimeException e) {
+            // Who cannot be judged cannot stay.
+            LOG.error("The rights of {} are not known", before.principal().name(), e);
+            expel(
+                    client,
+                    CloseFrame.TRY_AGAIN_LATER,
+                    new Rejection(RejectionKind.UNAVAILABLE, "Your rights are not known; try again."));
+        }
+    }
+
+    void expel(StreamClient client, int code, Rejection why) {
+        String message = json.write(new StreamMessage.Failure(Problem.of(why), null));
+        client.expel(new StreamClient.Farewell(code, why.sentence(), message));
     }
 
     void hear(StreamClient client, String text) {
@@ -98,14 +131,13 @@ final class StreamRequests {
         if (key == null) {
             throw InvalidInput.missing("key", "an access key");
         }
-        Principal principal = authentication.byKey(key).principal();
-        if (client.principal().isEmpty()) {
-            welcome(client, principal);
+        SignedIn caller = authentication.byKey(key);
+        if (client.caller().isEmpty()) {
+            welcome(client, caller);
         }
     }
 
     private void command(StreamClient client, Principal principal, StreamMessage.FromClient message) {
-        authentication.requireOpen();
         String drone = message.drone();
         CommandRequest command = message.command();
         if (drone == null) {

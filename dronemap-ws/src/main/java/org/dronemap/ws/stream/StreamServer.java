@@ -79,7 +79,7 @@ final class StreamServer extends WebSocketServer {
             }
             checkAddress(handshake);
             StreamRequests.slowDown(client, rate(handshake.getResourceDescriptor()));
-            identify(handshake).ifPresent(caller -> requests.welcome(client, caller.principal()));
+            identify(handshake).ifPresent(caller -> requests.welcome(client, caller));
         } catch (Rejection rejection) {
             requests.say(client, new StreamMessage.Failure(Problem.of(rejection), null));
             client.pump(System.nanoTime());

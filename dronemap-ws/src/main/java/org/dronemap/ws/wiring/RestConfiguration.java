@@ -1,7 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import io.swagger.v3.oas.models.OpenAPI;
-import org.dronemap.ws.rest.AccessController;
+import org.dronemap.ws.rest.AccessKeyController;
 import org.dronemap.ws.rest.AccessLogFilter;
 import org.dronemap.ws.rest.ApiDescription;
 import org.dronemap.ws.rest.BackupController;
@@ -24,6 +24,7 @@ import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
 import org.dronemap.ws.rest.StreamTicketController;
 import org.dronemap.ws.rest.SystemController;
+import org.dronemap.ws.rest.UserController;
 import org.dronemap.ws.rest.WaitingController;
 import org.dronemap.ws.rest.WebClientPages;
 import org.dronemap.ws.security.AccessFilter;
@@ -47,7 +48,8 @@ import tools.jackson.databind.DeserializationFeature;
 @Configuration(proxyBeanMethods = false)
 @Import({
     SessionController.class,
-    AccessController.class,
+    AccessKeyController.class,
+    UserController.class,
     DroneController.class,
     BroadcastController.class,
     CommandController.class,

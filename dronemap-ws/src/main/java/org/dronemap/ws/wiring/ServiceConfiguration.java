@@ -6,7 +6,9 @@ import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.FirstStart;
-import org.dronemap.ws.service.AccessService;
+import org.dronemap.ws.service.AccessKeyService;
+import org.dronemap.ws.service.AccountService;
+import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.CommandService;
@@ -29,6 +31,7 @@ import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
+import org.dronemap.ws.service.UserService;
 import org.dronemap.ws.service.WaitingService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -71,9 +74,24 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    AccessService accessService(
-            House house, PasswordHashing passwords, FirstPassword firstPassword, Secrets secrets, Clock clock) {
-        return new AccessService(house.access(), passwords, firstPassword, secrets, clock);
+    Accounts accounts(House house) {
+        return new Accounts(house.access());
+    }
+
+    @Bean
+    UserService userService(House house, Accounts accounts, PasswordHashing passwords, Secrets secrets) {
+        return new UserService(house.access(), accounts, passwords, secrets);
+    }
+
+    @Bean
+    AccountService accountService(
+            House house, Accounts accounts, PasswordHashing passwords, FirstPassword firstPassword) {
+        return new AccountService(house.access(), accounts, passwords, firstPassword);
+    }
+
+    @Bean
+    AccessKeyService accessKeyService(House house, Accounts accounts, Secrets secrets, Clock clock) {
+        return new AccessKeyService(house.access(), accounts, secrets, clock);
     }
 
     @Bean

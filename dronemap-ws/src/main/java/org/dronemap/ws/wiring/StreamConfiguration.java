@@ -6,6 +6,7 @@ import java.time.Clock;
 import javax.net.ssl.SSLContext;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.StreamTickets;
+import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
@@ -27,14 +28,18 @@ public class StreamConfiguration {
     }
 
     @Bean
+    StreamFace.Entrance streamEntrance(Authentication authentication, StreamTickets tickets, Accounts accounts) {
+        return new StreamFace.Entrance(authentication, tickets, accounts);
+    }
+
+    @Bean
     StreamFace.Services streamServices(
-            Authentication authentication,
-            StreamTickets tickets,
+            StreamFace.Entrance entrance,
             DroneService drones,
             DroneViews views,
             CommandService commands,
             JsonReader json) {
-        return new StreamFace.Services(authentication, tickets, drones, views, commands, json);
+        return new StreamFace.Services(entrance, drones, views, commands, json);
     }
 
     @Bean

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.cloud.CloudManager;
@@ -134,7 +135,7 @@ public final class TestHouse implements AutoCloseable {
     public String key(Role role) {
         String name = "user" + ids.incrementAndGet();
         String secret = new Secrets().token();
-        if (!access.addUser(new User(name, role, "none", false))) {
+        if (!access.addUser(new User(name, role, AccountState.ACTIVE, "none", false))) {
             throw new IllegalStateException("the user " + name + " was there already");
         }
         access.addAccessKey(new AccessKey(

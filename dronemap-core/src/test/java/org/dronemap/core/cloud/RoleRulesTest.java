@@ -1,0 +1,80 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Clock;
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.event.DroneEvent;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class RoleRulesTest {
+    private final Lanes lanes = new Lanes(1);
+    private final Journal journal = new Journal();
+    private final CloudManager cloud = new CloudManager(
+            lanes,
+            Watchdog.DEFAULT,
+            Clock.systemUTC(),
+            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), new Fixtures.HeapCommandStore(), journal),
+            () -> new DroneId("drone"));
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    @Test
+    void letsOperatorsAndAboveGiveEveryCommand() {
+        for (Role role : EnumSet.of(Role.OPERATOR, Role.SUPERVISOR, Role.ADMINISTRATOR)) {
+            assertThat(allowed(role, true)).containsExactlyInAnyOrder(Capability.values());
+        }
+    }
+
+    @Test
+    void letsReportersAndViewersGiveNone() {
+        assertThat(allowed(Role.REPORTER, false)).isEmpty();
+        assertThat(allowed(Role.VIEWER, false)).isEmpty();
+    }
+
+    @Test
+    void letsPlannersChangeWhatADroneCarriesOnlyWhileItIsKnownToBeDisarmed() {
+        Set<Capability> planning = EnumSet.of(
+                Capability.UPLOAD_MISSION, Capability.CLEAR_MISSION, Capability.FENCE, Capability.RALLY_POINTS);
+        assertThat(allowed(Role.PLANNER, null)).isEmpty();
+        assertThat(allowed(Role.PLANNER, false)).isEqualTo(planning);
+        assertThat(allowed(Role.PLANNER, true)).isEmpty();
+    }
+
+    /** What that role may ask of a drone that said whether it is armed, or, by null, has not. */
+    private Set<Capability> allowed(Role role, @Nullable Boolean armed) {
+        LinkSession session = new LinkSession(
+                new DroneKey("127.0.0.1", 14_601, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
+        DroneLink link = cloud.connect(session, Fixtures.copter(null));
+        if (armed != null) {
+            CompletableFuture<Void> done = new CompletableFuture<>();
+            link.lane().execute(() -> {
+                link.accept(new DroneEvent.ModeHeard("GUIDED", armed));
+                done.complete(null);
+            });
+            assertThat(done).succeedsWithin(5, TimeUnit.SECONDS);
+        }
+        DroneState drone = cloud.drone(link.id()).orElseThrow();
+        EnumSet<Capability> allowed = EnumSet.noneOf(Capability.class);
+        for (Capability capability : Capability.values()) {
+            if (RoleRules.whyNot(role, drone, capability).isEmpty()) {
+                allowed.add(capability);
+            }
+        }
+        return allowed;
+    }
+}

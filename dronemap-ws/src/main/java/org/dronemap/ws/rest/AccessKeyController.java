@@ -1,0 +1,56 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.AccessKeyService;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Access keys. */
+@RestController
+@RequestMapping("/api/v1/access-keys")
+@Tag(name = "Access keys", description = "One's own access keys, for programs.")
+public class AccessKeyController {
+    private final AccessKeyService keys;
+    private final CurrentPrincipal current;
+
+    /** All keys of the caller. */
+    public record Keys(List<AccessKeyService.KeyView> accessKeys) {}
+
+    public AccessKeyController(AccessKeyService keys, CurrentPrincipal current) {
+        this.keys = keys;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List one's own access keys")
+    public Keys keys() {
+        return new Keys(keys.keys(current.principal()));
+    }
+
+    @PostMapping
+    @Operation(summary = "Make an access key", description = "The key itself is in this answer and never shown again.")
+    public ResponseEntity<AccessKeyService.KeyView> addKey(@RequestBody AccessKeyService.KeyRequest request) {
+        AccessKeyService.KeyView key = keys.addKey(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/access-keys/" + key.id()))
+                .body(key);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove one of one's own access keys")
+    public void deleteKey(@PathVariable String id) {
+        keys.deleteKey(current.principal(), id);
+    }
+}

@@ -1,0 +1,84 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.UserService;
+import org.dronemap.ws.service.UserView;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PatchMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Users, for administrators. */
+@RestController
+@RequestMapping("/api/v1/users")
+@Tag(
+        name = "Users",
+        description = "Who may come in, and as what; for administrators. A change takes effect at once,"
+                + " on open streams as well.")
+public class UserController {
+    private final UserService users;
+    private final CurrentPrincipal current;
+
+    /** All users. */
+    public record Users(List<UserView> users) {}
+
+    public UserController(UserService users, CurrentPrincipal current) {
+        this.users = users;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List the users", description = "With those who wait until they are let in.")
+    public Users users() {
+        return new Users(users.users(current.principal()));
+    }
+
+    @PostMapping
+    @Operation(
+            summary = "Add a user",
+            description = "The password serves for the first sign-in; the user then has to take another one.")
+    public ResponseEntity<UserView> add(@RequestBody UserService.NewUser request) {
+        return ResponseEntity.status(HttpStatus.CREATED).body(users.add(current.principal(), request));
+    }
+
+    @PatchMapping("/{name}")
+    @Operation(
+            summary = "Change a user's role, let a waiting one in, disable one",
+            description = "Disabling ends sessions and streams and makes access keys void until the user is active"
+                    + " again.")
+    public UserView change(@PathVariable String name, @RequestBody UserService.Change change) {
+        return users.change(current.principal(), name, change);
+    }
+
+    @PostMapping("/{name}/password")
+    @Operation(
+            summary = "Give a user a one-time password",
+            description = "It is in this answer and never shown again; it serves until the user has taken another one.")
+    public UserService.OneTimePassword resetPassword(@PathVariable String name) {
+        return users.resetPassword(current.principal(), name);
+    }
+
+    @PostMapping("/{name}/sign-out")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "End all sessions of a user", description = "Access keys stay.")
+    public void signOut(@PathVariable String name) {
+        users.signOut(current.principal(), name);
+    }
+
+    @DeleteMapping("/{name}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove a user with sessions and keys")
+    public void delete(@PathVariable String name) {
+        users.delete(current.principal(), name);
+    }
+}

@@ -1,0 +1,53 @@
+package org.dronemap.ws.service;
+
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.User;
+import org.jspecify.annotations.Nullable;
+
+/** What users do with their own accounts. Any thread. */
+public final class AccountService {
+    private final AccessStore store;
+    private final Accounts accounts;
+    private final PasswordHashing passwords;
+    private final FirstPassword firstPassword;
+
+    /** A change of one's own password. */
+    public record PasswordRequest(
+            @Nullable String current, @Nullable String next) {}
+
+    public AccountService(
+            AccessStore store, Accounts accounts, PasswordHashing passwords, FirstPassword firstPassword) {
+        this.store = store;
+        this.accounts = accounts;
+        this.passwords = passwords;
+        this.firstPassword = firstPassword;
+    }
+
+    /** Ends every session of the user but the one kept. */
+    public void changePassword(Principal principal, String keepTokenHash, PasswordRequest request) {
+        User user = store.user(principal.name())
+                .orElseThrow(() -> Rejection.forbidden("Only a user who signed in by password has one to change."));
+        String current = request.current();
+        if (current == null) {
+            throw InvalidInput.missing("current", "your present password");
+        }
+        if (!passwords.matches(current, user.passwordHash())) {
+            throw new InvalidInput("current", "your present password", "The present password is not right.");
+        }
+        String next = PasswordRule.acceptable("next", request.next());
+        if (next.equals(current)) {
+            throw new InvalidInput(
+                    "next", "another password", "The new password must be another one than the present.");
+        }
+        String hash = passwords.hash(next);
+        accounts.changeOwn(user.name(), before -> before.withPassword(hash, false), keepTokenHash);
+        firstPassword.changed(user.name());
+    }
+
+    /** Ends every session of the user, this one, too, with their open streams; access keys stay. */
+    public void signOutEverywhere(Principal principal) {
+        store.deleteOtherSignIns(principal.name(), "");
+        accounts.tell(principal.name());
+    }
+}

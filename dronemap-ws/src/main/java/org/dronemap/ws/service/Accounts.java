@@ -1,0 +1,85 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+
+/**
+ * Changes of users, one at a time, so that two administrators who shut each other out leave one. After each change
+ * whoever is connected as that user is judged anew. Any thread.
+ */
+public final class Accounts {
+    private final AccessStore store;
+    private final List<Consumer<String>> listeners = new CopyOnWriteArrayList<>();
+
+    public Accounts(AccessStore store) {
+        this.store = store;
+    }
+
+    /** Is told the name of each user whose rights may have changed, when the change is durable. */
+    public void onChange(Consumer<String> listener) {
+        listeners.add(listener);
+    }
+
+    /** What nobody may do to themself, so that an administrator is left. */
+    void changeOther(Principal actor, String name, UnaryOperator<User> change) {
+        changeOther(actor, name, () -> store.updateUser(change.apply(find(name))));
+    }
+
+    /** Ends the user's sessions as well. */
+    void changeOtherAndSignOut(Principal actor, String name, UnaryOperator<User> change) {
+        changeOther(actor, name, () -> {
+            store.updateUser(change.apply(find(name)));
+            store.deleteOtherSignIns(name, "");
+        });
+    }
+
+    void delete(Principal actor, String name) {
+        changeOther(actor, name, () -> {
+            if (!store.deleteUser(name)) {
+                throw Rejection.unknown("user", name);
+            }
+        });
+    }
+
+    /** A user's own change, which takes no rights from others. */
+    void changeOwn(String name, UnaryOperator<User> change, String keepTokenHash) {
+        synchronized (this) {
+            store.updateUser(change.apply(find(name)));
+            store.deleteOtherSignIns(name, keepTokenHash);
+        }
+        tell(name);
+    }
+
+    /** Sessions or keys of that user have been taken away. */
+    void tell(String name) {
+        listeners.forEach(listener -> listener.accept(name));
+    }
+
+    User find(String name) {
+        return store.user(name).orElseThrow(() -> Rejection.unknown("user", name));
+    }
+
+    private void changeOther(Principal actor, String name, Runnable change) {
+        if (actor.name().equals(name)) {
+            throw Rejection.conflict("You cannot do this to yourself; ask another administrator.");
+        }
+        synchronized (this) {
+            // Rights may have gone since the request was admitted.
+            boolean still = store.user(actor.name())
+                    .filter(User::isActive)
+                    .map(user -> user.role().includes(Role.ADMINISTRATOR))
+                    .orElse(false);
+            if (!still) {
+                throw Rejection.forbidden("You are no longer an administrator.");
+            }
+            change.run();
+        }
+        tell(name);
+    }
+}

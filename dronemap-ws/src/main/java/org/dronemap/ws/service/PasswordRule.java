@@ -1,0 +1,23 @@
+package org.dronemap.ws.service;
+
+import org.jspecify.annotations.Nullable;
+
+/** What a password must be. */
+final class PasswordRule {
+    private static final int SHORTEST = 10;
+    private static final int LONGEST = 200;
+
+    private PasswordRule() {}
+
+    static String acceptable(String field, @Nullable String password) {
+        String allowed = SHORTEST + " to " + LONGEST + " characters";
+        if (password == null) {
+            throw InvalidInput.missing(field, allowed);
+        }
+        if (password.length() < SHORTEST || password.length() > LONGEST) {
+            throw new InvalidInput(
+                    field, allowed, "A password must have " + allowed + "; this one has " + password.length() + ".");
+        }
+        return password;
+    }
+}

@@ -1,0 +1,106 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.jspecify.annotations.Nullable;
+
+/** What administrators do with users. Any thread. */
+public final class UserService {
+    private static final String STATES = "active or disabled";
+
+    private final AccessStore store;
+    private final Accounts accounts;
+    private final PasswordHashing passwords;
+    private final Secrets secrets;
+
+    /** A new user as an administrator writes it. */
+    public record NewUser(
+            @Nullable String name,
+            @Nullable String role,
+            @Nullable String password) {}
+
+    /** What shall change; null leaves it as it is. A user who waits is let in by {@code "state": "active"}. */
+    public record Change(@Nullable String role, @Nullable String state) {}
+
+    /** A password that works until the user has taken one of their own; there once, in the answer that made it. */
+    public record OneTimePassword(String name, String password) {}
+
+    public UserService(AccessStore store, Accounts accounts, PasswordHashing passwords, Secrets secrets) {
+        this.store = store;
+        this.accounts = accounts;
+        this.passwords = passwords;
+        this.secrets = secrets;
+    }
+
+    public List<UserView> users(Principal principal) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        return store.users().stream().map(UserView::of).toList();
+    }
+
+    public UserView add(Principal principal, NewUser request) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        String name = UserNames.checked(request.name());
+        Role role = Roles.named(request.role());
+        String password = PasswordRule.acceptable("password", request.password());
+        User user = new User(name, role, AccountState.ACTIVE, passwords.hash(password), true);
+        if (!store.addUser(user)) {
+            throw Rejection.conflict("There is a user " + name + " already.");
+        }
+        return UserView.of(user);
+    }
+
+    public UserView change(Principal principal, String name, Change change) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        String roleName = change.role();
+        String stateName = change.state();
+        if (roleName == null && stateName == null) {
+            throw InvalidInput.missing("role", "a role, or \"state\": " + STATES);
+        }
+        Role role = roleName == null ? null : Roles.named(roleName);
+        AccountState state = stateName == null ? null : state(stateName);
+        if (state == AccountState.DISABLED) {
+            accounts.changeOtherAndSignOut(principal, name, user -> changed(user, role, state));
+        } else {
+            accounts.changeOther(principal, name, user -> changed(user, role, state));
+        }
+        return UserView.of(accounts.find(name));
+    }
+
+    /** Also ends the user's sessions; access keys stay, remove them or disable the user for that. */
+    public OneTimePassword resetPassword(Principal principal, String name) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        String password = secrets.password();
+        String hash = passwords.hash(password);
+        accounts.changeOtherAndSignOut(principal, name, user -> user.withPassword(hash, true));
+        return new OneTimePassword(name, password);
+    }
+
+    public void signOut(Principal principal, String name) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        accounts.find(name);
+        store.deleteOtherSignIns(name, "");
+        accounts.tell(name);
+    }
+
+    public void delete(Principal principal, String name) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        accounts.delete(principal, name);
+    }
+
+    private static User changed(User user, @Nullable Role role, @Nullable AccountState state) {
+        User withRole = role == null ? user : user.withRole(role);
+        return state == null ? withRole : withRole.withState(state);
+    }
+
+    private static AccountState state(String text) {
+        return switch (text) {
+            case "active" -> AccountState.ACTIVE;
+            case "disabled" -> AccountState.DISABLED;
+            default -> throw InvalidInput.outside("state", STATES, "\"" + text + "\"");
+        };
+    }
+}

@@ -1,0 +1,262 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.Map;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What administrators do with users, and that it takes effect at once. */
+class UsersTest {
+    private static final String FIRST = "first password";
+    private static final String OWN = "a word of my own";
+
+    @TempDir
+    private Path data;
+
+    private TestHouse house;
+    private Http administrator;
+    private Http nobody;
+
+    @BeforeEach
+    void open() {
+        house = new TestHouse(data, false);
+        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        nobody = new Http(house, "");
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void letsANewUserDoNothingBeforeThePasswordIsTheirOwn() {
+        add("bob", "operator");
+        String cookie = cookie(signIn("bob", FIRST));
+
+        Http.Answer closed = with(cookie, "GET", "/api/v1/drones", "");
+
+        assertThat(closed.status()).isEqualTo(403);
+        assertThat(closed.text("detail")).startsWith("Somebody else has seen your password");
+        assertThatThrownBy(() ->
+                        SoapClient.withHeader(house, Http.basic("bob", FIRST)).getDronesList())
+                .hasMessageStartingWith("Somebody else has seen your password");
+        assertThat(takeOwnPassword(cookie).status()).isEqualTo(204);
+        assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(200);
+    }
+
+    @Test
+    void shutsADisabledUserOutOfEveryFaceAtOnceAndLetsThemInAgain() {
+        String cookie = join("bob", "operator");
+        String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
+                .text("key");
+        try (StreamListener byKey = StreamListener.withKey(house, key);
+                StreamListener byTicket = ticketed(cookie)) {
+            byKey.await(message -> message.path("type").asString().equals("drones"));
+            byTicket.await(message -> message.path("type").asString().equals("drones"));
+
+            assertThat(change("bob", "{\"state\":\"disabled\"}").text("state")).isEqualTo("disabled");
+
+            assertThat(byKey.awaitClose()).startsWith("This session has ended");
+            assertThat(byTicket.awaitClose()).startsWith("This session has ended");
+        }
+        assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(401);
+        assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(401);
+        assertThatThrownBy(() -> SoapClient.withKey(house, key).getDronesList()).hasMessageContaining("not valid");
+        Http.Answer again = signIn("bob", OWN);
+        assertThat(again.status()).isEqualTo(403);
+        assertThat(again.text("detail")).isEqualTo("Your account has been disabled; ask an administrator.");
+        assertThat(signIn("bob", "a wrong password").status()).isEqualTo(401);
+
+        change("bob", "{\"state\":\"active\"}");
+
+        assertThat(signIn("bob", OWN).status()).isEqualTo(200);
+        assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(200);
+    }
+
+    @Test
+    void givesAChangedRoleToSessionsKeysAndOpenStreamsAtOnce() {
+        String cookie = join("bob", "administrator");
+        String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
+                .text("key");
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+
+            change("bob", "{\"role\":\"viewer\"}");
+
+            assertThat(stream.awaitClose()).isEqualTo("Your role was changed; connect again.");
+        }
+        assertThat(new Http(house, key).get("/api/v1/users").status()).isEqualTo(403);
+        assertThat(with(cookie, "GET", "/api/v1/session", "").text("role")).isEqualTo("viewer");
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            assertThat(stream.await(message -> message.path("type").asString().equals("hello"))
+                            .path("role")
+                            .asString())
+                    .isEqualTo("viewer");
+        }
+    }
+
+    @Test
+    void endsSessionsAndTheirStreamsWhenAPasswordIsReset() {
+        String cookie = join("bob", "operator");
+        try (StreamListener stream = ticketed(cookie)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+
+            Http.Answer reset = administrator.post("/api/v1/users/bob/password", "");
+
+            assertThat(stream.awaitClose()).startsWith("This session has ended");
+            assertThat(signIn("bob", OWN).status()).isEqualTo(401);
+            assertThat(signIn("bob", reset.text("password"))
+                            .json()
+                            .path("mustChangePassword")
+                            .asBoolean())
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void signsOutEverywhereByTheUserOrAnAdministratorAndKeepsKeys() {
+        String one = join("bob", "operator");
+        String other = cookie(signIn("bob", OWN));
+        String key = with(one, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
+                .text("key");
+        try (StreamListener stream = ticketed(other)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+
+            assertThat(with(one, "POST", "/api/v1/session/sign-out-everywhere", "")
+                            .status())
+                    .isEqualTo(204);
+
+            assertThat(stream.awaitClose()).startsWith("This session has ended");
+        }
+        assertThat(with(one, "GET", "/api/v1/session", "").status()).isEqualTo(401);
+        assertThat(with(other, "GET", "/api/v1/session", "").status()).isEqualTo(401);
+        String third = cookie(signIn("bob", OWN));
+        assertThat(administrator.post("/api/v1/users/bob/sign-out", "").status())
+                .isEqualTo(204);
+        assertThat(with(third, "GET", "/api/v1/session", "").status()).isEqualTo(401);
+        assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(200);
+    }
+
+    @Test
+    void silencesAStreamWhoseKeyIsRemoved() {
+        String cookie = join("bob", "operator");
+        Http.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
+        try (StreamListener byKey = StreamListener.withKey(house, made.text("key"));
+                StreamListener byTicket = ticketed(cookie)) {
+            byKey.await(message -> message.path("type").asString().equals("drones"));
+            byTicket.await(message -> message.path("type").asString().equals("drones"));
+
+            with(cookie, "DELETE", "/api/v1/access-keys/" + made.text("id"), "");
+
+            assertThat(byKey.awaitClose()).startsWith("This session has ended");
+            byTicket.send("{\"type\":\"ping\"}");
+            byTicket.await(message -> message.path("type").asString().equals("pong"));
+        }
+    }
+
+    @Test
+    void showsReportersNoDroneThroughAnyFace() {
+        String key = house.key(Role.REPORTER);
+        String sentence = "Your role may send reports, not see drones; ask an administrator for the viewer role.";
+
+        assertThat(new Http(house, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
+        assertThatThrownBy(() -> SoapClient.withKey(house, key).getDronesList()).hasMessage(sentence);
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            assertThat(stream.awaitClose()).isEqualTo(sentence);
+            assertThat(stream.heard())
+                    .noneMatch(message -> message.path("type").asString().equals("drones"));
+        }
+    }
+
+    @Test
+    void refusesWhatWouldLeaveNobodyToManageTheServer() {
+        String own = join("root", "administrator");
+
+        Http.Answer answer = with(own, "PATCH", "/api/v1/users/root", "{\"role\":\"viewer\"}");
+
+        assertThat(answer.status()).isEqualTo(409);
+        assertThat(answer.text("detail")).isEqualTo("You cannot do this to yourself; ask another administrator.");
+        assertThat(with(own, "PATCH", "/api/v1/users/root", "{\"state\":\"disabled\"}")
+                        .status())
+                .isEqualTo(409);
+        assertThat(with(own, "DELETE", "/api/v1/users/root", "").status()).isEqualTo(409);
+    }
+
+    @Test
+    void namesWhatIsWrongWithAChange() {
+        add("bob", "operator");
+
+        assertThat(change("bob", "{}").text("field")).isEqualTo("role");
+        assertThat(change("bob", "{\"role\":\"king\"}").text("detail"))
+                .contains("administrator, supervisor, operator, planner, viewer or reporter");
+        assertThat(change("bob", "{\"state\":\"waiting\"}").text("detail")).contains("active or disabled");
+        assertThat(change("carol", "{\"state\":\"active\"}").status()).isEqualTo(404);
+        assertThat(administrator.post("/api/v1/users/carol/password", "").status())
+                .isEqualTo(404);
+        assertThat(new Http(house, house.key(Role.SUPERVISOR))
+                        .get("/api/v1/users")
+                        .text("detail"))
+                .isEqualTo("Only an administrator may do this; you are signed in as supervisor.");
+    }
+
+    /** A user with a password of their own; the answer is a session's cookie. */
+    private String join(String name, String role) {
+        add(name, role);
+        String cookie = cookie(signIn(name, FIRST));
+        takeOwnPassword(cookie);
+        return cookie;
+    }
+
+    private void add(String name, String role) {
+        Http.Answer added = administrator.post(
+                "/api/v1/users",
+                "{\"name\":\"" + name + "\",\"role\":\"" + role + "\",\"password\":\"" + FIRST + "\"}");
+        assertThat(added.status()).isEqualTo(201);
+    }
+
+    private Http.Answer takeOwnPassword(String cookie) {
+        return with(
+                cookie, "POST", "/api/v1/session/password", "{\"current\":\"" + FIRST + "\",\"next\":\"" + OWN + "\"}");
+    }
+
+    private Http.Answer change(String name, String body) {
+        return administrator.send(
+                "/api/v1/users/" + name,
+                request -> request.header("Content-Type", "application/json")
+                        .method("PATCH", HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    private Http.Answer signIn(String name, String password) {
+        return nobody.post("/api/v1/session", "{\"name\":\"" + name + "\",\"password\":\"" + password + "\"}");
+    }
+
+    private Http.Answer with(String cookie, String method, String path, String body) {
+        return nobody.send(
+                path,
+                request -> request.header("Cookie", cookie)
+                        .header("X-Dronemap", "1")
+                        .header("Content-Type", "application/json")
+                        .method(method, HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    private StreamListener ticketed(String cookie) {
+        String ticket = with(cookie, "POST", "/api/v1/stream-tickets", "").text("ticket");
+        return StreamListener.with(house, "?ticket=" + ticket, Map.of());
+    }
+
+    private static String cookie(Http.Answer session) {
+        return session.raw().headers().firstValue("Set-Cookie").orElse("").split(";", 2)[0];
+    }
+}
