@@ -4,7 +4,8 @@
 import { randomUUID } from 'node:crypto';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import { WebSocketServer, type WebSocket } from 'ws';
-import type { AccessKey, Command, CommandRequest, SavedMission, Session, User } from '../src/api/types';
+import type { Session, User } from '../src/api/accounts';
+import type { AccessKey, Command, CommandRequest, SavedMission } from '../src/api/types';
 import { MockDrone } from './mock-drone';
 import { snapshotOf } from './mock-snapshot';
 

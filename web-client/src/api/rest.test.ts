@@ -52,7 +52,7 @@ describe('REST client', () => {
 
   it('escapes what goes into an address', async () => {
     const [client, fetcher] = answering(204, null);
-    await client.removeUser('a/b c');
+    await client.accounts.remove('a/b c');
     expect(fetcher.mock.calls[0]?.[0]).toBe('/api/v1/users/a%2Fb%20c');
   });
 });

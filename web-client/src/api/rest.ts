@@ -1,3 +1,4 @@
+import { AccountCalls, type Role, type Session } from './accounts';
 import type { DtlsKey, Endpoint } from './endpoints';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
 import type { ParameterFile, ParameterPage } from './parameters';
@@ -10,13 +11,9 @@ import type {
   Drone,
   MissionItem,
   NewAccessKey,
-  NewUser,
   ProblemBody,
-  Role,
   SavedMission,
-  Session,
   Settings,
-  User,
 } from './types';
 import type { WaitingVehicle } from './waiting';
 
@@ -26,6 +23,7 @@ type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
 export class RestClient {
   readonly #base: string;
   readonly #fetch: Fetch;
+  readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
 
   constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {
     this.#base = base;
@@ -42,6 +40,10 @@ export class RestClient {
 
   signOut(): Promise<void> {
     return this.#call('DELETE', '/session');
+  }
+
+  signOutEverywhere(): Promise<void> {
+    return this.#call('POST', '/session/sign-out-everywhere');
   }
 
   changePassword(current: string, next: string): Promise<void> {
@@ -163,18 +165,6 @@ export class RestClient {
 
   deleteRecording(id: string): Promise<void> {
     return this.#call('DELETE', `/recordings/${encodeURIComponent(id)}?confirm=true`);
-  }
-
-  async users(): Promise<User[]> {
-    return listOf(await this.#call<{ users: User[] } | User[]>('GET', '/users'), 'users');
-  }
-
-  addUser(user: NewUser): Promise<User> {
-    return this.#call('POST', '/users', user);
-  }
-
-  removeUser(name: string): Promise<void> {
-    return this.#call('DELETE', `/users/${encodeURIComponent(name)}`);
   }
 
   async accessKeys(): Promise<AccessKey[]> {

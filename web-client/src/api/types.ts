@@ -1,21 +1,6 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
 
-export type Role = 'viewer' | 'operator' | 'administrator';
-
-export interface Session {
-  name: string;
-  role: Role;
-  mustChangePassword: boolean;
-}
-
-export interface User {
-  name: string;
-  role: Role;
-}
-
-export interface NewUser extends User {
-  password: string;
-}
+import type { Role } from './accounts';
 
 export interface AccessKey {
   id: string;

@@ -5,7 +5,10 @@ import { STATION, Station } from '../state/station.svelte';
 import SignIn from './SignIn.svelte';
 
 function show(station: Station): void {
-  render(SignIn, { props: { onpassword: () => undefined }, context: new Map([[STATION, station]]) });
+  render(SignIn, {
+    props: { onpassword: () => undefined, onregister: () => undefined },
+    context: new Map([[STATION, station]]),
+  });
 }
 
 function answering(type: string, detail: string): Station {

@@ -2,7 +2,8 @@ import { getContext, setContext } from 'svelte';
 import { RestClient } from '../api/rest';
 import { Problem } from '../api/problem';
 import { browserTimers, StreamClient, type Socket } from '../api/stream';
-import type { Drone, Session, Settings, StreamMessage } from '../api/types';
+import type { Role, Session } from '../api/accounts';
+import type { Drone, Settings, StreamMessage } from '../api/types';
 import { CloudClock } from './clock.svelte';
 import { Commands } from './commands.svelte';
 import { Connection } from './connection.svelte';
@@ -83,6 +84,11 @@ export class Station {
     this.#forgetSession(null);
   }
 
+  async signOutEverywhere(): Promise<void> {
+    await this.rest.signOutEverywhere();
+    this.#forgetSession(null);
+  }
+
   retryNow(): void {
     this.#stream.retryNow();
   }
@@ -118,8 +124,18 @@ export class Station {
     void this.commands.catchUp();
   }
 
+  /** An administrator may have given another one since the sign-in. */
+  #roleIs(role: Role): void {
+    if (this.session && this.session.role !== role) {
+      this.session = { ...this.session, role };
+    }
+  }
+
   #hear(message: StreamMessage): void {
     switch (message.type) {
+      case 'hello':
+        this.#roleIs(message.role);
+        break;
       case 'drones':
         this.fleet.replaceAll(message.drones);
         break;

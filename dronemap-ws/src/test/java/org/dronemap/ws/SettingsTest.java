@@ -57,6 +57,7 @@ class SettingsTest {
         "DRONEMAP_RECORD_MEGABYTES, 0, 'from 1 to 10000000'",
         "DRONEMAP_RECORD_DAYS, -1, '\"-1\"'",
         "DRONEMAP_ENROLMENT, somewhere, nowhere",
+        "DRONEMAP_REGISTRATION, everybody, 'approval, invitation or off'",
         "DRONEMAP_STREAM_PORT, 8080, 8080"
     })
     void namesTheSettingAndTheValueThatAreWrong(String name, String value, String named) {

@@ -8,38 +8,62 @@ import java.util.Map;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 
-/** Makes guessing slow: after five wrong passwords in a row from one place for one name, 30 s of rest. Any thread. */
+/**
+ * Makes guessing slow: wrong passwords in a row cost a rest that doubles, from 30 s up to 15 min. Counted for one name
+ * from one place, for one place whatever the name, and for one name wherever from; the last one spares the places from
+ * which that user has signed in before, so that nobody can lock somebody else out. Any thread.
+ */
 final class SignInThrottle {
-    private static final int WRONG_IN_A_ROW = 5;
-    private static final Duration REST = Duration.ofSeconds(30);
+    private static final int OF_NAME_FROM_PLACE = 5;
+    private static final int FROM_PLACE = 30;
+    private static final int OF_NAME = 100;
+    private static final Duration FIRST_REST = Duration.ofSeconds(30);
+    private static final Duration LONGEST_REST = Duration.ofMinutes(15);
     private static final int MOST_REMEMBERED = 10_000;
 
     private final Clock clock;
+    // both guarded by this
+    private final Map<Who, Attempts> attempts = new Recent<>();
+    private final Map<Who, Boolean> rightBefore = new Recent<>();
 
-    /** Guarded by this; the eldest goes when it is full. */
-    private final Map<Who, Attempts> attempts = new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Who, Attempts> eldest) {
-            return size() > MOST_REMEMBERED;
-        }
-    };
-
+    /** An empty part: any. */
     private record Who(String name, String address) {}
 
     private record Attempts(int wrong, Instant last) {}
+
+    /** The one that was used longest ago goes when it is full. */
+    private static final class Recent<V> extends LinkedHashMap<Who, V> {
+        private static final long serialVersionUID = 1L;
+
+        Recent() {
+            super(16, 0.75f, true);
+        }
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Who, V> eldest) {
+            return size() > MOST_REMEMBERED;
+        }
+    }
 
     SignInThrottle(Clock clock) {
         this.clock = clock;
     }
 
     synchronized void check(String name, String address) {
-        Attempts before = attempts.get(new Who(name, address));
-        if (before == null || before.wrong() < WRONG_IN_A_ROW) {
+        Who pair = new Who(name, address);
+        check(pair, OF_NAME_FROM_PLACE);
+        check(new Who("", address), FROM_PLACE);
+        if (!rightBefore.containsKey(pair)) {
+            check(new Who(name, ""), OF_NAME);
+        }
+    }
+
+    private void check(Who who, int allowed) {
+        Attempts before = attempts.get(who);
+        if (before == null || before.wrong() < allowed) {
             return;
         }
-        Duration left = Duration.between(clock.instant(), before.last().plus(REST));
+        Duration left = Duration.between(clock.instant(), before.last().plus(rest(before.wrong() - allowed)));
         if (left.isNegative() || left.isZero()) {
             return;
         }
@@ -48,14 +72,25 @@ final class SignInThrottle {
                 "Too many wrong passwords; wait " + (left.toSeconds() + 1) + " s and try again.");
     }
 
+    private static Duration rest(int doublings) {
+        Duration rest = FIRST_REST.multipliedBy(1L << Math.min(doublings, 10));
+        return rest.compareTo(LONGEST_REST) < 0 ? rest : LONGEST_REST;
+    }
+
     synchronized void wrong(String name, String address) {
+        count(new Who(name, address));
+        count(new Who("", address));
+        count(new Who(name, ""));
+    }
+
+    private void count(Who who) {
         attempts.merge(
-                new Who(name, address),
-                new Attempts(1, clock.instant()),
-                (before, now) -> new Attempts(before.wrong() + 1, now.last()));
+                who, new Attempts(1, clock.instant()), (before, now) -> new Attempts(before.wrong() + 1, now.last()));
     }
 
     synchronized void right(String name, String address) {
         attempts.remove(new Who(name, address));
+        attempts.remove(new Who("", address));
+        rightBefore.put(new Who(name, address), true);
     }
 }

@@ -11,6 +11,7 @@ import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.FenceController;
+import org.dronemap.ws.rest.InvitationController;
 import org.dronemap.ws.rest.LinkController;
 import org.dronemap.ws.rest.LinkSecurityController;
 import org.dronemap.ws.rest.LogController;
@@ -19,6 +20,7 @@ import org.dronemap.ws.rest.MissionController;
 import org.dronemap.ws.rest.ParameterController;
 import org.dronemap.ws.rest.ProblemAdvice;
 import org.dronemap.ws.rest.RecordingController;
+import org.dronemap.ws.rest.RegistrationController;
 import org.dronemap.ws.rest.ReplayController;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
@@ -50,6 +52,8 @@ import tools.jackson.databind.DeserializationFeature;
     SessionController.class,
     AccessKeyController.class,
     UserController.class,
+    RegistrationController.class,
+    InvitationController.class,
     DroneController.class,
     BroadcastController.class,
     CommandController.class,

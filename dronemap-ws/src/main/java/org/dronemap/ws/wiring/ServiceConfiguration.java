@@ -18,6 +18,7 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.DtlsKeyService;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
+import org.dronemap.ws.service.InvitationService;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.LinkSecurityService;
 import org.dronemap.ws.service.LinkService;
@@ -27,6 +28,7 @@ import org.dronemap.ws.service.MissionService;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.RecordingService;
+import org.dronemap.ws.service.RegistrationService;
 import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
@@ -92,6 +94,17 @@ public class ServiceConfiguration {
     @Bean
     AccessKeyService accessKeyService(House house, Accounts accounts, Secrets secrets, Clock clock) {
         return new AccessKeyService(house.access(), accounts, secrets, clock);
+    }
+
+    @Bean
+    RegistrationService registrationService(
+            House house, PasswordHashing passwords, FirstPassword firstPassword, Settings settings, Clock clock) {
+        return new RegistrationService(house.access(), passwords, firstPassword, settings.registration(), clock);
+    }
+
+    @Bean
+    InvitationService invitationService(House house, Secrets secrets, Clock clock) {
+        return new InvitationService(house.access(), secrets, clock);
     }
 
     @Bean

@@ -10,6 +10,7 @@ import java.util.Map;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.session.Enrolment;
+import org.dronemap.ws.service.Registration;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param tls null: plain HTTP and WebSocket
  * @param tileAddress null: only the base map that ships
  * @param linkSecret seals the keys of vehicles; null: it lies in a file of the data directory
+ * @param registration who may make an account
  */
 public record Settings(
         Path dataDirectory,
@@ -34,7 +36,8 @@ public record Settings(
         @Nullable String tileAddress,
         Watchdog watchdog,
         RecordingPolicy recording,
-        @Nullable Hidden linkSecret) {
+        @Nullable Hidden linkSecret,
+        Registration registration) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
     private static final int DEFAULT_STREAM_PORT = 8081;
@@ -83,7 +86,20 @@ public record Settings(
                 tile,
                 watchdog(environment),
                 RecordingSettings.of(environment),
-                hidden(environment, "DRONEMAP_LINK_SECRET"));
+                hidden(environment, "DRONEMAP_LINK_SECRET"),
+                registration(environment));
+    }
+
+    private static Registration registration(Map<String, String> environment) {
+        String value = text(environment, "DRONEMAP_REGISTRATION");
+        return switch (value == null ? "approval" : value) {
+            case "approval" -> Registration.APPROVAL;
+            case "invitation" -> Registration.INVITATION;
+            case "off" -> Registration.OFF;
+            default ->
+                throw new SetupException(
+                        "DRONEMAP_REGISTRATION must be approval, invitation or off, not \"" + value + "\".");
+        };
     }
 
     private static @Nullable String text(Map<String, String> environment, String name) {

@@ -29,6 +29,7 @@ import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.service.DtlsKeyRing;
+import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
@@ -53,6 +54,10 @@ public final class TestHouse implements AutoCloseable {
     private final Recorder recorder;
 
     public TestHouse(Path data, boolean publicMode) {
+        this(data, publicMode, Registration.APPROVAL);
+    }
+
+    public TestHouse(Path data, boolean publicMode, Registration registration) {
         this.data = data;
         cloud = new CloudManager(
                 lanes,
@@ -89,7 +94,8 @@ public final class TestHouse implements AutoCloseable {
                 "https://tiles.example/{z}/{x}/{y}",
                 PATIENT,
                 RecordingPolicy.DEFAULT,
-                null);
+                null,
+                registration);
         faces = FacesServer.start(settings, house);
     }
 

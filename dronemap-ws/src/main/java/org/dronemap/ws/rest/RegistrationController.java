@@ -1,0 +1,46 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import jakarta.servlet.http.HttpServletRequest;
+import org.dronemap.ws.service.RegistrationService;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Making an account of one's own; open to everybody. */
+@RestController
+@RequestMapping("/api/v1/registrations")
+@Tag(name = "Registration", description = "Make an account of one's own, by invitation or to wait for approval.")
+public class RegistrationController {
+    private final RegistrationService registrations;
+
+    /** How accounts are made here: {@code approval}, {@code invitation} or {@code off}. */
+    public record Policy(String policy) {}
+
+    public RegistrationController(RegistrationService registrations) {
+        this.registrations = registrations;
+    }
+
+    @GetMapping
+    @Operation(summary = "How accounts are made here", description = "approval, invitation or off; needs no sign-in.")
+    public Policy policy() {
+        return new Policy(registrations.policyName());
+    }
+
+    @PostMapping
+    @Operation(
+            summary = "Ask for an account",
+            description = "Needs no sign-in. 201: with an invitation, sign in now. 202: an administrator decides."
+                    + " At most ten from one address in ten minutes.")
+    public ResponseEntity<RegistrationService.Answer> register(
+            @RequestBody RegistrationService.Request body, HttpServletRequest request) {
+        RegistrationService.Answer answer = registrations.register(body, request.getRemoteAddr());
+        HttpStatus status = answer.state().equals("waiting") ? HttpStatus.ACCEPTED : HttpStatus.CREATED;
+        return ResponseEntity.status(status).body(answer);
+    }
+}

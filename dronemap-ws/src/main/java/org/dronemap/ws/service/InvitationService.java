@@ -1,0 +1,99 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.UUID;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Invitation;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.jspecify.annotations.Nullable;
+
+/** Invitations, for administrators. Any thread. */
+public final class InvitationService {
+    private static final int DEFAULT_DAYS = 7;
+    private static final int MOST_DAYS = 30;
+    private static final int MOST_OPEN = 500;
+    private static final int LONGEST_LABEL = 60;
+
+    private final AccessStore store;
+    private final Secrets secrets;
+    private final Clock clock;
+
+    /** Whom to invite as what, for how many days; seven unless said otherwise. */
+    public record NewInvitation(
+            @Nullable String label,
+            @Nullable String role,
+            @Nullable Integer days) {}
+
+    /**
+     * An invitation as administrators see it.
+     *
+     * @param code there once, in the answer that made it
+     */
+    public record InvitationView(
+            String id,
+            String label,
+            String role,
+            String invitedBy,
+            Instant expiresAt,
+            @Nullable String code) {}
+
+    public InvitationService(AccessStore store, Secrets secrets, Clock clock) {
+        this.store = store;
+        this.secrets = secrets;
+        this.clock = clock;
+    }
+
+    public List<InvitationView> invitations(Principal principal) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        return store.invitations(clock.instant()).stream()
+                .map(invitation -> view(invitation, null))
+                .toList();
+    }
+
+    public InvitationView invite(Principal principal, NewInvitation request) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        String label = Names.checked("label", request.label(), LONGEST_LABEL);
+        Role role = Roles.named(request.role());
+        Integer asked = request.days();
+        int days = asked == null ? DEFAULT_DAYS : asked;
+        if (days < 1 || days > MOST_DAYS) {
+            throw InvalidInput.outside("days", "1 to " + MOST_DAYS, days);
+        }
+        Instant now = clock.instant();
+        if (store.invitations(now).size() >= MOST_OPEN) {
+            throw Rejection.conflict(MOST_OPEN + " invitations are open already; withdraw some first.");
+        }
+        String code = secrets.token();
+        Invitation invitation = new Invitation(
+                UUID.randomUUID().toString(),
+                label,
+                role,
+                Secrets.hash(code),
+                principal.name(),
+                now.plus(Duration.ofDays(days)));
+        store.addInvitation(invitation, now);
+        return view(invitation, code);
+    }
+
+    public void withdraw(Principal principal, String id) {
+        Roles.require(principal, Role.ADMINISTRATOR);
+        if (!store.deleteInvitation(id)) {
+            throw Rejection.unknown("invitation", id);
+        }
+    }
+
+    private static InvitationView view(Invitation invitation, @Nullable String code) {
+        return new InvitationView(
+                invitation.id(),
+                invitation.label(),
+                WireNames.camel(invitation.role()),
+                invitation.invitedBy(),
+                invitation.expiresAt().truncatedTo(ChronoUnit.MILLIS),
+                code);
+    }
+}

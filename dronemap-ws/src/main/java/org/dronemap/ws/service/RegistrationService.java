@@ -1,0 +1,114 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.time.Duration;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.Invitation;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.jspecify.annotations.Nullable;
+
+/** Making an account of one's own. The only use case for people whom nobody knows yet. Any thread. */
+public final class RegistrationService {
+    private static final int MOST_WAITING = 200;
+    private static final int TIMES = 10;
+    private static final Duration WITHIN = Duration.ofMinutes(10);
+
+    private final AccessStore store;
+    private final PasswordHashing passwords;
+    private final FirstPassword firstPassword;
+    private final Registration policy;
+    private final Clock clock;
+    private final Throttle throttle;
+
+    /** What a person asks for; the invitation is the code from its link. */
+    public record Request(
+            @Nullable String name,
+            @Nullable String password,
+            @Nullable String invitation) {}
+
+    /** What came of it: {@code active}, or {@code waiting} for an administrator. */
+    public record Answer(String name, String role, String state) {}
+
+    public RegistrationService(
+            AccessStore store,
+            PasswordHashing passwords,
+            FirstPassword firstPassword,
+            Registration policy,
+            Clock clock) {
+        this.store = store;
+        this.passwords = passwords;
+        this.firstPassword = firstPassword;
+        this.policy = policy;
+        this.clock = clock;
+        this.throttle = new Throttle(clock, TIMES, WITHIN);
+    }
+
+    /** Whether and how a page should offer it. */
+    public String policyName() {
+        return WireNames.camel(policy);
+    }
+
+    public Answer register(Request request, String address) {
+        if (policy == Registration.OFF) {
+            throw Rejection.forbidden("Accounts are made by the administrators of this server; ask one.");
+        }
+        firstPassword.closed().ifPresent(why -> {
+            throw Rejection.forbidden(why);
+        });
+        throttle.take(address, "registrations from this address");
+        String name = UserNames.checked(request.name());
+        String password = PasswordRule.acceptable("password", request.password());
+        String code = request.invitation();
+        if (code != null && !code.isBlank()) {
+            return accept(invitation(code.strip()), name, password);
+        }
+        if (policy == Registration.INVITATION) {
+            throw Rejection.forbidden("Only those who were invited can make an account here; open the link of your"
+                    + " invitation, or ask an administrator for one.");
+        }
+        return wait(name, password);
+    }
+
+    private Answer accept(Invitation invitation, String name, String password) {
+        User user = new User(name, invitation.role(), AccountState.ACTIVE, passwords.hash(password), false);
+        if (!store.acceptInvitation(invitation.id(), user)) {
+            throw taken(name);
+        }
+        return answer(user);
+    }
+
+    private Answer wait(String name, String password) {
+        long waiting = store.users().stream()
+                .filter(user -> user.state() == AccountState.WAITING)
+                .count();
+        if (waiting >= MOST_WAITING) {
+            throw new Rejection(
+                    RejectionKind.UNAVAILABLE,
+                    "Too many people wait to be let in at the moment; try again later, or ask for an invitation.");
+        }
+        // The administrator who lets them in may give another role.
+        User user = new User(name, Role.VIEWER, AccountState.WAITING, passwords.hash(password), false);
+        if (!store.addUser(user)) {
+            throw taken(name);
+        }
+        return answer(user);
+    }
+
+    private Invitation invitation(String code) {
+        return store.invitation(Secrets.hash(code), clock.instant())
+                .orElseThrow(() -> new InvalidInput(
+                        "invitation",
+                        "the code of an invitation",
+                        "This invitation was used already, has expired or was withdrawn; ask for a new one."));
+    }
+
+    private static Rejection taken(String name) {
+        return Rejection.conflict("The name " + name + " is taken; choose another one.");
+    }
+
+    private static Answer answer(User user) {
+        return new Answer(user.name(), WireNames.camel(user.role()), WireNames.camel(user.state()));
+    }
+}

@@ -1,0 +1,164 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.service.Registration;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** How people whom nobody knows yet come to an account. */
+class RegistrationTest {
+    private static final String PASSWORD = "a word of my own";
+
+    @TempDir
+    private Path data;
+
+    private TestHouse house;
+    private Http administrator;
+    private Http nobody;
+
+    private void open(Registration registration) {
+        house = new TestHouse(data, false, registration);
+        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        nobody = new Http(house, "");
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void letsNobodyInBeforeAnAdministratorDoes() {
+        open(Registration.APPROVAL);
+
+        Http.Answer asked = register("carol", null);
+
+        assertThat(asked.status()).isEqualTo(202);
+        assertThat(asked.text("state")).isEqualTo("waiting");
+        Http.Answer early = signIn("carol");
+        assertThat(early.status()).isEqualTo(403);
+        assertThat(early.text("detail")).startsWith("Your account waits until an administrator lets you in");
+        assertThat(administrator.get("/api/v1/users").raw().body())
+                .contains(
+                        "{\"name\":\"carol\",\"role\":\"viewer\",\"state\":\"waiting\",\"mustChangePassword\":false}");
+
+        administrator.send(
+                "/api/v1/users/carol",
+                request -> request.header("Content-Type", "application/json")
+                        .method(
+                                "PATCH",
+                                HttpRequest.BodyPublishers.ofString("{\"role\":\"operator\",\"state\":\"active\"}")));
+
+        Http.Answer session = signIn("carol");
+        assertThat(session.status()).isEqualTo(200);
+        assertThat(session.text("role")).isEqualTo("operator");
+    }
+
+    @Test
+    void letsWhoIsInvitedInAtOnceAndOnlyOnce() {
+        open(Registration.INVITATION);
+        assertThat(nobody.get("/api/v1/registrations").text("policy")).isEqualTo("invitation");
+        assertThat(register("mallory", null).text("detail")).startsWith("Only those who were invited");
+        Http.Answer invitation = invite("{\"label\":\"Dave of the fire brigade\",\"role\":\"planner\"}");
+        assertThat(invitation.status()).isEqualTo(201);
+        assertThat(administrator.get("/api/v1/invitations").raw().body())
+                .contains("Dave of the fire brigade")
+                .doesNotContain(invitation.text("code"));
+
+        Http.Answer joined = register("dave", invitation.text("code"));
+
+        assertThat(joined.status()).isEqualTo(201);
+        assertThat(signIn("dave").text("role")).isEqualTo("planner");
+        Http.Answer again = register("eve", invitation.text("code"));
+        assertThat(again.status()).isEqualTo(422);
+        assertThat(again.text("field")).isEqualTo("invitation");
+        assertThat(administrator
+                        .get("/api/v1/invitations")
+                        .json()
+                        .path("invitations")
+                        .size())
+                .isZero();
+    }
+
+    @Test
+    void keepsAnInvitationWhenTheNameIsTakenAndTakesItBackWhenWithdrawn() {
+        open(Registration.APPROVAL);
+        register("carol", null);
+        Http.Answer invitation = invite("{\"label\":\"Carol\",\"role\":\"viewer\"}");
+
+        Http.Answer taken = register("carol", invitation.text("code"));
+
+        assertThat(taken.status()).isEqualTo(409);
+        assertThat(taken.text("detail")).isEqualTo("The name carol is taken; choose another one.");
+        assertThat(administrator
+                        .send("/api/v1/invitations/" + invitation.text("id"), HttpRequest.Builder::DELETE)
+                        .status())
+                .isEqualTo(204);
+        assertThat(register("carol2", invitation.text("code")).status()).isEqualTo(422);
+    }
+
+    @Test
+    void refusesEverybodyWhereItIsOff() {
+        open(Registration.OFF);
+
+        assertThat(register("carol", null).text("detail")).startsWith("Accounts are made by the administrators");
+        assertThat(nobody.get("/api/v1/registrations").text("policy")).isEqualTo("off");
+    }
+
+    @Test
+    void slowsDownWhoMakesManyAccounts() {
+        open(Registration.APPROVAL);
+        for (int i = 0; i < 10; i++) {
+            assertThat(register("carol" + i, null).status()).isEqualTo(202);
+        }
+
+        Http.Answer one = register("carol10", null);
+
+        assertThat(one.status()).isEqualTo(429);
+        assertThat(one.text("detail"))
+                .matches("Too many registrations from this address; wait \\d+ s and try again\\.");
+    }
+
+    @Test
+    void namesWhatIsWrong() {
+        open(Registration.APPROVAL);
+
+        assertThat(nobody.post("/api/v1/registrations", "{}").text("field")).isEqualTo("name");
+        assertThat(nobody.post("/api/v1/registrations", "{\"name\":\"a b\"}").text("field"))
+                .isEqualTo("name");
+        assertThat(nobody.post("/api/v1/registrations", "{\"name\":\"ab\",\"password\":\"short\"}")
+                        .text("field"))
+                .isEqualTo("password");
+        assertThat(invite("{\"role\":\"viewer\"}").text("field")).isEqualTo("label");
+        assertThat(invite("{\"label\":\"x\",\"role\":\"viewer\",\"days\":31}").text("field"))
+                .isEqualTo("days");
+        assertThat(new Http(house, house.key(Role.OPERATOR))
+                        .get("/api/v1/invitations")
+                        .status())
+                .isEqualTo(403);
+        assertThat(nobody.get("/api/v1/invitations").status()).isEqualTo(401);
+    }
+
+    private Http.Answer invite(String body) {
+        return administrator.post("/api/v1/invitations", body);
+    }
+
+    private Http.Answer register(String name, @Nullable String invitation) {
+        String code = invitation == null ? "null" : "\"" + invitation + "\"";
+        return nobody.post(
+                "/api/v1/registrations",
+                "{\"name\":\"" + name + "\",\"password\":\"" + PASSWORD + "\",\"invitation\":" + code + "}");
+    }
+
+    private Http.Answer signIn(String name) {
+        return nobody.post("/api/v1/session", "{\"name\":\"" + name + "\",\"password\":\"" + PASSWORD + "\"}");
+    }
+}

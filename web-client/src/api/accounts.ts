@@ -1,0 +1,124 @@
+export type Role = 'reporter' | 'viewer' | 'planner' | 'operator' | 'supervisor' | 'administrator';
+
+/** Least first; each may do all that the ones before it may. */
+export const ROLES: readonly Role[] = [
+  'reporter',
+  'viewer',
+  'planner',
+  'operator',
+  'supervisor',
+  'administrator',
+];
+
+export const WHAT_ROLES_DO: Record<Role, string> = {
+  reporter: 'sends reports, sees no drones',
+  viewer: 'watches',
+  planner: 'prepares missions and fences',
+  operator: 'commands drones',
+  supervisor: 'commands, and answers for safety',
+  administrator: 'manages users and the server',
+};
+
+export function mayAct(role: Role | undefined, needed: Role): boolean {
+  return role !== undefined && ROLES.indexOf(role) >= ROLES.indexOf(needed);
+}
+
+export interface Session {
+  name: string;
+  role: Role;
+  mustChangePassword: boolean;
+}
+
+export interface User {
+  name: string;
+  role: Role;
+  state: 'waiting' | 'active' | 'disabled';
+  mustChangePassword: boolean;
+}
+
+export interface NewUser {
+  name: string;
+  role: Role;
+  password: string;
+}
+
+export interface OneTimePassword {
+  name: string;
+  password: string;
+}
+
+export interface Invitation {
+  id: string;
+  label: string;
+  role: Role;
+  invitedBy: string;
+  expiresAt: string;
+}
+
+/** The code is shown this once and never again. */
+export interface NewInvitation extends Invitation {
+  code: string;
+}
+
+export type RegistrationPolicy = 'approval' | 'invitation' | 'off';
+
+export interface Registered {
+  name: string;
+  role: Role;
+  state: 'waiting' | 'active';
+}
+
+type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
+
+/** The calls about users, invitations and registration. */
+export class AccountCalls {
+  readonly #call: Call;
+
+  constructor(call: Call) {
+    this.#call = call;
+  }
+
+  async users(): Promise<User[]> {
+    return (await this.#call<{ users: User[] }>('GET', '/users')).users;
+  }
+
+  add(user: NewUser): Promise<User> {
+    return this.#call('POST', '/users', user);
+  }
+
+  change(name: string, change: { role?: Role; state?: 'active' | 'disabled' }): Promise<User> {
+    return this.#call('PATCH', `/users/${encodeURIComponent(name)}`, change);
+  }
+
+  resetPassword(name: string): Promise<OneTimePassword> {
+    return this.#call('POST', `/users/${encodeURIComponent(name)}/password`);
+  }
+
+  signOut(name: string): Promise<void> {
+    return this.#call('POST', `/users/${encodeURIComponent(name)}/sign-out`);
+  }
+
+  remove(name: string): Promise<void> {
+    return this.#call('DELETE', `/users/${encodeURIComponent(name)}`);
+  }
+
+  async invitations(): Promise<Invitation[]> {
+    return (await this.#call<{ invitations: Invitation[] }>('GET', '/invitations')).invitations;
+  }
+
+  invite(label: string, role: Role): Promise<NewInvitation> {
+    return this.#call('POST', '/invitations', { label, role });
+  }
+
+  withdraw(id: string): Promise<void> {
+    return this.#call('DELETE', `/invitations/${encodeURIComponent(id)}`);
+  }
+
+  async policy(): Promise<RegistrationPolicy> {
+    return (await this.#call<{ policy: RegistrationPolicy }>('GET', '/registrations')).policy;
+  }
+
+  register(name: string, password: string, invitation: string | null): Promise<Registered> {
+    return this.#call('POST', '/registrations', { name, password, invitation });
+  }
+}
