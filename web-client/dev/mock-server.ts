@@ -4,8 +4,9 @@
 import { randomUUID } from 'node:crypto';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import { WebSocketServer, type WebSocket } from 'ws';
-import type { Session, User } from '../src/api/accounts';
+import type { Session } from '../src/api/accounts';
 import type { AccessKey, Command, CommandRequest, SavedMission } from '../src/api/types';
+import { MockAccounts, type Handler } from './mock-accounts';
 import { MockDrone } from './mock-drone';
 import { snapshotOf } from './mock-snapshot';
 
@@ -30,7 +31,7 @@ const drones = Array.from({ length: count }, (_, i) => {
 const commands: Command[] = [];
 const clients = new Set<WebSocket>();
 let session: Session | null = null;
-let users: User[] = [{ name: 'admin', role: 'administrator' }];
+const accounts = new MockAccounts();
 let keys: AccessKey[] = [];
 let missions: SavedMission[] = [];
 
@@ -128,8 +129,6 @@ function needSession(): Session {
   return session;
 }
 
-type Handler = (body: never, id: string) => unknown;
-
 const HANDLERS: Record<string, Handler> = {
   'POST session': (body) => signIn(body),
   'GET session': () => needSession(),
@@ -137,6 +136,7 @@ const HANDLERS: Record<string, Handler> = {
     session = null;
   },
   'POST session/*': (body) => changePassword(body),
+  ...accounts.handlers,
   'GET settings': () => ({
     streamPort,
     tileAddress: process.env['DRONEMAP_TILES'] ?? null,
@@ -158,14 +158,6 @@ function route(method: string, path: string, body: unknown): unknown {
 function routeLists(method: string, list: string, id: string, body: unknown): unknown {
   const given = body as Record<string, unknown>;
   switch (`${method} ${list}`) {
-    case 'GET users':
-      return { users };
-    case 'POST users':
-      users = [...users, given as unknown as User];
-      return given;
-    case 'DELETE users':
-      users = users.filter((user) => user.name !== id);
-      return undefined;
     case 'GET access-keys':
       return { accessKeys: keys };
     case 'POST access-keys': {

@@ -13,6 +13,7 @@ function show(station: Station): void {
 
 function answering(type: string, detail: string): Station {
   const station = new Station();
+  vi.spyOn(station.rest.accounts, 'policy').mockResolvedValue('invitation');
   vi.spyOn(station.rest, 'session').mockRejectedValue(new Problem({ status: 401, type, detail }));
   return station;
 }
@@ -34,5 +35,17 @@ describe('sign-in', () => {
     await station.resume();
     show(station);
     expect(screen.queryByRole('status')).toBeNull();
+  });
+
+  it('offers to ask for an account only where that is possible', async () => {
+    const station = answering('urn:dronemap:problem:not-signed-in', 'Sign in first.');
+    show(station);
+    await vi.waitFor(() => expect(station.rest.accounts.policy).toHaveBeenCalled());
+    expect(screen.queryByRole('button', { name: /Ask for one/ })).toBeNull();
+
+    cleanup();
+    vi.spyOn(station.rest.accounts, 'policy').mockResolvedValue('approval');
+    show(station);
+    expect(await screen.findByRole('button', { name: /Ask for one/ })).toBeTruthy();
   });
 });

@@ -2,7 +2,7 @@ import { getContext, setContext } from 'svelte';
 import { RestClient } from '../api/rest';
 import { Problem } from '../api/problem';
 import { browserTimers, StreamClient, type Socket } from '../api/stream';
-import type { Role, Session } from '../api/accounts';
+import { mayAct, type Role, type Session } from '../api/accounts';
 import type { Drone, Settings, StreamMessage } from '../api/types';
 import { CloudClock } from './clock.svelte';
 import { Commands } from './commands.svelte';
@@ -99,14 +99,22 @@ export class Station {
   }
 
   async #enter(session: Session): Promise<void> {
-    if (!session.mustChangePassword) {
+    this.#stream.stop();
+    if (mayLook(session)) {
       this.settings = await this.rest.settings();
       this.connection.state = 'connecting';
-      this.#stream.stop();
       this.#stream.start();
     }
     this.signedOut = null;
     this.session = session;
+  }
+
+  /** An administrator may have taken the right to look. */
+  async #leaveIfShutOut(): Promise<void> {
+    const session = await this.rest.session();
+    if (!mayLook(session)) {
+      await this.#enter(session);
+    }
   }
 
   #forgetSession(why: string | null): void {
@@ -169,6 +177,9 @@ export class Station {
       if (thrown instanceof Problem && thrown.status === 401) {
         return null;
       }
+      if (thrown instanceof Problem && thrown.status === 403) {
+        await this.#leaveIfShutOut();
+      }
       throw thrown;
     }
   }
@@ -180,6 +191,11 @@ export function provideStation(station: Station): void {
 
 export function useStation(): Station {
   return getContext<Station>(STATION);
+}
+
+/** Others are told nothing of the server but who they are. */
+function mayLook(session: Session): boolean {
+  return !session.mustChangePassword && mayAct(session.role, 'viewer');
 }
 
 function openSocket(address: string): Socket {
