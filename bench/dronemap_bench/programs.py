@@ -28,9 +28,9 @@ def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
 
 
 class Server:
-    """A server of the measurement's own, in its default configuration but for ports and folder."""
+    """A server of the measurement's own, in its default configuration but for ports and folder, and recording where that is said."""
 
-    def __init__(self, data: Path) -> None:
+    def __init__(self, data: Path, recorded: bool = True) -> None:
         for jar in (SERVER_JAR, LOAD_JAR):
             if not jar.exists():
                 raise SystemExit(f"{jar} is missing: build first (mvn -Pfast package)")
@@ -52,6 +52,7 @@ class Server:
                     "DRONEMAP_HTTP_PORT": str(self.http_port),
                     "DRONEMAP_STREAM_PORT": str(self.stream_port),
                     "DRONEMAP_ENDPOINTS": f"udpserver://127.0.0.1:{self.udp_port}",
+                    "DRONEMAP_RECORD": "flights" if recorded else "never",
                 },
                 stdout=log,
                 stderr=subprocess.STDOUT,

@@ -84,6 +84,11 @@ def test_no_frame_of_a_big_fleet_is_lost(name: str, again: int) -> None:
 
 
 @pytest.mark.soak
+def test_a_message_costs_less_than_a_router_takes_for_it() -> None:
+    assert measure(configurations.named(["forwarding"])[0])["cpuMicrosPerMessage"] <= 8.8
+
+
+@pytest.mark.soak
 def test_positions_of_a_small_fleet_arrive_within_a_millisecond() -> None:
     result = measure(configurations.named(["latency"])[0])
     assert report.millis(result, "50.0") <= 1, result
