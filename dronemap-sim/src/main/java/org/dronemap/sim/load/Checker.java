@@ -3,20 +3,23 @@ package org.dronemap.sim.load;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.tlog.TlogReader;
 
-/** Compares recordings with all that the load vehicles said: says it again, and looks for it byte for byte, in order. */
+/** Compares recordings with all that the load vehicles said: says it again, and looks for it byte for byte. What came behind later news is late. */
 final class Checker {
     private static final int CLOUD = 255;
     private static final int FAREWELLS = 3;
@@ -29,6 +32,7 @@ final class Checker {
     private final Set<Integer> seen = new HashSet<>();
     private long files;
     private long found;
+    private long late;
     private long foreign;
     private long down;
     private long broken;
@@ -53,7 +57,8 @@ final class Checker {
         }
         long expected = (long) vehicles * (steps + FAREWELLS);
         return "{\"files\":" + files + ",\"vehicles\":" + seen.size() + ",\"expected\":" + expected + ",\"found\":"
-                + found + ",\"missing\":" + (expected - found) + ",\"foreign\":" + foreign + ",\"brokenBytes\":"
+                + found + ",\"missing\":" + (expected - found) + ",\"late\":" + late + ",\"foreign\":" + foreign
+                + ",\"brokenBytes\":"
                 + broken + ",\"down\":" + down + "}";
     }
 
@@ -102,18 +107,26 @@ final class Checker {
     }
 
     private void compare(List<Frame> heard, List<byte[]> said) {
+        Map<ByteBuffer, TreeSet<Integer>> places = new HashMap<>();
+        for (int at = 0; at < said.size(); at++) {
+            places.computeIfAbsent(ByteBuffer.wrap(said.get(at)), bytes -> new TreeSet<>())
+                    .add(at);
+        }
         int next = 0;
         for (Frame frame : heard) {
-            byte[] bytes = frame.bytes();
-            int at = next;
-            while (at < said.size() && !Arrays.equals(said.get(at), bytes)) {
-                at++;
-            }
-            if (at < said.size()) {
-                found++;
-                next = at + 1;
-            } else {
+            TreeSet<Integer> open = places.get(ByteBuffer.wrap(frame.bytes()));
+            if (open == null || open.isEmpty()) {
                 foreign++;
+                continue;
+            }
+            Integer ahead = open.ceiling(next);
+            int at = ahead == null ? open.first() : ahead;
+            open.remove(at);
+            found++;
+            if (at < next) {
+                late++;
+            } else {
+                next = at + 1;
             }
         }
     }
