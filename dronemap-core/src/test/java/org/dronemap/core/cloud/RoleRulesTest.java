@@ -59,7 +59,7 @@ class RoleRulesTest {
     private Set<Capability> allowed(Role role, @Nullable Boolean armed) {
         LinkSession session = new LinkSession(
                 new DroneKey("127.0.0.1", 14_601, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
-        DroneLink link = cloud.connect(session, Fixtures.copter(null));
+        DroneLink link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
         if (armed != null) {
             CompletableFuture<Void> done = new CompletableFuture<>();
             link.lane().execute(() -> {

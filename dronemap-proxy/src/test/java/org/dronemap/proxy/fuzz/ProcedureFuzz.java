@@ -65,12 +65,18 @@ final class ProcedureFuzz {
             new Command.SetFence(List.of(new FenceZone.Polygon(
                     true, List.of(new Geodetic(47.4, 8.5), new Geodetic(47.5, 8.5), new Geodetic(47.4, 8.6))))),
             new Command.ReadRallyPoints(),
-            new Command.SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.4, 8.5), 30))));
+            new Command.SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.4, 8.5), 30))),
+            new Command.SetHome(null, null),
+            new Command.SetHome(new Geodetic(47.4, 8.5), new Altitude(500, Altitude.Reference.AMSL)),
+            new Command.ReadHome());
 
     /** Takes every piece of a log and keeps none. */
     private static final class Swallowing implements LogSink {
+        private State state = State.OPEN;
+
         @Override
         public BitSet kept() {
+            state = State.OPEN;
             return new BitSet();
         }
 
@@ -81,7 +87,18 @@ final class ProcedureFuzz {
 
         @Override
         public boolean complete(long sizeBytes) {
+            state = State.WRITTEN;
             return true;
+        }
+
+        @Override
+        public void interrupted() {
+            // Nothing was kept that could be gone on with.
+        }
+
+        @Override
+        public State state() {
+            return state;
         }
     }
 

@@ -81,7 +81,11 @@ public final class TestHouse implements AutoCloseable {
                 () -> true,
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
                 new RecordedLinkSecurity());
-        Settings settings = new Settings(
+        faces = FacesServer.start(settings(publicMode, registration), house);
+    }
+
+    private Settings settings(boolean publicMode, Registration registration) {
+        return new Settings(
                 data,
                 "127.0.0.1",
                 0,
@@ -96,7 +100,6 @@ public final class TestHouse implements AutoCloseable {
                 RecordingPolicy.DEFAULT,
                 null,
                 registration);
-        faces = FacesServer.start(settings, house);
     }
 
     private void startRecorder() {

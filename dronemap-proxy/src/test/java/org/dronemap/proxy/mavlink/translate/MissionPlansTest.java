@@ -105,7 +105,7 @@ class MissionPlansTest {
                 .toList();
         PlanBench bench = new PlanBench(seed % 2 == 0 ? PlanBench.ARDUCOPTER : PlanBench.PX4);
         bench.wire.peer(vehicle::take);
-        bench.wire.target().roundTrip().measured(20_000_000L);
+        bench.wire.target().way().get().measured(20_000_000L);
         bench.wire.chatter(true);
         bench.wire.lossy(0.1, new Random(seed));
         bench.wire.slow(0.3, 0.7, 0.02);
