@@ -81,9 +81,10 @@ final class StreamRequests {
             requestId = message.requestId();
             answer(client, message);
         } catch (Rejection rejection) {
-            say(client, new StreamMessage.Failure(Problem.of(rejection), requestId));
             if (client.principal().isEmpty()) {
-                client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
+                expel(client, CloseFrame.POLICY_VALIDATION, rejection);
+            } else {
+                say(client, new StreamMessage.Failure(Problem.of(rejection), requestId));
             }
         } catch (RuntimeException e) {
             LOG.error("A message of the stream failed", e);

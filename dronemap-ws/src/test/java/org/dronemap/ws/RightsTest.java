@@ -1,0 +1,253 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.BiPredicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RightsTable;
+import org.dronemap.ws.house.RightsTable.Caller;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
+import tools.jackson.databind.JsonNode;
+
+/** Tries all that the running server exposes as everybody, and compares with what docs/security.md says. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class RightsTest {
+    private static final Pattern WSDL_OPERATION = Pattern.compile("<wsdl:operation name=\"(\\w+)\">");
+    private static final Pattern OWN = Pattern.compile("/api/v1/.*|/metrics");
+
+    /** What the gate and the services say to roles that may not. */
+    private static final Pattern ROLE_REFUSAL =
+            Pattern.compile("Your role may .*|A planner may .*|Only an? .* may do this.*");
+
+    /** What a command of that type needs beside its type. */
+    private static final Map<String, String> MEMBERS = Map.of(
+            "takeOff", ",\"altitude\":20",
+            "setMode", ",\"mode\":\"GUIDED\"",
+            "goTo", ",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20",
+            "uploadMission", ",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]",
+            "turn", ",\"degrees\":90",
+            "setRelay", ",\"relay\":1,\"setting\":\"on\"",
+            "setParameters", ",\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":2000}]");
+
+    private final Map<Caller, Http> callers = new EnumMap<>(Caller.class);
+    private final Map<Caller, String> keys = new EnumMap<>(Caller.class);
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private JsonNode description;
+
+    @BeforeAll
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15690);
+        vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
+        for (Caller caller : Caller.values()) {
+            keys.put(caller, caller.key(house));
+            callers.put(caller, new Http(house, keys.get(caller)));
+        }
+        description = callers.get(Caller.NOBODY).get("/api/openapi.json").json();
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void opensEachAddressOfRestToWhomTheTableSays() {
+        compare("REST", restOperations(), this::mayCall);
+    }
+
+    @Test
+    void opensEachOperationOfSoapToWhomTheTableSays() {
+        compare("SOAP", soapOperations(), this::mayCallSoap);
+    }
+
+    @Test
+    void takesFromEachClientOfTheStreamWhatTheTableSays() {
+        compare("Stream", streamOperations(), this::maySay);
+    }
+
+    @Test
+    void letsEachCommandThroughTheGateForWhomTheTableSays() {
+        compare("Commands", commandTypes(), this::mayCommand);
+    }
+
+    private void compare(String heading, Set<String> exposed, BiPredicate<String, Caller> tried) {
+        RightsTable table = RightsTable.below(heading);
+        assertThat(table.operations()).as("listed and exposed").containsExactlyInAnyOrderElementsOf(exposed);
+        List<String> differences = new ArrayList<>();
+        for (String operation : exposed) {
+            for (Caller caller : Caller.values()) {
+                boolean opened = tried.test(operation, caller);
+                if (opened != table.promises(operation, caller)) {
+                    differences.add(operation + " is " + (opened ? "open" : "closed") + " to " + caller);
+                }
+            }
+        }
+        assertThat(differences).as("otherwise than the table says").isEmpty();
+    }
+
+    /** All that the web framework dispatches, also what the description leaves out. */
+    private Set<String> restOperations() {
+        Set<String> operations = new TreeSet<>();
+        house.bean(RequestMappingHandlerMapping.class)
+                .getHandlerMethods()
+                .keySet()
+                .forEach(mapping -> mapping.getPatternValues().stream()
+                        .filter(path -> OWN.matcher(path).matches())
+                        .forEach(path -> mapping.getMethodsCondition()
+                                .getMethods()
+                                .forEach(method -> operations.add(method.name() + " " + path))));
+        assertThat(operations).hasSizeGreaterThan(70);
+        return operations;
+    }
+
+    /** Of things that do not exist: whoever may is told so, whoever may not is told that instead. */
+    private boolean mayCall(String operation, Caller caller) {
+        String method = operation.substring(0, operation.indexOf(' '));
+        String path = operation.substring(operation.indexOf(' ') + 1);
+        Http.Answer answer = callers.get(caller)
+                .send(
+                        path.replaceAll("\\{number}", "1").replaceAll("\\{\\w+}", "nosuchthing"),
+                        request -> request.header("Content-Type", contentType(method, path))
+                                .method(method, HttpRequest.BodyPublishers.ofString(method.equals("GET") ? "" : "{}")));
+        assertThat(answer.status()).as(operation + " for " + caller).isNotIn(400, 405, 415, 500);
+        return answer.status() != 401 && answer.status() != 403;
+    }
+
+    private String contentType(String method, String path) {
+        JsonNode content = description
+                .path("paths")
+                .path(path)
+                .path(method.toLowerCase(Locale.ROOT))
+                .path("requestBody")
+                .path("content");
+        return content.propertyNames().stream().findFirst().orElse("application/json");
+    }
+
+    private Set<String> soapOperations() {
+        String wsdl = callers.get(Caller.NOBODY)
+                .get("/services/MAVLinkControllerService?wsdl")
+                .raw()
+                .body();
+        Set<String> operations = new TreeSet<>();
+        Matcher found = WSDL_OPERATION.matcher(wsdl);
+        while (found.find()) {
+            operations.add(found.group(1));
+        }
+        assertThat(operations).hasSizeGreaterThan(20);
+        return operations;
+    }
+
+    private boolean mayCallSoap(String operation, Caller caller) {
+        String of = switch (operation) {
+            case "getDronesList" -> "";
+            case "getCommand" -> "<commandId>nosuchcommand</commandId>";
+            default -> "<droneId>nosuchdrone</droneId>";
+        };
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + of + "</w:" + operation
+                + "></s:Body></s:Envelope>";
+        String answer = callers.get(caller)
+                .send(
+                        "/services/MAVLinkControllerService",
+                        request -> request.header("Content-Type", "text/xml")
+                                .POST(HttpRequest.BodyPublishers.ofString(envelope)))
+                .raw()
+                .body();
+        boolean refused = answer.contains("<code>not-signed-in</code>") || answer.contains("<code>forbidden</code>");
+        assertThat(refused || answer.contains("<code>unknown</code>") || answer.contains("getDronesListResponse"))
+                .as(operation + " for " + caller + ": " + answer)
+                .isTrue();
+        return !refused;
+    }
+
+    /** As the stream itself names them to who says something else. */
+    private Set<String> streamOperations() {
+        try (StreamListener stream = StreamListener.withKey(house, keys.get(Caller.VIEWER))) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+            stream.send("{\"type\":\"nosuchtype\"}");
+            return words(stream.await(message -> message.path("type").asString().equals("error"))
+                    .path("problem")
+                    .path("allowed")
+                    .asString());
+        }
+    }
+
+    private boolean maySay(String type, Caller caller) {
+        if (type.equals("authenticate")) {
+            return isHeardOut(caller);
+        }
+        Map<String, String> headers =
+                caller == Caller.NOBODY ? Map.of() : Map.of("Authorization", "Bearer " + keys.get(caller));
+        try (StreamListener stream = StreamListener.with(house, "", headers)) {
+            boolean inside = caller.compareTo(Caller.VIEWER) >= 0;
+            if (inside) {
+                stream.await(message -> message.path("type").asString().equals("drones"));
+            }
+            // A reporter is shown out before saying anything.
+            if (inside || caller == Caller.NOBODY) {
+                stream.send("{\"type\":\"" + type + "\",\"drone\":\"nosuchdrone\",\"command\":{\"type\":\"land\"}}");
+            }
+            if (inside) {
+                // What has no answer of its own is followed by what has.
+                stream.send("{\"type\":\"nosuchtype\"}");
+            }
+            JsonNode first =
+                    stream.await(message -> message.path("type").asString().matches("error|pong"));
+            int status = first.path("problem").path("status").asInt();
+            return status != 401 && status != 403;
+        }
+    }
+
+    /** Anybody may try a key. */
+    private boolean isHeardOut(Caller caller) {
+        try (StreamListener stream = StreamListener.with(house, "", Map.of())) {
+            stream.send("{\"type\":\"authenticate\",\"key\":\"" + keys.get(caller) + "\"}");
+            String answer = stream.await(message -> true).toString();
+            return !answer.contains("Send {");
+        }
+    }
+
+    private Set<String> commandTypes() {
+        return words(callers.get(Caller.OPERATOR)
+                .post("/api/v1/drones/" + vehicle.id() + "/commands", "{\"type\":\"nosuchtype\"}")
+                .text("allowed"));
+    }
+
+    private boolean mayCommand(String type, Caller caller) {
+        Http.Answer answer = callers.get(caller)
+                .post(
+                        "/api/v1/drones/" + vehicle.id() + "/commands",
+                        "{\"type\":\"" + type + "\"" + MEMBERS.getOrDefault(type, "") + "}");
+        assertThat(answer.status()).as(type + " for " + caller).isNotIn(422, 500);
+        return answer.status() != 401
+                && !ROLE_REFUSAL.matcher(answer.text("detail")).matches();
+    }
+
+    private static Set<String> words(String list) {
+        return Set.of(list.replaceFirst("^one of ", "").split(",? or |, "));
+    }
+}
