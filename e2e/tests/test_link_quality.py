@@ -96,6 +96,17 @@ def test_loss_and_round_trip_are_measured(api: Api, talkative: Peer) -> None:
     assert (quality_of(api, talkative) or {})["lossLong"] > 0.02
 
 
+def test_a_vehicle_that_asks_for_the_time_is_told_it(api: Api, talkative: Peer) -> None:
+    wait_for("the drone is listed", lambda: quality_of(api, talkative), 30)
+
+    def answered() -> list[int]:
+        talkative.link.timesync_send(0, 4711)
+        return [m.tc1 for m in talkative.received("TIMESYNC") if m.ts1 == 4711 and m.tc1 != 0]
+
+    first = wait_for("the question is answered", answered, 30)[0]
+    assert answered()[-1] >= first > 0
+
+
 def stands_still(server: Server) -> bool:
     """Stopped, as /proc tells it behind the name in parentheses."""
     return Path(f"/proc/{server.pid}/stat").read_text().rpartition(") ")[2].startswith("T")

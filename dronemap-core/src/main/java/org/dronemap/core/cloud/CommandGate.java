@@ -74,7 +74,7 @@ public final class CommandGate {
                 new OpenCommand(command, record, managed.lane().activeNanos()), managed, new CompletableFuture<>());
         Underway earlier = underway.putIfAbsent(id, entry);
         if (earlier != null) {
-            return earlier.open().record();
+            return earlier.open().told();
         }
         return send(entry, record);
     }
@@ -86,7 +86,7 @@ public final class CommandGate {
 
     public Optional<CommandRecord> find(CommandId id) {
         Underway now = underway.get(id);
-        return now != null ? Optional.of(now.open().record()) : store.command(id);
+        return now != null ? Optional.of(now.open().told()) : store.command(id);
     }
 
     /** The record once the command has ended; completes at once for one that has. */
@@ -151,7 +151,7 @@ public final class CommandGate {
         } catch (RejectedExecutionException e) {
             end(entry, new Outcome.Failed("The server is overloaded; nothing was sent."));
         }
-        return entry.open().record();
+        return entry.open().told();
     }
 
     /** What must work even when nothing can be written. */
@@ -218,8 +218,9 @@ public final class CommandGate {
             return;
         }
         CommandRecord done = before.ended(outcome, clock.instant());
-        entry.open().update(done, entry.drone().lane().activeNanos());
+        entry.open().ended(done, entry.drone().lane().activeNanos());
         journal.write("the outcome of " + done.summary(), () -> store.finish(done), () -> {
+            entry.open().written();
             listener.commandChanged(done);
             underway.remove(done.id(), entry);
             entry.end().complete(done);

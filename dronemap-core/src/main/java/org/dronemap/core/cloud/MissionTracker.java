@@ -21,7 +21,6 @@ final class MissionTracker {
     private @Nullable KnownMission known;
     private @Nullable List<MissionItem> items;
     private @Nullable String hash;
-    private @Nullable String knownHash;
     private @Nullable Integer current;
     private @Nullable Integer lastFlown;
     private @Nullable Integer lastReached;
@@ -77,16 +76,16 @@ final class MissionTracker {
         notice = null;
         if (before == null) {
             keep();
-        } else if (knownHash == null) {
-            // What was remembered before a restart has no hash.
-            knownHash = hash;
+        } else if (before.hash() == null && hash != null) {
+            remember(before.withHash(hash));
         }
         return first ? compareItem() : Optional.empty();
     }
 
     private Optional<String> difference(KnownMission before, DroneEvent.MissionRead read) {
         Optional<String> visible = MissionComparison.difference(before.items(), read.items());
-        boolean otherHash = knownHash != null && read.hash() != null && !knownHash.equals(read.hash());
+        boolean otherHash =
+                before.hash() != null && read.hash() != null && !before.hash().equals(read.hash());
         return visible.isEmpty() && otherHash ? Optional.of("its items have other settings") : visible;
     }
 
@@ -165,11 +164,13 @@ final class MissionTracker {
 
     private Optional<String> keep() {
         if (items != null) {
-            KnownMission now = new KnownMission(items, current);
-            known = now;
-            knownHash = hash;
-            remember.accept(now);
+            remember(new KnownMission(items, hash, current));
         }
         return Optional.empty();
+    }
+
+    private void remember(KnownMission now) {
+        known = now;
+        remember.accept(now);
     }
 }

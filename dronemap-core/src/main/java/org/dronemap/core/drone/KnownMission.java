@@ -4,10 +4,25 @@ import java.util.List;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
-/** What the cloud last knew to be on a vehicle, and the index it was heading for then. */
+/**
+ * What the cloud last knew to be on a vehicle, and the index it was heading for then; {@code hash} is null when the
+ * vehicle's own items were not known exactly.
+ */
 public record KnownMission(
-        List<MissionItem> items, @Nullable Integer current) {
+        List<MissionItem> items,
+        @Nullable String hash,
+        @Nullable Integer current) {
     public KnownMission {
         items = List.copyOf(items);
+    }
+
+    /** Known by its items alone. */
+    public KnownMission(List<MissionItem> items, @Nullable Integer current) {
+        this(items, null, current);
+    }
+
+    /** The same, whose exact items are known now. */
+    public KnownMission withHash(@Nullable String exact) {
+        return new KnownMission(items, exact, current);
     }
 }

@@ -228,6 +228,23 @@ class CommandGateTest {
     }
 
     @Test
+    void tellsAnOutcomeOnlyWhenItIsWritten() {
+        CommandRecord sent = gate.submit(OPERATOR, link.id(), id("arm-00003"), new Command.Arm());
+        CompletableFuture<CommandRecord> end = gate.end(sent.id());
+        store.disk = new CountDownLatch(1);
+        report(sent).ended(new Outcome.Succeeded());
+
+        assertThat(gate.find(sent.id()).orElseThrow().outcome()).isNull();
+        assertThat(gate.commandsOf(link.id(), 10))
+                .singleElement()
+                .satisfies(told -> assertThat(told.outcome()).isNull());
+        store.disk.countDown();
+
+        assertThat(end).succeedsWithin(5, TimeUnit.SECONDS);
+        assertThat(gate.find(sent.id()).orElseThrow().outcome()).isEqualTo(new Outcome.Succeeded());
+    }
+
+    @Test
     void letsAHomeBeSetInTheMiddleOfAFlightCommand() {
         hear(new DroneEvent.ModeHeard("GUIDED", true));
         hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));

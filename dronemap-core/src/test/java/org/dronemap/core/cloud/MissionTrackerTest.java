@@ -88,7 +88,19 @@ class MissionTrackerTest {
         MissionTracker tracker = new MissionTracker(new KnownMission(THREE, null), kept::add);
         tracker.apply(new MissionRead(THREE, "aa", false));
 
+        assertThat(kept).containsExactly(new KnownMission(THREE, "aa", null));
         assertThat(tracker.apply(new MissionRead(THREE, "bb", false))).isPresent();
+    }
+
+    @Test
+    void noticesFinerSettingsThatChangedWhileItWasAway() {
+        MissionTracker before = new MissionTracker(null, kept::add);
+        before.apply(new MissionRead(THREE, "aa", true));
+
+        MissionTracker after = new MissionTracker(kept.get(kept.size() - 1), kept::add);
+
+        assertThat(after.apply(new MissionRead(THREE, "bb", false)))
+                .hasValueSatisfying(told -> assertThat(told).contains("other settings"));
     }
 
     @Test

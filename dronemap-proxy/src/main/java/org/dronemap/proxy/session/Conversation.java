@@ -12,6 +12,7 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.CommandLedger;
 import org.dronemap.proxy.mavlink.procedure.MessageRates;
 import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.procedure.TimeAnswers;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.dronemap.proxy.mavlink.translate.Cockpit;
 import org.dronemap.proxy.mavlink.translate.ParameterTable;
@@ -38,6 +39,8 @@ final class Conversation {
     private final Errands errands = new Errands();
     private final MessageRates rates;
     private final MissionWatch missions;
+    private final TimeAnswers time;
+    private boolean known;
     private long lastHeartbeatNanos;
 
     /** {@code first} is a heartbeat of that autopilot; {@code news} hears what it says. */
@@ -53,6 +56,7 @@ final class Conversation {
         parameters = new ParameterTable(autopilot, this::tell);
         rates = new MessageRates(target);
         missions = new MissionWatch(target, autopilot, status, this::tell);
+        time = new TimeAnswers(target);
         lastHeartbeatNanos = nanoTime.getAsLong() - SECOND_NANOS;
     }
 
@@ -84,6 +88,9 @@ final class Conversation {
         played(frame, now);
         errands.heard(frame, now);
         links.heard(frame, now);
+        if (known) {
+            time.heard(frame, now);
+        }
         rates.heard(frame, now);
         missions.heard(frame, now, errands.transferring());
     }
@@ -110,12 +117,14 @@ final class Conversation {
 
     /** A drone listens from now on that knows nothing of the vehicle yet. */
     void begin(long now) {
+        known = true;
         telemetry.identified();
         missions.begin(now);
     }
 
-    /** Ends all commands without knowing what becomes of them. */
+    /** The drone listens no more: ends all commands without knowing what becomes of them. */
     void abandon(String why) {
+        known = false;
         errands.abandon(why);
     }
 

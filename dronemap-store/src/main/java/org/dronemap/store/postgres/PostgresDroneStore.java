@@ -66,16 +66,20 @@ public final class PostgresDroneStore implements DroneStore {
     @Override
     public Optional<KnownMission> knownMission(DroneId id) {
         return sql.one(
-                "SELECT items, current_item FROM known_mission WHERE drone_id = ?",
-                row -> new KnownMission(MissionItemJson.read(row.text("items")), row.integerOrNull("current_item")),
+                "SELECT items, content_hash, current_item FROM known_mission WHERE drone_id = ?",
+                row -> new KnownMission(
+                        MissionItemJson.read(row.text("items")),
+                        row.textOrNull("content_hash"),
+                        row.integerOrNull("current_item")),
                 id.value());
     }
 
     @Override
     public void saveKnownMission(DroneId id, KnownMission mission) {
         sql.update("""
-                INSERT INTO known_mission (drone_id, items, current_item) VALUES (?, ?::json, ?)
-                ON CONFLICT (drone_id) DO UPDATE SET items = excluded.items, current_item = excluded.current_item""", id.value(), MissionItemJson.write(mission.items()), mission.current());
+                INSERT INTO known_mission (drone_id, items, content_hash, current_item) VALUES (?, ?::json, ?, ?)
+                ON CONFLICT (drone_id) DO UPDATE SET items = excluded.items, content_hash = excluded.content_hash,
+                    current_item = excluded.current_item""", id.value(), MissionItemJson.write(mission.items()), mission.hash(), mission.current());
     }
 
     private static DroneRecord drone(Row row) throws SQLException {

@@ -126,6 +126,7 @@ public abstract class DroneStoreContract {
                         new MissionItem.Other("camera trigger \"every\" 5 m\n"),
                         new MissionItem.ReturnToLaunch(),
                         new MissionItem.Land()),
+                "5f0c2a",
                 3);
         store.saveKnownMission(COPTER, mission);
         assertThat(store.knownMission(COPTER)).contains(mission);
