@@ -153,6 +153,20 @@ class IdentityTest {
     }
 
     @Test
+    void givesADroneThatHasSignedToNobodyWhoDoesNot() {
+        DroneLink link = letIn(5001, "aa01", null);
+        onLane(link, () -> link.proved(new Proof.OfSignature(link.id())));
+        keepAlive(link);
+
+        for (int port : new int[] {5001, 8001}) {
+            assertThat(cloud.admit(claim(port, "aa01", null, true))).isInstanceOf(Admission.Outside.class);
+        }
+        assertThat(cloud.waiting())
+                .hasSize(2)
+                .allSatisfy(waiting -> assertThat(waiting.why()).contains("has shown proof before"));
+    }
+
+    @Test
     void makesNoOneDroneOfTwoVehiclesThatShareAKey() {
         DroneLink first = letIn(5001, null, new Proof.OfLink("key 7"));
         keepAlive(first);

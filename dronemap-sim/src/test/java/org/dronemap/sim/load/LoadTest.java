@@ -97,6 +97,20 @@ class LoadTest {
     }
 
     @Test
+    void tellsAFrameThatCameLateFromAForeignOne() throws IOException {
+        List<byte[]> said = said(0, 20);
+        said.add(15, said.remove(11));
+        write("a.tlog", said);
+        assertThat(check(1)).contains("\"missing\":0", "\"late\":1", "\"foreign\":0");
+    }
+
+    @Test
+    void takesARecordingOfNoLoadVehicleForForeign() throws IOException {
+        write("a.tlog", said(5, 20));
+        assertThat(check(1)).contains("\"found\":0", "\"foreign\":" + (STEPS + 3));
+    }
+
+    @Test
     void floodsFromOneAddressWithWhatIsBrokenOrMeansNoGood() throws IOException {
         assertThat(read(flood("hostile"))).hasSizeGreaterThan(150).allMatch(Frame::verified);
         assertThat(read(flood("broken"))).hasSizeLessThan(20);

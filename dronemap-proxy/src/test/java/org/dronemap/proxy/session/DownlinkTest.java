@@ -1,0 +1,99 @@
+package org.dronemap.proxy.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.InstantSource;
+import java.util.List;
+import java.util.stream.LongStream;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.access.LinkPolicy;
+import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Attitude;
+import org.dronemap.mavlink.message.SetupSigning;
+import org.dronemap.proxy.TestKeys;
+import org.dronemap.proxy.signing.ChangeKind;
+import org.dronemap.proxy.signing.Keyrings;
+import org.dronemap.proxy.signing.LinkGuard;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class DownlinkTest {
+    private static final DroneId DRONE = new DroneId("d7k2m9q4xa");
+    private static final long SECOND = 1_000_000_000L;
+
+    private final Journal journal = new Journal();
+    private final Hop hop = new Hop("udp", 14_550);
+    private final Downlink downlink = new Downlink(hop);
+    private long now = 1_000 * SECOND;
+
+    @BeforeEach
+    void changeTheKey() {
+        TestKeys kept = new TestKeys();
+        kept.save(new LinkSecurity(DRONE, LinkPolicy.REQUIRED, key(1), null, true, 0));
+        Keyrings keyrings = new Keyrings(
+                new Keyrings.Keeping(kept, journal, drone -> 1, (drone, sentence) -> {}), InstantSource.system());
+        LinkGuard guard = keyrings.guard(0, () -> true);
+        guard.bound(DRONE, 1);
+        downlink.guardedBy(guard);
+        assertThat(keyrings.change(DRONE, ChangeKind.ROTATE, key(2), false)).isNotDone();
+        assertThat(guard.tick(1, 1, now)).isNotNull();
+    }
+
+    @AfterEach
+    void close() {
+        journal.close();
+    }
+
+    private static LinkKey key(int first) {
+        byte[] secret = new byte[LinkKey.BYTES];
+        secret[0] = (byte) first;
+        return new LinkKey(secret);
+    }
+
+    private void send(int from, int to) {
+        for (int i = from; i < to; i++) {
+            downlink.send(new Attitude(i, 0f, 0f, 0f, 0f, 0f, 0f), now);
+        }
+    }
+
+    private List<Long> numbers() {
+        return hop.heard().stream()
+                .filter(frame -> frame.messageId() == Attitude.ID)
+                .map(frame -> Attitude.decode(frame).timeBootMs())
+                .toList();
+    }
+
+    @Test
+    void keepsWhatMustWaitForAKeyInItsOrder() {
+        send(1, 6);
+        assertThat(hop.heard()).isEmpty();
+
+        now += 2 * SECOND;
+        send(6, 7);
+        assertThat(numbers()).containsExactly(1L, 2L, 3L, 4L, 5L, 6L);
+        assertThat(hop.heard()).allMatch(Frame::signed);
+    }
+
+    @Test
+    void letsTheOldestFallOutOfWhatWaits() {
+        send(0, 300);
+        downlink.tick(now);
+        assertThat(hop.heard()).isEmpty();
+
+        downlink.tick(now + 2 * SECOND);
+        assertThat(numbers())
+                .containsExactlyElementsOf(
+                        LongStream.range(300 - 256, 300).boxed().toList());
+    }
+
+    @Test
+    void aKeyWaitsForNothing() {
+        send(1, 6);
+        downlink.sendSecret(new SetupSigning(1, 1, new int[LinkKey.BYTES], 1));
+        assertThat(hop.heard()).extracting(Frame::messageId).containsExactly(SetupSigning.ID);
+    }
+}

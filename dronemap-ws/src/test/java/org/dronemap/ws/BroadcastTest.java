@@ -1,0 +1,95 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+class BroadcastTest {
+    private TestHouse house;
+    private ScriptedVehicle willing;
+    private ScriptedVehicle unwilling;
+    private ScriptedVehicle silent;
+    private Http operator;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        willing = ScriptedVehicle.connect(house.cloud(), 15_901);
+        unwilling = ScriptedVehicle.connect(house.cloud(), 15_902);
+        unwilling.ends(command -> new Outcome.Refused("vehicle", "PreArm: compass 7 not healthy"));
+        silent = ScriptedVehicle.connect(house.cloud(), 15_903);
+        silent.ends(command -> new Outcome.TimedOut("No answer from the vehicle within 8 s (9 tries)."));
+        operator = new Http(house, house.key(Role.OPERATOR));
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    private Http.Answer arm(String drones) {
+        return operator.post(
+                "/api/v1/commands?wait=30",
+                "{\"id\":\"one-for-all\",\"drones\":" + drones + ",\"command\":{\"type\":\"arm\"}}");
+    }
+
+    private static List<String> results(Http.Answer answer) {
+        List<String> results = new ArrayList<>();
+        for (JsonNode result : answer.json().path("results")) {
+            results.add(result.path("drone").asString("") + " "
+                    + result.path("command").path("outcome").path("result").asString("none"));
+        }
+        return results;
+    }
+
+    @Test
+    void eachDroneHasAnOutcomeOfItsOwn() {
+        Http.Answer answer = arm("\"all\"");
+
+        assertThat(answer.status()).isEqualTo(200);
+        assertThat(results(answer))
+                .containsExactlyInAnyOrder(
+                        willing.id() + " succeeded", unwilling.id() + " refused", silent.id() + " timedOut");
+        assertThat(List.of(willing, unwilling, silent))
+                .allSatisfy(vehicle -> assertThat(vehicle.performed()).containsExactly(new Command.Arm()));
+    }
+
+    @Test
+    void onlyThoseAskedForAreAskedInThatOrder() {
+        Http.Answer answer = arm("[\"" + unwilling.id() + "\",\"" + willing.id() + "\"]");
+
+        assertThat(results(answer)).containsExactly(unwilling.id() + " refused", willing.id() + " succeeded");
+        assertThat(silent.performed()).isEmpty();
+    }
+
+    @Test
+    void anUnknownDroneKeepsNoOtherFromItsCommand() {
+        Http.Answer answer = arm("[\"nobody\",\"" + willing.id() + "\"]");
+
+        assertThat(results(answer)).containsExactly("nobody none", willing.id() + " succeeded");
+        assertThat(answer.json().path("results").get(0).path("problem").asString(""))
+                .isEqualTo("There is no drone nobody.");
+    }
+
+    @Test
+    void theSameIdActsOnceOnEachDrone() {
+        arm("\"all\"");
+        arm("\"all\"");
+
+        assertThat(willing.performed()).hasSize(1);
+        assertThat(unwilling.performed()).hasSize(1);
+    }
+}
