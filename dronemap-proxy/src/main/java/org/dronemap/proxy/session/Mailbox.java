@@ -22,7 +22,8 @@ final class Mailbox {
     private static final Logger LOG = LoggerFactory.getLogger(Mailbox.class);
     private static final int CAPACITY = 1_024;
     private static final int REPLACEABLE_CAPACITY = CAPACITY - CAPACITY / 4;
-    private static final int AT_ONCE = 256;
+    /** So few that a flooded session lets its neighbours on the lane wait less than a millisecond. */
+    private static final int AT_ONCE = 64;
 
     private final Queue<Frame> frames = new ConcurrentLinkedQueue<>();
     private final AtomicInteger waiting = new AtomicInteger();
