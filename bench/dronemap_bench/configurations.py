@@ -75,7 +75,9 @@ MOVING = Impairment(delay=5, jitter=2, rebind_seconds=10)
 CONFIGURATIONS = [
     Configuration("fleet-100", "250 vehicles, 100 messages/s each", 250, 100),
     Configuration("fleet-200", "250 vehicles, 200 messages/s each", 250, 200),
-    Configuration("forwarding", "250 vehicles, 100 messages/s each, nothing recorded", 250, 100, recorded=False),
+    Configuration(
+        "forwarding", "250 vehicles, 100 messages/s each, nothing recorded", 250, 100, recorded=False
+    ),
     Configuration("latency", "8 vehicles, 24 positions/s each", 8, 24, only_positions=True),
     Configuration("many", "2,000 vehicles, 10 messages/s each", 2000, 10, warm_up=30),
     Configuration("imatisse-1", "minimal fleet: 2 x 4 vehicles, 4 Hz", 8, 4, only_positions=True),

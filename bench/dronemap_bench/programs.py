@@ -28,7 +28,7 @@ def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
 
 
 class Server:
-    """A server of the measurement's own, in its default configuration but for ports and folder, and recording where that is said."""
+    """Of the measurement alone; in its default configuration but for ports, folder, and whether it records."""
 
     def __init__(self, data: Path, recorded: bool = True) -> None:
         for jar in (SERVER_JAR, LOAD_JAR):

@@ -10,6 +10,9 @@ import java.util.Optional;
 final class Seat implements Peer {
     /** About 10,000 messages a second: more than a radio, or a router of a hundred vehicles, ever sends. */
     private static final long UNITS_PER_SECOND = 3_200_000;
+    /** About 1,300 messages: a vehicle that tells all its parameters at once. */
+    private static final long FIRST_UNITS_PER_SECOND = 400_000;
+
     private static final long STRANGER_UNITS_PER_SECOND = 200_000;
 
     private final Place place;
@@ -65,7 +68,7 @@ final class Seat implements Peer {
             hostsStrangers.spend(cost);
             if (counters.framesIn() > 0) {
                 proven = true;
-                own = new Allowance(UNITS_PER_SECOND, now);
+                own = Allowance.growing(FIRST_UNITS_PER_SECOND, UNITS_PER_SECOND, now);
             }
         }
     }
