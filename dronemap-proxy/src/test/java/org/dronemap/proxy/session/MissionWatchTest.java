@@ -9,6 +9,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.PayloadWriter;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequestInt;
@@ -106,6 +107,16 @@ class MissionWatchTest {
         assertThat(told).hasSize(2);
         assertThat(((DroneEvent.MissionRead) told.get(1)).items().get(2))
                 .isNotEqualTo(((DroneEvent.MissionRead) told.get(0)).items().get(2));
+    }
+
+    @Test
+    void readsAgainAsSoonAsAMissionOfSomebodyElseIsAcknowledged() {
+        flyWith(5);
+        vehicle.held.set(3, item(3, 31f, 0f));
+        wire.answer(new MissionAck(254, 190, 0, 0));
+        wire.run(watching, 3);
+
+        assertThat(told).hasSize(2);
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.dronemap.proxy.mavlink.procedure;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
+import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.mavlink.message.LogRequestData;
@@ -96,6 +97,38 @@ class LogTransferTest {
         assertThat(wire.runWhole(download())).isEqualTo(DONE);
         assertThat(memory.content).isEqualTo(vehicle.content);
         assertThat(vehicle.poured).isEqualTo((BYTES + 89) / 90 - had);
+    }
+
+    @Test
+    void fetchesAgainWhatFoundNoRoom() {
+        memory.noRoomYet.set(7);
+        memory.noRoomYet.set(700, 720);
+
+        assertThat(wire.runWhole(download())).isEqualTo(DONE);
+        assertThat(memory.content).isEqualTo(vehicle.content);
+    }
+
+    @Test
+    void isDoneOnlyWhenTheWholeLogIsSafe() {
+        memory.slow = true;
+        LogDownload download = download();
+        download.start(wire.now());
+        assertThat(wire.run(download, 60)).isNull();
+        memory.state = LogSink.State.WRITTEN;
+
+        assertThat(wire.run(download, 1)).isEqualTo(DONE);
+    }
+
+    @Test
+    void saysThatTheDiskIsFull() {
+        memory.slow = true;
+        LogDownload download = download();
+        download.start(wire.now());
+        wire.run(download, 60);
+        memory.state = LogSink.State.FAILED;
+
+        assertThat(wire.run(download, 1)).isInstanceOf(Outcome.Failed.class);
+        assertThat(memory.interrupted).isTrue();
     }
 
     @Test

@@ -58,6 +58,10 @@ final class LogVehicle {
         byte[] content = new byte[0];
         State state = State.OPEN;
         boolean interrupted;
+        /** Pieces that are turned away once. */
+        final BitSet noRoomYet = new BitSet();
+        /** Says later that all is safe. */
+        boolean slow;
 
         @Override
         public BitSet kept() {
@@ -66,6 +70,10 @@ final class LogVehicle {
 
         @Override
         public boolean put(int piece, byte[] bytes) {
+            if (noRoomYet.get(piece)) {
+                noRoomYet.clear(piece);
+                return false;
+            }
             int start = piece * PIECE_BYTES;
             content = Arrays.copyOf(content, Math.max(content.length, start + bytes.length));
             System.arraycopy(bytes, 0, content, start, bytes.length);
@@ -76,7 +84,7 @@ final class LogVehicle {
         @Override
         public boolean complete(long sizeBytes) {
             content = Arrays.copyOf(content, (int) sizeBytes);
-            state = State.WRITTEN;
+            state = slow ? State.OPEN : State.WRITTEN;
             return true;
         }
 

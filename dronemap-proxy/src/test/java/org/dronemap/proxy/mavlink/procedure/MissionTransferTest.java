@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -160,6 +161,47 @@ class MissionTransferTest {
         assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
                 .isEqualTo(DONE);
         assertThat(held).hasSize(ITEMS);
+    }
+
+    @Test
+    void beginsAgainWhenTheVehicleHasForgottenTheTransfer() {
+        List<Message> counts = new ArrayList<>();
+        wire.chatter(true);
+        wire.peer((w, message) -> {
+            if (message instanceof MissionCount) {
+                counts.add(message);
+            }
+            boolean forgotten = counts.size() == 1 && held.size() >= 3;
+            if (!forgotten) {
+                vehicle(w, message);
+            }
+        });
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(counts).hasSize(2);
+        assertThat(held.values()).containsExactlyElementsOf(items());
+    }
+
+    @Test
+    void readsAllAnewWhenTheMissionChangesWhileItIsRead() {
+        List<MissionItemInt> newer = items().stream()
+                .map(old -> new MissionItemInt(1, 1, old.seq(), 3, 16, 0, 1, 0f, 0f, 0f, 0f, old.x(), 20, 77f, 0))
+                .toList();
+        items().forEach(item -> held.put(item.seq(), item));
+        AtomicBoolean changed = new AtomicBoolean();
+        wire.peer((w, message) -> {
+            if (message instanceof MissionRequestInt request && request.seq() == 3 && !changed.getAndSet(true)) {
+                newer.forEach(item -> held.put(item.seq(), item));
+                w.answer(new MissionAck(255, 190, 1, 0));
+            } else {
+                vehicle(w, message);
+            }
+        });
+        MissionDownload download = MissionDownload.whole(wire.target(), MissionKind.MISSION);
+
+        assertThat(wire.runWhole(download)).isEqualTo(DONE);
+        assertThat(download.items()).containsExactlyElementsOf(newer);
     }
 
     @Test

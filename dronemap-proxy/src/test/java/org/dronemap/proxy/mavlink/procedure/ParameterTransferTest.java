@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
@@ -122,6 +123,23 @@ class ParameterTransferTest {
 
         assertThat(wire.runWhole(writing(vehicle, List.of(to("P_3", 1.5), to("P_4", 20)))))
                 .isEqualTo(new Outcome.Failed("The vehicle holds P_4 = 21, not 20."));
+    }
+
+    @Test
+    void takesAnEchoOfTheWritingForNoReading() {
+        ParameterVehicle vehicle = ParameterVehicle.with(9, false);
+        vehicle.altered = "P_4";
+        ParameterWriting writing = writing(vehicle, List.of(to("P_4", 20)));
+        AtomicBoolean lost = new AtomicBoolean();
+        wire.peer((w, message) -> {
+            if (!(message instanceof ParamRequestRead) || lost.getAndSet(true)) {
+                vehicle.take(w, message);
+            }
+        });
+        // The vehicle's answer to the writing comes once more when it may be read already.
+        wire.fault(Fault.DOUBLED, 1);
+
+        assertThat(wire.runWhole(writing)).isEqualTo(new Outcome.Failed("The vehicle holds P_4 = 21, not 20."));
     }
 
     @Test

@@ -85,6 +85,20 @@ class HomePlansTest {
     }
 
     @Test
+    void doesNotTakeTheHomeBeforeThatIsStillUnderWayForARefusal() {
+        HomePosition before = home;
+        bench.wire.peer((wire, message) -> {
+            if (message instanceof CommandLong question && question.command() == 512) {
+                wire.answer(before);
+            }
+            vehicle(wire, message);
+        });
+
+        assertThat(bench.perform(new Command.SetHome(PLACE, new Altitude(510, Altitude.Reference.AMSL))))
+                .isEqualTo(DONE);
+    }
+
+    @Test
     void asksForTheHome() {
         bench.wire.peer(this::vehicle);
 
