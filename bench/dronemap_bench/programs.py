@@ -28,7 +28,7 @@ def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
 
 
 class Server:
-    """Of the measurement alone; in its default configuration but for ports, folder, and whether it records."""
+    """Of the measurement alone; in its default configuration but for ports, folder and recording."""
 
     def __init__(self, data: Path, recorded: bool = True) -> None:
         for jar in (SERVER_JAR, LOAD_JAR):
