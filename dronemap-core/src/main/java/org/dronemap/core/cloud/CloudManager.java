@@ -95,7 +95,7 @@ public final class CloudManager {
             return new Admission.Outside(apart.why());
         }
         ManagedDrone drone = verdict instanceof Verdict.Known known ? known.drone() : enrol(claim);
-        drone.promise();
+        drone.promise(claim.proof());
         drone.lane().execute(() -> {
             drone.attach(claim.session(), claim);
             // A session begins with a message of its vehicle.

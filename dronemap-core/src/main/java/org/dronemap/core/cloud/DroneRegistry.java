@@ -59,10 +59,7 @@ final class DroneRegistry {
 
     /** The drone that came with this key before, or that the key was made for: it is named after it. */
     Optional<ManagedDrone> ofLinkIdentity(String identity) {
-        return physical()
-                .filter(managed -> identity.equals(managed.id().value())
-                        || identity.equals(managed.drone().state().standing().linkIdentity()))
-                .findFirst();
+        return physical().filter(managed -> managed.hasLinkIdentity(identity)).findFirst();
     }
 
     private Stream<ManagedDrone> physical() {

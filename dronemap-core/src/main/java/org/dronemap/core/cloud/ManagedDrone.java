@@ -24,6 +24,7 @@ final class ManagedDrone implements Lane.Ticker {
     private final long madeNanos;
     private volatile boolean enrolled;
     private volatile long promisedNanos;
+    private volatile @Nullable String promisedIdentity;
     private @Nullable LinkSession session;
     private boolean played;
 
@@ -88,8 +89,18 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     /** Somebody was just found to speak for it, and will be heard on its lane at once. Any thread. */
-    void promise() {
+    void promise(@Nullable Proof proof) {
         promisedNanos = lane.activeNanos();
+        if (proof instanceof Proof.OfLink link) {
+            promisedIdentity = link.identity();
+        }
+    }
+
+    /** It came with this key before, is just coming with it, or is what the key was made for. Any thread. */
+    boolean hasLinkIdentity(String identity) {
+        return identity.equals(id().value())
+                || identity.equals(promisedIdentity)
+                || identity.equals(drone.state().standing().linkIdentity());
     }
 
     /** Made for a vehicle a moment ago, that showed nothing but its address. Any thread. */

@@ -5,7 +5,10 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.drone.DroneId;
@@ -282,5 +285,22 @@ class IdentityTest {
         Fixtures.bound(restarted.admit(claim(5001, null, null, true))).withdraw();
 
         assertThat(restarted.drones()).hasSize(1);
+    }
+
+    @Test
+    void makesOneDroneOfTwoLinksOfOneKeyThatComeAtOnce() {
+        Set<Lane> both = new HashSet<>();
+        for (int port = 7000; both.size() < 2; port++) {
+            both.add(letIn(port, null, null).lane());
+        }
+        CountDownLatch busy = new CountDownLatch(1);
+        both.forEach(lane -> lane.execute(() -> await().until(() -> busy.await(10, TimeUnit.SECONDS))));
+        Proof.OfLink key = new Proof.OfLink("v1");
+
+        DroneLink one = Fixtures.bound(cloud.admit(claim(8001, "aa01", key, true)));
+        DroneLink other = Fixtures.bound(cloud.admit(claim(8002, "aa01", key, true)));
+        busy.countDown();
+
+        assertThat(other.id()).isEqualTo(one.id());
     }
 }
