@@ -10,6 +10,7 @@ import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
@@ -30,6 +31,8 @@ import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.lease.LeaseStore;
+import org.dronemap.core.lease.SavedLease;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
@@ -51,7 +54,7 @@ public final class TestCloud implements AutoCloseable {
             lanes,
             Watchdog.DEFAULT,
             Clock.systemUTC(),
-            new CloudManager.Keeping(new Drones(), commands, journal),
+            new CloudManager.Keeping(new Drones(), commands, new Leases(), journal),
             () -> new DroneId(UUID.randomUUID().toString()));
     private final Proxy proxy;
 
@@ -217,6 +220,27 @@ public final class TestCloud implements AutoCloseable {
         @Override
         public int endUnfinished(Outcome outcome, Instant at) {
             return 0;
+        }
+    }
+
+    /** No lease outlives a test. */
+    private static final class Leases implements LeaseStore {
+        private final AtomicLong reserved = new AtomicLong();
+
+        @Override
+        public List<SavedLease> leases() {
+            return List.of();
+        }
+
+        @Override
+        public void save(SavedLease lease) {}
+
+        @Override
+        public void delete(DroneId drone) {}
+
+        @Override
+        public long reserve(int count) {
+            return reserved.addAndGet(count);
         }
     }
 }

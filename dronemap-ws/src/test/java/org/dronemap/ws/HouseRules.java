@@ -55,7 +55,8 @@ final class HouseRules {
                     "org.dronemap.core.command..",
                     "org.dronemap.core.access..",
                     "org.dronemap.core.recording..",
-                    "org.dronemap.core.link..")
+                    "org.dronemap.core.link..",
+                    "org.dronemap.core.lease..")
             .layer("cloud")
             .definedBy("org.dronemap.core.cloud..")
             .whereLayer("cloud")

@@ -154,6 +154,7 @@ class StreamTest {
                 CommandPhase.SENT,
                 null,
                 null,
+                null,
                 null);
         try (Socket deaf = new Socket();
                 StreamListener other = StreamListener.withKey(house, key)) {

@@ -3,6 +3,8 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
 
 /** Hears what changes, on a lane or on the journal's thread; must return at once. */
 public interface CloudListener {
@@ -11,4 +13,7 @@ public interface CloudListener {
     default void droneRemoved(DroneId id) {}
 
     default void commandChanged(CommandRecord command) {}
+
+    /** {@code now} is how the change left it. */
+    default void controlChanged(DroneId drone, Control now, ControlChange change) {}
 }

@@ -22,6 +22,12 @@ import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.Epochs;
+import org.dronemap.core.lease.LeaseMachine;
+import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.lease.LeaseStore;
 import org.jspecify.annotations.Nullable;
 
 /** The one registry of drones. Links bring vehicles in, faces read states, listeners hear of changes. Any thread. */
@@ -29,7 +35,7 @@ public final class CloudManager {
     private static final int LONGEST_WRITE_SECONDS = 10;
 
     private final Lanes lanes;
-    private final Watchdog watchdog;
+    private final Rules rules;
     private final Clock clock;
     private final DroneStore store;
     private final Journal journal;
@@ -39,27 +45,50 @@ public final class CloudManager {
     private final CloudListener everybody = new Everybody(listeners);
     private final Reception reception;
     private final CommandGate gate;
+    private final ControlDesk controls = new ControlDesk(registry);
+    private final DroneControl.Keeping leases;
+    private final LeaseMachine leaseMachine;
 
     /** Where the manager keeps things: the stores, and the thread that writes to them. */
-    public record Keeping(DroneStore drones, CommandStore commands, Journal journal) {}
+    public record Keeping(DroneStore drones, CommandStore commands, LeaseStore leases, Journal journal) {}
 
+    /** What the manager goes by: when a drone is called lost, and how control of one lasts. */
+    public record Rules(Watchdog watchdog, LeaseRules leases) {}
+
+    /** With the usual rules of control. */
     public CloudManager(Lanes lanes, Watchdog watchdog, Clock clock, Keeping keeping, Supplier<DroneId> newIds) {
+        this(lanes, new Rules(watchdog, LeaseRules.DEFAULT), clock, keeping, newIds);
+    }
+
+    public CloudManager(Lanes lanes, Rules rules, Clock clock, Keeping keeping, Supplier<DroneId> newIds) {
         this.lanes = lanes;
-        this.watchdog = watchdog;
+        this.rules = rules;
         this.clock = clock;
         this.store = keeping.drones();
         this.journal = keeping.journal();
         this.newIds = newIds;
         this.reception = new Reception(registry, clock);
         this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody);
+        this.leases = new DroneControl.Keeping(keeping.leases(), journal);
+        Epochs epochs = new Epochs(keeping.leases(), task -> journal.write("more epochs", task, () -> {}));
+        this.leaseMachine = new LeaseMachine(rules.leases(), epochs::next);
         store.drones()
                 .forEach(record ->
                         manage(record, false, store.knownMission(record.id()).orElse(null)));
+        keeping.leases()
+                .leases()
+                .forEach(lease -> registry.find(lease.drone())
+                        .ifPresent(drone -> drone.control().restore(lease)));
     }
 
     /** The one door for commands. */
     public CommandGate gate() {
         return gate;
+    }
+
+    /** Where control of drones is taken, asked for and given back. */
+    public ControlDesk controls() {
+        return controls;
     }
 
     public void addListener(CloudListener listener) {
@@ -219,7 +248,10 @@ public final class CloudManager {
             }
         });
         Lane lane = lanes.of(record.id());
-        ManagedDrone drone = new ManagedDrone(new Drone(record, replay, mission, clock), lane, watchdog, everybody);
+        DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, lane::activeNanos);
+        ManagedDrone drone =
+                new ManagedDrone(new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control);
+        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), everybody, clock));
         registry.add(drone);
         lane.execute(() -> lane.addTicker(drone));
         return drone;
@@ -328,6 +360,11 @@ public final class CloudManager {
         @Override
         public void commandChanged(CommandRecord command) {
             listeners.forEach(listener -> listener.commandChanged(command));
+        }
+
+        @Override
+        public void controlChanged(DroneId drone, Control now, ControlChange change) {
+            listeners.forEach(listener -> listener.controlChanged(drone, now, change));
         }
     }
 }

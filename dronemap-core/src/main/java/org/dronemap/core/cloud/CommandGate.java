@@ -4,10 +4,12 @@ import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
@@ -17,6 +19,7 @@ import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.lease.LeaseEvent;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -39,11 +42,31 @@ public final class CommandGate {
     private final CloudListener listener;
     private final ConcurrentHashMap<CommandId, Underway> underway = new ConcurrentHashMap<>();
 
-    /** Who asks, through which face. */
-    public record Source(Principal principal, String face) {}
+    /** What safety rules are called in the log, and their face. */
+    private static final Source SAFETY = new Source(new Principal("dronemap", Role.SUPERVISOR), "rule");
+    /** So long a change of mode may be the late effect of a command. */
+    private static final long EFFECT_NANOS = Duration.ofSeconds(5).toNanos();
 
-    /** A command on its way, with the promise of its outcome. */
-    private record Underway(OpenCommand open, ManagedDrone drone, CompletableFuture<CommandRecord> end) {}
+    /** Who asks, through which face; {@code epoch} of the control that the client believes to have, null: says nothing. */
+    public record Source(
+            Principal principal, String face, @Nullable Long epoch) {
+        public Source(Principal principal, String face) {
+            this(principal, face, null);
+        }
+    }
+
+    /** A command on its way, with the promise of its outcome, and what stands between it and the wire. */
+    private record Underway(
+            OpenCommand open, ManagedDrone drone, Passage.Open passage, CompletableFuture<CommandRecord> end) {
+        boolean isOutdated() {
+            return !passage.fence().isOpen();
+        }
+
+        /** Given under the control of now. */
+        boolean isUnderControl() {
+            return passage.fence() != Fence.NONE && passage.fence().isOpen();
+        }
+    }
 
     CommandGate(DroneRegistry registry, CommandStore store, Journal journal, Clock clock, CloudListener listener) {
         this.registry = registry;
@@ -70,13 +93,37 @@ public final class CommandGate {
         if (why.isPresent()) {
             return refuse(record, why.get());
         }
+        Passage passage = managed.control().enter(source.principal(), command, source.epoch());
+        if (passage instanceof Passage.Closed closed) {
+            return refuse(record, closed.why());
+        }
+        return begin(managed, command, record, (Passage.Open) passage);
+    }
+
+    private CommandRecord begin(ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage) {
+        CommandRecord record = passage.epoch() == null ? given : given.withEpoch(passage.epoch());
         Underway entry = new Underway(
-                new OpenCommand(command, record, managed.lane().activeNanos()), managed, new CompletableFuture<>());
-        Underway earlier = underway.putIfAbsent(id, entry);
+                new OpenCommand(command, record, managed.lane().activeNanos()),
+                managed,
+                passage,
+                new CompletableFuture<>());
+        Underway earlier = underway.putIfAbsent(record.id(), entry);
         if (earlier != null) {
             return earlier.open().told();
         }
         return send(entry, record);
+    }
+
+    /** What a rule of safety commands while nobody has control; whoever takes it ends this. Does not wait. */
+    void submitForSafety(ManagedDrone managed, Command command) {
+        managed.control().enterVacant().ifPresent(passage -> {
+            CommandId id = new CommandId(UUID.randomUUID().toString());
+            // The lane must not wait for the disk.
+            journal.write(
+                    "what a rule commands: " + command.summary(),
+                    () -> begin(managed, command, intent(SAFETY, managed.id(), id, command), passage),
+                    () -> {});
+        });
     }
 
     /** Why this principal cannot give that command now; empty when it can. */
@@ -120,6 +167,7 @@ public final class CommandGate {
                 CommandPhase.SENT,
                 null,
                 null,
+                null,
                 null);
     }
 
@@ -139,7 +187,7 @@ public final class CommandGate {
                 return store.command(record.id()).orElse(record);
             }
         } catch (RuntimeException e) {
-            if (!bringsToSafety(entry.open().command())) {
+            if (!ControlRules.bringsToSafety(entry.open().command())) {
                 underway.remove(record.id(), entry);
                 throw e;
             }
@@ -154,16 +202,52 @@ public final class CommandGate {
         return entry.open().told();
     }
 
-    /** What must work even when nothing can be written. */
-    private static boolean bringsToSafety(Command command) {
-        return command instanceof Command.Land
-                || command instanceof Command.ReturnToLaunch
-                || command instanceof Command.Hold;
-    }
-
     // From here on: the drone's lane.
 
+    /** Ends what was given under control that somebody else has now. */
+    void stopOutdated(ManagedDrone drone) {
+        for (Underway entry : List.copyOf(underway.values())) {
+            if (entry.drone() == drone && entry.open().record().outcome() == null && entry.isOutdated()) {
+                drone.channel()
+                        .ifPresent(
+                                channel -> channel.cancel(entry.open().record().id()));
+                endOutdated(entry);
+            }
+        }
+    }
+
+    private void endOutdated(Underway entry) {
+        end(
+                entry,
+                new Outcome.Superseded("Control has changed hands. "
+                        + entry.drone().control().control().sentence()));
+    }
+
+    /** Something that was given under the control of now is under way. */
+    boolean isBusy(ManagedDrone drone) {
+        return underway.values().stream()
+                .anyMatch(entry ->
+                        entry.drone() == drone && entry.open().record().outcome() == null && entry.isUnderControl());
+    }
+
+    /** A change of mode now may be our own doing. */
+    boolean mayHaveChangedMode(ManagedDrone drone) {
+        return drone.lane().activeNanos() - drone.movedNanos() < EFFECT_NANOS
+                || underway.values().stream()
+                        .anyMatch(entry ->
+                                entry.drone() == drone && movesIt(entry.open().command()));
+    }
+
+    /** Uploads too: they may hold a drone that flies its mission. */
+    private static boolean movesIt(Command command) {
+        return command.contention().newerWins() || command.contention() == Contention.TRANSFER;
+    }
+
     private void perform(Underway entry) {
+        if (entry.isOutdated()) {
+            endOutdated(entry);
+            return;
+        }
         Optional<String> why =
                 CommandRules.whyNot(entry.drone().drone().state(), entry.open().command());
         Optional<VehicleChannel> channel = entry.drone().channel();
@@ -178,7 +262,12 @@ public final class CommandGate {
         }
         Lane.Ticker guard = new Overdue(entry, channel.get());
         entry.drone().lane().addTicker(guard);
-        channel.get().perform(entry.open().record().id(), entry.open().command(), new Reporter(entry, guard));
+        channel.get()
+                .perform(
+                        entry.open().record().id(),
+                        entry.open().command(),
+                        entry.passage().fence(),
+                        new Reporter(entry, guard));
     }
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */
@@ -216,6 +305,13 @@ public final class CommandGate {
         CommandRecord before = entry.open().record();
         if (before.outcome() != null) {
             return;
+        }
+        if (movesIt(entry.open().command())) {
+            entry.drone().moved();
+        }
+        if (entry.isUnderControl()) {
+            // Idle counts from here.
+            entry.drone().control().apply(new LeaseEvent.Tick(true));
         }
         CommandRecord done = before.ended(outcome, clock.instant());
         entry.open().ended(done, entry.drone().lane().activeNanos());

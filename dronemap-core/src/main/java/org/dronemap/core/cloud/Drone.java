@@ -136,6 +136,11 @@ final class Drone {
         publish();
     }
 
+    /** A new version for what is shown beside the state. */
+    void touch() {
+        publish();
+    }
+
     /** True when that is news. */
     boolean linkState(LinkState now) {
         if (now == linkState) {

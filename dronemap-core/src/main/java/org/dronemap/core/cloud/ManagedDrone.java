@@ -21,20 +21,25 @@ final class ManagedDrone implements Lane.Ticker {
     private final Lane lane;
     private final Liveness liveness;
     private final CloudListener listener;
+    private final DroneControl control;
     private final long madeNanos;
     private volatile boolean enrolled;
     private volatile long promisedNanos;
     private volatile @Nullable String promisedIdentity;
+    private volatile long movedNanos;
     private @Nullable LinkSession session;
     private boolean played;
+    private Lane.Ticker watch = () -> {};
 
-    ManagedDrone(Drone drone, Lane lane, Watchdog watchdog, CloudListener listener) {
+    ManagedDrone(Drone drone, Lane lane, Watchdog watchdog, CloudListener listener, DroneControl control) {
         this.drone = drone;
         this.lane = lane;
         this.liveness = new Liveness(watchdog);
         this.listener = listener;
+        this.control = control;
         this.madeNanos = lane.activeNanos();
         this.promisedNanos = madeNanos - Long.MAX_VALUE / 2;
+        this.movedNanos = promisedNanos;
     }
 
     Drone drone() {
@@ -47,6 +52,32 @@ final class ManagedDrone implements Lane.Ticker {
 
     Lane lane() {
         return lane;
+    }
+
+    /** Who commands it. Any thread. */
+    DroneControl control() {
+        return control;
+    }
+
+    /** Ticks along with it. */
+    void watchedBy(Lane.Ticker ticker) {
+        watch = ticker;
+    }
+
+    /** A command that may change how it flies has just ended. Any thread. */
+    void moved() {
+        movedNanos = lane.activeNanos();
+    }
+
+    /** When the last such command ended. Any thread. */
+    long movedNanos() {
+        return movedNanos;
+    }
+
+    /** Something about it changed that its own state does not hold. */
+    void news() {
+        drone.touch();
+        listener.droneChanged(drone.state());
     }
 
     /** The way down; empty when no link ever came up since the start. */
@@ -159,6 +190,7 @@ final class ManagedDrone implements Lane.Ticker {
         if (liveness.probeDue(lane.activeNanos())) {
             channel().ifPresent(VehicleChannel::probe);
         }
+        watch.tick();
     }
 
     private void judge() {

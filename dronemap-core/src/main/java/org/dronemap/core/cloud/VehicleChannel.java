@@ -6,8 +6,11 @@ import org.dronemap.core.command.Outcome;
 
 /** The way down to one vehicle; every call comes on the drone's lane, returns at once, and is answered there. */
 public interface VehicleChannel {
-    /** Starts to carry a command out; {@code report} hears of it until it ended, exactly once. */
-    void perform(CommandId id, Command command, Report report);
+    /**
+     * Starts to carry a command out; {@code report} hears of it until it ended, exactly once. All that is sent for it
+     * passes the fence.
+     */
+    void perform(CommandId id, Command command, Fence fence, Report report);
 
     /** Stops retrying a command; nothing more of it goes out and nothing is reported. No-op when it has ended. */
     void cancel(CommandId id);

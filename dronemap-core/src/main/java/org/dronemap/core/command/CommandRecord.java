@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param face the way in: page, rest, soap, stream
  * @param summary the phrase for people
  * @param progress null for commands without countable steps
+ * @param epoch of the control that it was given under; null: of none
  * @param outcome null exactly as long as {@code phase} is not DONE, as is {@code finishedAt}
  */
 public record CommandRecord(
@@ -23,19 +24,24 @@ public record CommandRecord(
         CommandPhase phase,
         @Nullable Progress progress,
         @Nullable Outcome outcome,
-        @Nullable Instant finishedAt) {
+        @Nullable Instant finishedAt,
+        @Nullable Long epoch) {
     /** Steps done of steps in all. */
     public record Progress(int done, int total) {}
 
+    public CommandRecord withEpoch(long given) {
+        return new CommandRecord(id, drone, by, face, type, summary, at, phase, progress, outcome, finishedAt, given);
+    }
+
     public CommandRecord withPhase(CommandPhase next) {
-        return new CommandRecord(id, drone, by, face, type, summary, at, next, progress, outcome, finishedAt);
+        return new CommandRecord(id, drone, by, face, type, summary, at, next, progress, outcome, finishedAt, epoch);
     }
 
     public CommandRecord withProgress(Progress next) {
-        return new CommandRecord(id, drone, by, face, type, summary, at, phase, next, outcome, finishedAt);
+        return new CommandRecord(id, drone, by, face, type, summary, at, phase, next, outcome, finishedAt, epoch);
     }
 
     public CommandRecord ended(Outcome how, Instant when) {
-        return new CommandRecord(id, drone, by, face, type, summary, at, CommandPhase.DONE, progress, how, when);
+        return new CommandRecord(id, drone, by, face, type, summary, at, CommandPhase.DONE, progress, how, when, epoch);
     }
 }

@@ -128,7 +128,8 @@ class CloudManagerTest {
                 lanes,
                 QUICK,
                 Clock.systemUTC(),
-                new CloudManager.Keeping(store, new Fixtures.HeapCommandStore(), journal),
+                new CloudManager.Keeping(
+                        store, new Fixtures.HeapCommandStore(), new Fixtures.HeapLeaseStore(), journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 

@@ -48,7 +48,7 @@ class CommandGateTest {
             lanes,
             Watchdog.DEFAULT,
             Clock.systemUTC(),
-            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, journal),
+            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, new Fixtures.HeapLeaseStore(), journal),
             () -> new DroneId("drone-" + numbers.incrementAndGet()));
     private final CommandGate gate = cloud.gate();
     private DroneLink link;

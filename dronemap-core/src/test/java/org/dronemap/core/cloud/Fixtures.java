@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
@@ -21,6 +22,8 @@ import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.lease.LeaseStore;
+import org.dronemap.core.lease.SavedLease;
 import org.jspecify.annotations.Nullable;
 
 /** A vehicle and stores that remember what was asked of them. */
@@ -47,7 +50,7 @@ final class Fixtures {
         final ConcurrentHashMap<CommandId, Report> reports = new ConcurrentHashMap<>();
 
         @Override
-        public void perform(CommandId id, Command command, Report report) {
+        public void perform(CommandId id, Command command, Fence fence, Report report) {
             performed.add(command);
             reports.put(id, report);
         }
@@ -134,6 +137,31 @@ final class Fixtures {
         @Override
         public void saveKnownMission(DroneId id, KnownMission mission) {
             missions.put(id, mission);
+        }
+    }
+
+    static final class HeapLeaseStore implements LeaseStore {
+        final ConcurrentHashMap<DroneId, SavedLease> leases = new ConcurrentHashMap<>();
+        private final AtomicLong reserved = new AtomicLong();
+
+        @Override
+        public List<SavedLease> leases() {
+            return List.copyOf(leases.values());
+        }
+
+        @Override
+        public void save(SavedLease lease) {
+            leases.put(lease.drone(), lease);
+        }
+
+        @Override
+        public void delete(DroneId drone) {
+            leases.remove(drone);
+        }
+
+        @Override
+        public long reserve(int count) {
+            return reserved.addAndGet(count);
         }
     }
 }

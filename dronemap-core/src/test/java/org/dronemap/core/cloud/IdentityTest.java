@@ -42,7 +42,8 @@ class IdentityTest {
                 lanes,
                 new Watchdog(Duration.ofMinutes(1), Duration.ofMinutes(1), Duration.ofMinutes(2)),
                 Clock.systemUTC(),
-                new CloudManager.Keeping(store, new Fixtures.HeapCommandStore(), journal),
+                new CloudManager.Keeping(
+                        store, new Fixtures.HeapCommandStore(), new Fixtures.HeapLeaseStore(), journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 

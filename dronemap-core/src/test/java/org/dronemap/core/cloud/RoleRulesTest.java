@@ -24,7 +24,11 @@ class RoleRulesTest {
             lanes,
             Watchdog.DEFAULT,
             Clock.systemUTC(),
-            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), new Fixtures.HeapCommandStore(), journal),
+            new CloudManager.Keeping(
+                    new Fixtures.HeapDroneStore(),
+                    new Fixtures.HeapCommandStore(),
+                    new Fixtures.HeapLeaseStore(),
+                    journal),
             () -> new DroneId("drone"));
 
     @AfterEach

@@ -2,6 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.Fence;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -132,10 +133,13 @@ final class Conversation {
         return errands.isEmpty();
     }
 
-    void perform(CommandId id, Command command, VehicleChannel.Report report, long now) {
+    /** All that goes out for it passes the fence. */
+    void perform(CommandId id, Command command, Fence fence, VehicleChannel.Report report) {
+        long now = nanoTime.getAsLong();
         ReportingObserver observer = new ReportingObserver(report);
+        Target fenced = target.through(message -> links.send(message, fence));
         Cockpit cockpit = new Cockpit(
-                status, parameters, target, observer, this::tell, missions::changedByCloud, telemetry::remark);
+                status, parameters, fenced, observer, this::tell, missions::changedByCloud, telemetry::remark);
         errands.begin(id, command, autopilot.plan(command, cockpit), report, now);
     }
 

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.session;
 
 import java.util.ArrayDeque;
+import org.dronemap.core.cloud.Fence;
 import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
@@ -20,11 +21,14 @@ final class Downlink {
     private final Peer peer;
     private final FrameWriter version1 = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 1);
     private final FrameWriter version2 = new FrameWriter(Target.OWN_SYSTEM_ID, Target.OWN_COMPONENT_ID, 2);
-    private final ArrayDeque<Message> held = new ArrayDeque<>();
+    private final ArrayDeque<Held> held = new ArrayDeque<>();
     private @Nullable LinkGuard guard;
     private FrameTap tap = FrameTap.NONE;
     private volatile boolean speaksVersion1;
     private volatile long sent;
+
+    /** A message that waits; whether it may still go is judged when it goes. */
+    private record Held(Message message, Fence fence) {}
 
     Downlink(Peer peer) {
         this.peer = peer;
@@ -54,16 +58,16 @@ final class Downlink {
     }
 
     /** Sends, or keeps in order what must wait for a change of keys; the oldest falls out of a full queue. */
-    void send(Message message, long nowNanos) {
+    void send(Message message, Fence fence, long nowNanos) {
         if (guard != null && guard.holds(nowNanos)) {
             if (held.size() == MOST_HELD) {
                 held.removeFirst();
             }
-            held.addLast(message);
+            held.addLast(new Held(message, fence));
             return;
         }
         release();
-        transmit(message);
+        transmit(message, fence);
     }
 
     /** Lets go what was held when the wait is over. */
@@ -75,12 +79,13 @@ final class Downlink {
 
     private void release() {
         while (!held.isEmpty()) {
-            transmit(held.removeFirst());
+            Held next = held.removeFirst();
+            transmit(next.message(), next.fence());
         }
     }
 
-    private void transmit(Message message) {
-        tap.said(put(message));
+    private void transmit(Message message, Fence fence) {
+        fence.pass(() -> tap.said(put(message)));
     }
 
     /** Sends at once what nobody but the vehicle may see: no tap, no log. */

@@ -2,6 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.Fence;
 import org.dronemap.core.cloud.Proof;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -35,7 +36,7 @@ final class VehicleLink {
         this.nanoTime = nanoTime;
         lastHeardNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
-        Target target = new Target(first.systemId(), first.componentId(), this::send);
+        Target target = new Target(first.systemId(), first.componentId(), message -> send(message, Fence.NONE));
         meter = new LinkMeter(new RoundTripProbe(target, new RoundTrip()), lastHeardNanos);
     }
 
@@ -84,9 +85,9 @@ final class VehicleLink {
         return cut || owner == null || owner.isOver();
     }
 
-    void send(Message message) {
+    void send(Message message, Fence fence) {
         if (!label.replay() && !cut) {
-            downlink.send(message, nanoTime.getAsLong());
+            downlink.send(message, fence, nanoTime.getAsLong());
         }
     }
 

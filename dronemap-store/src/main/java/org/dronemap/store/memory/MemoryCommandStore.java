@@ -78,6 +78,7 @@ public final class MemoryCommandStore implements CommandStore {
                 command.phase(),
                 command.progress(),
                 command.outcome(),
-                finishedAt == null ? null : StoredInstant.of(finishedAt));
+                finishedAt == null ? null : StoredInstant.of(finishedAt),
+                command.epoch());
     }
 }

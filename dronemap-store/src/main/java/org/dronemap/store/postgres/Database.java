@@ -13,6 +13,7 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingStore;
@@ -97,6 +98,10 @@ public final class Database implements AutoCloseable {
 
     public LinkStore links() {
         return new PostgresLinkStore(pool);
+    }
+
+    public LeaseStore leases() {
+        return new PostgresLeaseStore(pool);
     }
 
     public Backup backup() {

@@ -29,8 +29,8 @@ public final class PostgresCommandStore implements CommandStore {
         return sql.update(
                         """
                         INSERT INTO command (id, drone_id, asked_by, face, type, summary, asked_at, phase,
-                            progress_done, progress_total, outcome, outcome_by, outcome_reason, finished_at)
-                        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
+                            progress_done, progress_total, outcome, outcome_by, outcome_reason, finished_at, epoch)
+                        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
                         ON CONFLICT (id) DO NOTHING""",
                         command.id().value(),
                         command.drone().value(),
@@ -45,7 +45,8 @@ public final class PostgresCommandStore implements CommandStore {
                         outcome.result(),
                         outcome.by(),
                         outcome.reason(),
-                        command.finishedAt())
+                        command.finishedAt(),
+                        command.epoch())
                 == 1;
     }
 
@@ -113,7 +114,8 @@ public final class PostgresCommandStore implements CommandStore {
                 row.name("phase", CommandPhase.class),
                 progress(row),
                 OutcomeRow.read(row),
-                row.timeOrNull("finished_at"));
+                row.timeOrNull("finished_at"),
+                row.longOrNull("epoch"));
     }
 
     private static CommandRecord.@Nullable Progress progress(Row row) throws SQLException {

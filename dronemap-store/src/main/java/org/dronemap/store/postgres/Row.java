@@ -34,6 +34,11 @@ record Row(ResultSet result) {
         return result.getObject(column, Integer.class);
     }
 
+    @Nullable
+    Long longOrNull(String column) throws SQLException {
+        return result.getObject(column, Long.class);
+    }
+
     boolean bool(String column) throws SQLException {
         return result.getBoolean(column);
     }

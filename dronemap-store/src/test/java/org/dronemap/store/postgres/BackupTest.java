@@ -66,7 +66,8 @@ class BackupTest {
             CommandPhase.DONE,
             null,
             new Outcome.Refused("vehicle", "PreArm: \\N is not null, \\. is no end"),
-            AT);
+            AT,
+            17L);
     private static final User ALICE = new User("alice", Role.ADMINISTRATOR, AccountState.ACTIVE, "salt$hash", false);
     private static final AccessKey KEY = new AccessKey("k1", "script", "alice", Role.OPERATOR, "secret", AT);
 

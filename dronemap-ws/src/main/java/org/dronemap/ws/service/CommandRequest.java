@@ -49,7 +49,11 @@ public record CommandRequest(
         String setting,
 
         @Schema(description = "setParameters: what is to be changed") @Nullable
-        List<ParameterRequest> parameters) {
+        List<ParameterRequest> parameters,
+
+        @Schema(description = "The epoch of the control that you believe to have: refused when that has ended")
+        @Nullable
+        Long epoch) {
     /** What there is of types; fence, rally points and the download of a log have addresses of their own. */
     static final String TYPES = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
             + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, setHome, readHome,"
@@ -74,48 +78,51 @@ public record CommandRequest(
                 degrees,
                 relay,
                 setting,
-                parameters);
+                parameters,
+                epoch);
     }
 
     /** A command without parameters. */
     public static CommandRequest simple(String type) {
-        return new CommandRequest(type, null, null, null, null, null, null, null, null, null, null, null, null, null);
+        return new CommandRequest(
+                type, null, null, null, null, null, null, null, null, null, null, null, null, null, null);
     }
 
     public static CommandRequest disarm(@Nullable Boolean force) {
         return new CommandRequest(
-                "disarm", null, force, null, null, null, null, null, null, null, null, null, null, null);
+                "disarm", null, force, null, null, null, null, null, null, null, null, null, null, null, null);
     }
 
     public static CommandRequest setMode(@Nullable String mode) {
         return new CommandRequest(
-                "setMode", null, null, mode, null, null, null, null, null, null, null, null, null, null);
+                "setMode", null, null, mode, null, null, null, null, null, null, null, null, null, null, null);
     }
 
     public static CommandRequest takeOff(@Nullable Double altitude) {
         return new CommandRequest(
-                "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null, null);
+                "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null, null, null);
     }
 
     public static CommandRequest goTo(
             @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude) {
         return new CommandRequest(
-                "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null, null);
+                "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null, null,
+                null);
     }
 
     public static CommandRequest uploadMission(@Nullable List<MissionItemView> items) {
         return new CommandRequest(
-                "uploadMission", null, null, null, null, null, null, null, items, null, null, null, null, null);
+                "uploadMission", null, null, null, null, null, null, null, items, null, null, null, null, null, null);
     }
 
     public static CommandRequest turn(@Nullable Double degrees) {
         return new CommandRequest(
-                "turn", null, null, null, null, null, null, null, null, null, degrees, null, null, null);
+                "turn", null, null, null, null, null, null, null, null, null, degrees, null, null, null, null);
     }
 
     public static CommandRequest setRelay(@Nullable Integer relay, @Nullable String setting) {
         return new CommandRequest(
-                "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting, null);
+                "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting, null, null);
     }
 
     /** The altitude is above sea level; all three null: where the vehicle is. */
@@ -130,6 +137,7 @@ public record CommandRequest(
                 longitude,
                 altitudeAmsl,
                 "amsl",
+                null,
                 null,
                 null,
                 null,

@@ -18,6 +18,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.Control;
 import org.dronemap.core.mission.MissionDoubts;
 import org.jspecify.annotations.Nullable;
 
@@ -40,7 +41,8 @@ public final class CommandService {
         DroneState drone = drones.state(droneId);
         Command command =
                 CommandReader.read(request, drone, cloud.onBoard(drone.id()).parameters());
-        return give(principal, face, drone, request.id(), command).warned(warnings(command, drone));
+        return give(new CommandGate.Source(principal, face, request.epoch()), drone, request.id(), command)
+                .warned(warnings(command, drone));
     }
 
     /** Nothing of it is refused: programs may mean what they say, and the page asks people before. */
@@ -55,15 +57,22 @@ public final class CommandService {
 
     /** Gives a checked command; {@code givenId} is the client's own. */
     CommandView give(Principal principal, String face, DroneState drone, @Nullable String givenId, Command command) {
+        return give(new CommandGate.Source(principal, face), drone, givenId, command);
+    }
+
+    private CommandView give(CommandGate.Source source, DroneState drone, @Nullable String givenId, Command command) {
         CommandId id = id(givenId);
-        CommandRecord record = ask(new CommandGate.Source(principal, face), drone, id, command);
+        CommandRecord record = ask(source, drone, id, command);
         if (!record.drone().equals(drone.id())
                 || !record.type().equals(command.getClass().getSimpleName())) {
             throw Rejection.conflict(
                     "The id " + id + " belongs to another command already (" + record.summary() + "); take a new one.");
         }
         if (record.outcome() instanceof Outcome.Refused refused && refused.by().equals("gate")) {
-            throw Rejection.refused(refused.reason(), id.value());
+            Control control = cloud.controls().control(drone.id());
+            throw refused.reason().contains(control.sentence())
+                    ? Rejection.held(refused.reason(), id.value(), control)
+                    : Rejection.refused(refused.reason(), id.value());
         }
         return CommandView.of(record);
     }

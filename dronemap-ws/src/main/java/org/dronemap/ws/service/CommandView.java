@@ -22,6 +22,9 @@ public record CommandView(
         @Nullable Instant finishedAt,
         @Nullable ProgressView progress,
 
+        @Schema(description = "Of the control that it was given under; null: of none") @Nullable
+        Long epoch,
+
         @Schema(description = "What may be a slip of the hand, such as a far place; told once, to who gave the command")
         List<String> warnings) {
 
@@ -48,11 +51,13 @@ public record CommandView(
                 outcome == null ? null : outcomeView(outcome),
                 finishedAt == null ? null : finishedAt.truncatedTo(ChronoUnit.MILLIS),
                 progress == null ? null : new ProgressView(progress.done(), progress.total()),
+                command.epoch(),
                 List.of());
     }
 
     CommandView warned(List<String> sentences) {
-        return new CommandView(id, drone, by, face, type, summary, at, phase, outcome, finishedAt, progress, sentences);
+        return new CommandView(
+                id, drone, by, face, type, summary, at, phase, outcome, finishedAt, progress, epoch, sentences);
     }
 
     /** The one naming of outcomes for all faces. */

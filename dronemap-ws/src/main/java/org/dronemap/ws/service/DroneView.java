@@ -33,6 +33,7 @@ public record DroneView(
         MissionView mission,
         List<MessageView> messages,
         Map<String, ActionView> actions,
+        ControlView control,
         Instant lastUpdate,
         long version) {
 

@@ -7,10 +7,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Evidence;
@@ -20,6 +22,7 @@ import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.lease.Control;
 import org.jspecify.annotations.Nullable;
 
 /** Maps a drone's state to what clients see, once for all faces. Any thread. */
@@ -28,9 +31,12 @@ public final class DroneViews {
     private static final Set<String> MISSION_MODES = Set.of("AUTO", "MISSION");
 
     private final DronePlaces places;
+    private final Function<DroneId, Control> controls;
 
-    public DroneViews(DronePlaces places) {
+    /** {@code controls} knows who commands a drone now. */
+    public DroneViews(DronePlaces places, Function<DroneId, Control> controls) {
         this.places = places;
+        this.controls = controls;
     }
 
     public DroneView view(DroneState state, Role role) {
@@ -59,6 +65,7 @@ public final class DroneViews {
                 mission(state),
                 messages(state),
                 actions(state, role),
+                ControlView.of(controls.apply(state.id())),
                 millis(state.lastUpdate()),
                 state.version());
     }

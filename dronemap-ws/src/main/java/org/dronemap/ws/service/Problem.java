@@ -2,6 +2,7 @@ package org.dronemap.ws.service;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
 import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
@@ -15,7 +16,9 @@ public record Problem(
         String detail,
         @Nullable String field,
         @Nullable String allowed,
-        @Nullable String commandId) {
+        @Nullable String commandId,
+        @Nullable String holder,
+        @Nullable Instant heldSince) {
 
     public static Problem of(Rejection rejection) {
         RejectionKind kind = rejection.kind();
@@ -28,7 +31,9 @@ public record Problem(
                 rejection.sentence(),
                 field,
                 allowed,
-                rejection.commandId());
+                rejection.commandId(),
+                rejection.holder(),
+                rejection.heldSince());
     }
 
     /** For who knows no more than the status of HTTP. */

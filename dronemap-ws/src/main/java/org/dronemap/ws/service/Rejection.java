@@ -1,5 +1,9 @@
 package org.dronemap.ws.service;
 
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.Tenure;
 import org.jspecify.annotations.Nullable;
 
 /** A request that is answered with a sentence instead of being carried out; each face maps it to its own form. */
@@ -8,15 +12,24 @@ public class Rejection extends RuntimeException {
 
     private final RejectionKind kind;
     private final @Nullable String commandId;
+    private final @Nullable String holder;
+    private final @Nullable Instant heldSince;
 
     public Rejection(RejectionKind kind, String sentence) {
-        this(kind, sentence, null);
+        this(kind, sentence, null, null);
     }
 
-    private Rejection(RejectionKind kind, String sentence, @Nullable String commandId) {
+    private Rejection(RejectionKind kind, String sentence, @Nullable String commandId, @Nullable Tenure tenure) {
         super(sentence, null, false, false);
         this.kind = kind;
         this.commandId = commandId;
+        this.holder = tenure == null ? null : ControlView.name(tenure.holder());
+        this.heldSince = tenure == null ? null : tenure.since().truncatedTo(ChronoUnit.MILLIS);
+    }
+
+    /** Somebody else has control; {@code commandId} of the refused command, null where it was none. */
+    public static Rejection held(String sentence, @Nullable String commandId, Control control) {
+        return new Rejection(RejectionKind.CONFLICT, sentence, commandId, control.tenure());
     }
 
     public static Rejection unknown(String what, String id) {
@@ -49,7 +62,7 @@ public class Rejection extends RuntimeException {
 
     /** A command that the gate refused; its record can be looked up. */
     public static Rejection refused(String sentence, String commandId) {
-        return new Rejection(RejectionKind.CONFLICT, sentence, commandId);
+        return new Rejection(RejectionKind.CONFLICT, sentence, commandId, null);
     }
 
     public RejectionKind kind() {
@@ -58,6 +71,16 @@ public class Rejection extends RuntimeException {
 
     public @Nullable String commandId() {
         return commandId;
+    }
+
+    /** The user who has control; null where that is not why, or nobody has. */
+    public @Nullable String holder() {
+        return holder;
+    }
+
+    /** Since when somebody has control; null where that is not why. */
+    public @Nullable Instant heldSince() {
+        return heldSince;
     }
 
     /** The sentence for people. */

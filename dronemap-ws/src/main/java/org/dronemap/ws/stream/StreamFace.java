@@ -14,12 +14,16 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.ControlService;
+import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
@@ -48,7 +52,12 @@ public final class StreamFace implements CloudListener, AutoCloseable {
 
     /** The use cases behind the stream. */
     public record Services(
-            Entrance entrance, DroneService drones, DroneViews views, CommandService commands, JsonReader json) {}
+            Entrance entrance,
+            DroneService drones,
+            DroneViews views,
+            CommandService commands,
+            ControlService controls,
+            JsonReader json) {}
 
     /** Who may come in, and who has to leave. */
     public record Entrance(Authentication authentication, StreamTickets tickets, Accounts accounts) {}
@@ -60,7 +69,11 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.clock = clock;
         this.feed = new DroneFeed(services.views(), services.json());
         this.requests = new StreamRequests(
-                services.entrance().authentication(), services.drones(), services.commands(), services.json());
+                services.entrance().authentication(),
+                services.drones(),
+                services.commands(),
+                new StreamControl(services.controls()),
+                services.json());
         services.entrance().accounts().onChange(this::judgeAnew);
         this.server = new StreamServer(
                 address,
@@ -138,9 +151,19 @@ public final class StreamFace implements CloudListener, AutoCloseable {
 
     @Override
     public void commandChanged(CommandRecord command) {
-        String message = services.json().write(new StreamMessage.Command(CommandView.of(command)));
+        tell(command.drone(), new StreamMessage.Command(CommandView.of(command)));
+    }
+
+    @Override
+    public void controlChanged(DroneId drone, Control now, ControlChange change) {
+        tell(drone, new StreamMessage.Control(drone.value(), ControlView.of(now), ControlView.ChangeView.of(change)));
+    }
+
+    /** What nobody who looks at that drone may miss. */
+    private void tell(DroneId drone, Object news) {
+        String message = services.json().write(news);
         for (StreamClient client : server.clients()) {
-            if (client.principal().isPresent() && client.wants(command.drone())) {
+            if (client.principal().isPresent() && client.wants(drone)) {
                 client.outbox().add(message);
             }
         }

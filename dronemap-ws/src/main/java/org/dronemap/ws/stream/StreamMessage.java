@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.Problem;
 import org.jspecify.annotations.Nullable;
@@ -21,7 +22,11 @@ final class StreamMessage {
             @Nullable String drone,
             @Nullable CommandRequest command,
             @Nullable List<String> drones,
-            @Nullable Integer rate) {}
+            @Nullable Integer rate,
+            @Nullable String action,
+            @Nullable String user,
+            @Nullable String reason,
+            @Nullable Long epoch) {}
 
     record Hello(String type, String user, String role) {
         Hello(String user, String role) {
@@ -56,6 +61,18 @@ final class StreamMessage {
     record CommandAccepted(String type, @Nullable String requestId, CommandView command) {
         CommandAccepted(@Nullable String requestId, CommandView command) {
             this("commandAccepted", requestId, command);
+        }
+    }
+
+    record Control(String type, String drone, ControlView control, ControlView.ChangeView change) {
+        Control(String drone, ControlView control, ControlView.ChangeView change) {
+            this("control", drone, control, change);
+        }
+    }
+
+    record ControlAnswer(String type, @Nullable String requestId, String drone, boolean waiting, ControlView control) {
+        ControlAnswer(@Nullable String requestId, String drone, boolean waiting, ControlView control) {
+            this("controlAnswer", requestId, drone, waiting, control);
         }
     }
 

@@ -21,17 +21,24 @@ import org.slf4j.LoggerFactory;
 /** Answers what clients of the stream say. Any thread. */
 final class StreamRequests {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequests.class);
-    private static final String TYPES = "authenticate, command, subscribe or ping";
+    private static final String TYPES = "authenticate, command, control, subscribe or ping";
 
     private final Authentication authentication;
     private final DroneService drones;
     private final CommandService commands;
+    private final StreamControl controls;
     private final JsonReader json;
 
-    StreamRequests(Authentication authentication, DroneService drones, CommandService commands, JsonReader json) {
+    StreamRequests(
+            Authentication authentication,
+            DroneService drones,
+            CommandService commands,
+            StreamControl controls,
+            JsonReader json) {
         this.authentication = authentication;
         this.drones = drones;
         this.commands = commands;
+        this.controls = controls;
         this.json = json;
     }
 
@@ -106,6 +113,7 @@ final class StreamRequests {
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
         switch (type) {
             case "command" -> command(client, principal, message);
+            case "control" -> say(client, controls.answer(principal, message));
             case "subscribe" -> subscribe(client, message);
             case "ping" -> say(client, new StreamMessage.Pong());
             default -> throw InvalidInput.outside("type", TYPES, "\"" + type + "\"");

@@ -66,9 +66,9 @@ final class HouseBuilder {
         closing.add("the lanes", lanes);
         CloudManager cloud = new CloudManager(
                 lanes,
-                settings.watchdog(),
+                new CloudManager.Rules(settings.watchdog(), settings.control()),
                 clock,
-                new CloudManager.Keeping(database.drones(), database.commands(), journal),
+                new CloudManager.Keeping(database.drones(), database.commands(), database.leases(), journal),
                 new DroneIds());
         SecretBox box = ServerSecret.box(
                 settings.linkSecret() == null ? null : settings.linkSecret().text(),

@@ -8,6 +8,7 @@ import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BodyLimitFilter;
 import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
+import org.dronemap.ws.rest.ControlController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.FenceController;
@@ -57,6 +58,7 @@ import tools.jackson.databind.DeserializationFeature;
     DroneController.class,
     BroadcastController.class,
     CommandController.class,
+    ControlController.class,
     FenceController.class,
     LogController.class,
     MissionController.class,

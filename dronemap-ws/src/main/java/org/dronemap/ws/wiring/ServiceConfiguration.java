@@ -12,6 +12,7 @@ import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
@@ -121,7 +122,7 @@ public class ServiceConfiguration {
     DroneViews droneViews(House house) {
         DronePlaces places = new DronePlaces(PlaceNames.load()::near);
         house.cloud().addListener(places);
-        return new DroneViews(places);
+        return new DroneViews(places, house.cloud().controls()::control);
     }
 
     @Bean
@@ -137,6 +138,11 @@ public class ServiceConfiguration {
     @Bean
     CommandService commandService(House house, DroneService drones) {
         return new CommandService(house.cloud(), drones);
+    }
+
+    @Bean
+    ControlService controlService(House house, DroneService drones, Accounts accounts) {
+        return new ControlService(house.cloud(), drones, house.access(), accounts);
     }
 
     @Bean

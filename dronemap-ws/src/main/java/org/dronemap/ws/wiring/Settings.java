@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.ws.service.Registration;
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param databaseUrl null: the server runs its own database in the data directory
  * @param tls null: plain HTTP and WebSocket
  * @param tileAddress null: only the base map that ships
+ * @param control how long control of a drone lasts, and what happens when its holder is lost
  * @param linkSecret seals the keys of vehicles; null: it lies in a file of the data directory
  * @param registration who may make an account
  */
@@ -35,6 +37,7 @@ public record Settings(
         @Nullable Tls tls,
         @Nullable String tileAddress,
         Watchdog watchdog,
+        LeaseRules control,
         RecordingPolicy recording,
         @Nullable Hidden linkSecret,
         Registration registration) {
@@ -85,6 +88,7 @@ public record Settings(
                 tls,
                 tile,
                 watchdog(environment),
+                ControlSettings.of(environment),
                 RecordingSettings.of(environment),
                 hidden(environment, "DRONEMAP_LINK_SECRET"),
                 registration(environment));

@@ -8,6 +8,7 @@ import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
@@ -38,8 +39,9 @@ public class StreamConfiguration {
             DroneService drones,
             DroneViews views,
             CommandService commands,
+            ControlService controls,
             JsonReader json) {
-        return new StreamFace.Services(entrance, drones, views, commands, json);
+        return new StreamFace.Services(entrance, drones, views, commands, controls, json);
     }
 
     @Bean

@@ -18,12 +18,14 @@ import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
+import org.dronemap.store.memory.MemoryLeaseStore;
 import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
@@ -63,7 +65,8 @@ public final class TestHouse implements AutoCloseable {
                 lanes,
                 PATIENT,
                 Clock.systemUTC(),
-                new CloudManager.Keeping(new MemoryDroneStore(), new MemoryCommandStore(), journal),
+                new CloudManager.Keeping(
+                        new MemoryDroneStore(), new MemoryCommandStore(), new MemoryLeaseStore(), journal),
                 () -> new DroneId("drone-" + ids.incrementAndGet()));
         recorder = new Recorder(
                 data.resolve("recordings"),
@@ -97,6 +100,7 @@ public final class TestHouse implements AutoCloseable {
                 null,
                 "https://tiles.example/{z}/{x}/{y}",
                 PATIENT,
+                LeaseRules.DEFAULT,
                 RecordingPolicy.DEFAULT,
                 null,
                 registration);

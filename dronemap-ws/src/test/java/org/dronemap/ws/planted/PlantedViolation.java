@@ -1,5 +1,6 @@
 package org.dronemap.ws.planted;
 
+import org.dronemap.core.cloud.Fence;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -11,7 +12,7 @@ public final class PlantedViolation {
 
     public void violate(VehicleChannel channel, VehicleChannel.Report report) {
         if (store.missions().isEmpty()) {
-            channel.perform(new CommandId("planted-violation"), new Command.Arm(), report);
+            channel.perform(new CommandId("planted-violation"), new Command.Arm(), Fence.NONE, report);
         }
     }
 }

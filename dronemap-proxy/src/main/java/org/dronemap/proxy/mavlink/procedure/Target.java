@@ -32,6 +32,11 @@ public record Target(
         return way.get();
     }
 
+    /** The same, spoken to another way. */
+    public Target through(Consumer<Message> newDown) {
+        return new Target(systemId, componentId, newDown, way, ledger);
+    }
+
     public void send(Message message) {
         down.accept(message);
     }

@@ -124,7 +124,7 @@ final class ArduPilot implements Autopilot {
         if (table == ModeTable.COPTER) {
             can.add(Capability.TURN);
         }
-        return new Capabilities(can, modes());
+        return new Capabilities(can, modes(), table.steering());
     }
 
     @Override

@@ -4,6 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.jspecify.annotations.Nullable;
 
 /** Flight modes of one firmware: the number in custom_mode and the name that users know, both ways. Immutable. */
@@ -26,6 +28,39 @@ final class ModeTable {
     static final ModeTable SUB =
             parse("0 STABILIZE, 1 ACRO, 2 ALT_HOLD, 3 AUTO, 4 GUIDED, 7 CIRCLE, 9 SURFACE, 16 POSHOLD, 19 MANUAL");
     static final ModeTable BLIMP = parse("0 LAND, 1 MANUAL, 2 VELOCITY, 3 LOITER, 4 RTL, 5 AUTO, 6 HOLD");
+
+    /** Modes of a pilot's sticks, of whichever firmware. */
+    private static final Set<String> STICKS = Set.of(
+            "STABILIZE",
+            "ACRO",
+            "ALT_HOLD",
+            "POSITION",
+            "OF_LOITER",
+            "DRIFT",
+            "SPORT",
+            "FLIP",
+            "AUTOTUNE",
+            "POSHOLD",
+            "FLOWHOLD",
+            "ZIGZAG",
+            "TURTLE",
+            "RATE_ACRO",
+            "MANUAL",
+            "TRAINING",
+            "FBWA",
+            "FBWB",
+            "CRUISE",
+            "QSTABILIZE",
+            "QHOVER",
+            "QLOITER",
+            "QAUTOTUNE",
+            "QACRO",
+            "LEARNING",
+            "STEERING",
+            "SIMPLE",
+            "VELOCITY");
+
+    private static final Set<String> ORDERS = Set.of("GUIDED", "GUIDED_NOGPS", "BRAKE", "HOLD");
 
     private final Map<Long, String> names;
 
@@ -56,6 +91,21 @@ final class ModeTable {
 
     List<String> names() {
         return List.copyOf(names.values());
+    }
+
+    /** Who steers in each mode where the vehicle does not fly by itself. */
+    Map<String, Steering> steering() {
+        Map<String, Steering> steering = new LinkedHashMap<>();
+        for (String name : names.values()) {
+            // A plane circles in LOITER; everything else is steered in it.
+            boolean loiter = name.equals("LOITER");
+            if (STICKS.contains(name) || (loiter && this != PLANE)) {
+                steering.put(name, Steering.STICKS);
+            } else if (ORDERS.contains(name) || loiter) {
+                steering.put(name, Steering.ORDERS);
+            }
+        }
+        return steering;
     }
 
     boolean has(String name) {

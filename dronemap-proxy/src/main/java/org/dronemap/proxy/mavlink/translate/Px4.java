@@ -31,6 +31,15 @@ final class Px4 implements Autopilot {
     private static final int AUTO_MAIN_MODE = 4;
     private static final int COM_DLL_EXCEPT_MISSION = 1;
     private static final Map<String, Mode> MODES = modesByName();
+    private static final Map<String, Capabilities.Steering> STEERING = Map.of(
+            "MANUAL", Capabilities.Steering.STICKS,
+            "STABILIZED", Capabilities.Steering.STICKS,
+            "ACRO", Capabilities.Steering.STICKS,
+            "RATTITUDE", Capabilities.Steering.STICKS,
+            "ALTCTL", Capabilities.Steering.STICKS,
+            "POSCTL", Capabilities.Steering.STICKS,
+            "LOITER", Capabilities.Steering.ORDERS,
+            "OFFBOARD", Capabilities.Steering.ORDERS);
     private static final String NO_HOME =
             "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
 
@@ -104,7 +113,7 @@ final class Px4 implements Autopilot {
         if (kind == VehicleKind.ROVER || kind == VehicleKind.BOAT || kind == VehicleKind.SUBMARINE) {
             can.removeAll(EnumSet.of(Capability.TAKE_OFF, Capability.LAND));
         }
-        return new Capabilities(can, modes());
+        return new Capabilities(can, modes(), STEERING);
     }
 
     @Override

@@ -39,6 +39,7 @@ final class ChildServer {
                 CommandPhase.SENT,
                 null,
                 null,
+                null,
                 null);
     }
 }

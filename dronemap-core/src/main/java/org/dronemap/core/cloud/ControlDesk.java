@@ -1,0 +1,40 @@
+package org.dronemap.core.cloud;
+
+import java.util.concurrent.TimeUnit;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseStep;
+
+/** Where people take, ask for, hand over and give back the control of drones. Any thread. */
+public final class ControlDesk {
+    private static final int LONGEST_WRITE_SECONDS = 10;
+
+    private final DroneRegistry registry;
+
+    ControlDesk(DroneRegistry registry) {
+        this.registry = registry;
+    }
+
+    /** Who commands a drone now; nobody when there is no such drone. */
+    public Control control(DroneId drone) {
+        return registry.find(drone).map(managed -> managed.control().control()).orElse(Control.FREE);
+    }
+
+    /**
+     * Decides, and returns once the decision is durable.
+     *
+     * @throws UnknownDroneException when there is no such drone
+     */
+    public LeaseStep apply(DroneId drone, LeaseEvent event) {
+        ManagedDrone managed = registry.find(drone).orElseThrow(() -> new UnknownDroneException(drone));
+        DroneControl.Decision decision = managed.control().apply(event);
+        decision.durable().orTimeout(LONGEST_WRITE_SECONDS, TimeUnit.SECONDS).join();
+        return decision.step();
+    }
+
+    /** This user may command no more, whatever it was that they commanded. */
+    public void expel(String user) {
+        registry.all().forEach(managed -> managed.control().apply(new LeaseEvent.Expel(user)));
+    }
+}

@@ -1,0 +1,118 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.RejectedExecutionException;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseRules;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Sees to it that control of one drone has its effects: old commands stop, a lost holder's drone is brought to safety, a
+ * pilot at the vehicle goes before everybody. Owned by the drone's lane.
+ */
+final class ControlWatch implements Lane.Ticker {
+    private static final Logger LOG = LoggerFactory.getLogger(ControlWatch.class);
+    /** A fail-safe says why it changes the mode about when it does. */
+    private static final Duration SAID_WITH = Duration.ofSeconds(5);
+
+    private final ManagedDrone drone;
+    private final CommandGate gate;
+    private final LeaseRules rules;
+    private final CloudListener listener;
+    private final Clock clock;
+    private @Nullable String lastMode;
+
+    ControlWatch(ManagedDrone drone, CommandGate gate, LeaseRules rules, CloudListener listener, Clock clock) {
+        this.drone = drone;
+        this.gate = gate;
+        this.rules = rules;
+        this.listener = listener;
+        this.clock = clock;
+        drone.control().announceTo(this::announce);
+    }
+
+    /** Any thread; in order. */
+    private void announce(Control now, List<ControlChange> changes) {
+        try {
+            drone.lane().execute(() -> changed(now, changes));
+        } catch (RejectedExecutionException e) {
+            LOG.error("The lane of {} had no room to hear that {}", drone.id(), changes, e);
+        }
+    }
+
+    private void changed(Control now, List<ControlChange> changes) {
+        gate.stopOutdated(drone);
+        for (ControlChange change : changes) {
+            listener.controlChanged(drone.id(), now, change);
+            String sentence = ControlWords.of(change);
+            if (sentence != null) {
+                drone.say(change.kind() == ControlChange.Kind.LOST ? Severity.WARNING : Severity.NOTICE, sentence);
+            }
+            act(change.kind());
+        }
+        drone.news();
+    }
+
+    private void act(ControlChange.Kind kind) {
+        boolean lost = kind == ControlChange.Kind.LOST || kind == ControlChange.Kind.EXPELLED;
+        if (!isLeftAlone()) {
+            return;
+        }
+        if (lost && rules.onLoss() != LeaseRules.OnLoss.NOTHING) {
+            gate.submitForSafety(drone, new Command.Hold());
+        } else if (kind == ControlChange.Kind.RETURN_DUE) {
+            gate.submitForSafety(drone, new Command.ReturnToLaunch());
+        }
+    }
+
+    /** In the air and waiting for somebody: what flies by itself goes on. */
+    private boolean isLeftAlone() {
+        DroneState state = drone.drone().state();
+        return Boolean.TRUE.equals(state.armed()) && state.airborne() && steering(state) != null;
+    }
+
+    @Override
+    public void tick() {
+        drone.control().tick(() -> gate.isBusy(drone));
+        DroneState state = drone.drone().state();
+        String mode = state.link().state() == LinkState.LIVE ? state.mode() : null;
+        Control control = drone.control().control();
+        if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {
+            if (Boolean.FALSE.equals(state.armed())) {
+                drone.control().apply(new LeaseEvent.PilotLeft());
+            }
+        } else if (lastMode != null && mode != null && !mode.equals(lastMode) && isPilots(state)) {
+            drone.control().apply(new LeaseEvent.PilotActed(mode));
+        }
+        lastMode = mode;
+    }
+
+    /** A mode for sticks that nobody here asked for, and no fail-safe explains. */
+    private boolean isPilots(DroneState state) {
+        return Boolean.TRUE.equals(state.armed())
+                && steering(state) == Capabilities.Steering.STICKS
+                && !gate.mayHaveChangedMode(drone)
+                && state.messages().stream()
+                        .filter(message -> message.at().isAfter(clock.instant().minus(SAID_WITH)))
+                        .noneMatch(message ->
+                                message.text().toLowerCase(Locale.ROOT).contains("failsafe"));
+    }
+
+    private static Capabilities.@Nullable Steering steering(DroneState state) {
+        String mode = state.mode();
+        return mode == null ? null : state.capabilities().steering().get(mode);
+    }
+}

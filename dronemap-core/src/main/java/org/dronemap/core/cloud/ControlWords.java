@@ -1,0 +1,28 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.Holder;
+import org.jspecify.annotations.Nullable;
+
+/** What people who watch a drone are told of its control. */
+final class ControlWords {
+    private ControlWords() {}
+
+    /** Null for what is nothing out of the ordinary. */
+    static @Nullable String of(ControlChange change) {
+        String by = change.by().words();
+        Holder other = change.other();
+        return switch (change.kind()) {
+            case HANDED_OVER -> other == null ? null : by + " handed control over to " + other.words() + ".";
+            case TAKEN_OVER ->
+                other == null ? null : by + " took control over from " + other.words() + ": " + change.reason();
+            case LOST -> "Contact with " + by + ", who had control, was lost.";
+            case EXPELLED -> by + ", who had control, may not command any more.";
+            case RETURN_DUE -> "Nobody took control after " + by + " was lost.";
+            case PILOT_ACTED ->
+                by + " changed the mode to " + change.reason() + " and has control now"
+                        + (other == null ? "." : ", not " + other.words() + ".");
+            case TAKEN, REQUESTED, REFUSED, RELEASED, EXPIRED, PILOT_LEFT -> null;
+        };
+    }
+}

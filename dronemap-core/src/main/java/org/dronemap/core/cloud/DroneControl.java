@@ -1,0 +1,156 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.LeaseAnswer;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseMachine;
+import org.dronemap.core.lease.LeaseStep;
+import org.dronemap.core.lease.LeaseStore;
+import org.dronemap.core.lease.Moment;
+import org.dronemap.core.lease.SavedLease;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The control of one drone: takes one event after the other, keeps what outlives the process, and stands as a fence before
+ * the wire. Any thread: decisions and sendings exclude each other by its monitor, under which nobody waits.
+ */
+final class DroneControl {
+    private final DroneId drone;
+    private final LeaseMachine machine;
+    private final Keeping keeping;
+    private final Clock clock;
+    private final LongSupplier nanoTime;
+    private Announcer announcer = (control, changes) -> {};
+    private volatile Control control;
+
+    /** Where leases are kept, in the order of what happened. */
+    record Keeping(LeaseStore store, Journal journal) {}
+
+    /** Hears in order of what happened, under the monitor; must return at once. */
+    interface Announcer {
+        void changed(Control now, List<ControlChange> changes);
+    }
+
+    /** A decision, and when what it changed is durable. */
+    record Decision(LeaseStep step, CompletableFuture<Void> durable) {}
+
+    DroneControl(DroneId drone, LeaseMachine machine, Keeping keeping, Clock clock, LongSupplier nanoTime) {
+        this.drone = drone;
+        this.machine = machine;
+        this.keeping = keeping;
+        this.clock = clock;
+        this.nanoTime = nanoTime;
+        this.control = Control.FREE;
+    }
+
+    synchronized void restore(SavedLease lease) {
+        control = machine.restored(lease, now());
+    }
+
+    synchronized void announceTo(Announcer listener) {
+        announcer = listener;
+    }
+
+    Control control() {
+        return control;
+    }
+
+    synchronized Decision apply(LeaseEvent event) {
+        Control before = control;
+        LeaseStep step = machine.apply(before, event, now());
+        control = step.control();
+        CompletableFuture<Void> durable = keep(saved(before), saved(step.control()));
+        if (!step.changes().isEmpty()
+                || before.requests().size() != step.control().requests().size()) {
+            announcer.changed(step.control(), step.changes());
+        }
+        return new Decision(step, durable);
+    }
+
+    /** Asks for the control that a command needs, and takes it where it is free. */
+    synchronized Passage enter(Principal principal, Command command, @Nullable Long claimed) {
+        if (ControlRules.onlyReads(command)) {
+            return new Passage.Open(epoch(), Fence.NONE);
+        }
+        LeaseAnswer answer =
+                apply(new LeaseEvent.Command(principal.name(), claimed)).step().answer();
+        if (!(answer instanceof LeaseAnswer.Denied denied)) {
+            return fenced();
+        }
+        return ControlRules.isOpenTo(principal, command)
+                ? new Passage.Open(epoch(), Fence.NONE)
+                : new Passage.Closed(denied.why());
+    }
+
+    /** For what a rule of safety commands; empty when somebody has control. */
+    synchronized Optional<Passage.Open> enterVacant() {
+        return control.tenure() == null ? Optional.of(fenced()) : Optional.empty();
+    }
+
+    private Passage.Open fenced() {
+        long epoch = control.epoch();
+        return new Passage.Open(epoch == 0 ? null : (Long) epoch, send -> passes(epoch, send));
+    }
+
+    private synchronized boolean passes(long epoch, Runnable send) {
+        if (control.epoch() != epoch) {
+            return false;
+        }
+        send.run();
+        return true;
+    }
+
+    /** Lets time go by; {@code busy} is asked only when it matters. */
+    void tick(BooleanSupplier busy) {
+        if (machine.isDue(control, nanoTime.getAsLong())) {
+            apply(new LeaseEvent.Tick(busy.getAsBoolean()));
+        }
+    }
+
+    private @Nullable Long epoch() {
+        long epoch = control.epoch();
+        return epoch == 0 ? null : (Long) epoch;
+    }
+
+    private Moment now() {
+        return new Moment(clock.instant(), nanoTime.getAsLong());
+    }
+
+    private @Nullable SavedLease saved(Control of) {
+        return of.tenure() != null && of.tenure().explicit() && of.tenure().holder() instanceof Holder.Person person
+                ? new SavedLease(drone, person.name(), of.tenure().since())
+                : null;
+    }
+
+    private CompletableFuture<Void> keep(@Nullable SavedLease before, @Nullable SavedLease now) {
+        if (before == null ? now == null : before.equals(now)) {
+            return CompletableFuture.completedFuture(null);
+        }
+        CompletableFuture<Void> durable = new CompletableFuture<>();
+        keeping.journal()
+                .write(
+                        "who has control of " + drone,
+                        () -> {
+                            if (now == null) {
+                                keeping.store().delete(drone);
+                            } else {
+                                keeping.store().save(now);
+                            }
+                            durable.complete(null);
+                        },
+                        () -> durable.completeExceptionally(
+                                new IllegalStateException("Who has control could not be written.")));
+        return durable;
+    }
+}

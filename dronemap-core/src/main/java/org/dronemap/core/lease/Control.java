@@ -1,0 +1,59 @@
+package org.dronemap.core.lease;
+
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Who commands one drone now; immutable.
+ *
+ * @param epoch of the last tenure; rises with each new one, and a command of an older one is not sent any more
+ * @param tenure null: nobody
+ * @param requests oldest first
+ * @param lapse null unless a holder was lost
+ */
+public record Control(
+        long epoch,
+        @Nullable Tenure tenure,
+        List<ControlRequest> requests,
+        @Nullable Lapse lapse) {
+    /** Nobody has ever commanded it. */
+    public static final Control FREE = new Control(0, null, List.of(), null);
+
+    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss 'UTC'", Locale.ROOT)
+            .withZone(ZoneOffset.UTC);
+
+    public Control {
+        requests = List.copyOf(requests);
+    }
+
+    public boolean isHeldBy(String user) {
+        return tenure != null && tenure.holder().is(user);
+    }
+
+    /** Who has control, since when, and what can be done about it. */
+    public String sentence() {
+        if (tenure == null) {
+            return "Nobody has control; take it.";
+        }
+        return tenure.holder().words() + " has had control of it since " + TIME.format(tenure.since())
+                + (tenure.holder() instanceof Holder.Pilot
+                        ? "; take control to command it again."
+                        : "; ask for it, or wait until it is given back.");
+    }
+
+    Control with(@Nullable Tenure now) {
+        return new Control(epoch, now, requests, lapse);
+    }
+
+    Control withRequests(List<ControlRequest> now) {
+        return new Control(epoch, tenure, now, lapse);
+    }
+
+    Control without(String user) {
+        return withRequests(
+                requests.stream().filter(request -> !request.by().equals(user)).toList());
+    }
+}

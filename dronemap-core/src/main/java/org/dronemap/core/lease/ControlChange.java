@@ -1,0 +1,35 @@
+package org.dronemap.core.lease;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Something happened to the control of a drone.
+ *
+ * @param by who did it, or whom it befell
+ * @param other who had it before, or who gets it; null where there is nobody else
+ * @param reason as given; null: none
+ */
+public record ControlChange(
+        Kind kind,
+        Holder by,
+        @Nullable Holder other,
+        @Nullable String reason) {
+    public enum Kind {
+        TAKEN,
+        REQUESTED,
+        REFUSED,
+        HANDED_OVER,
+        TAKEN_OVER,
+        RELEASED,
+        /** Ended because its holder was idle. */
+        EXPIRED,
+        /** An explicit holder fell silent. */
+        LOST,
+        /** Nobody took it after that in time: the drone shall return. */
+        RETURN_DUE,
+        PILOT_ACTED,
+        PILOT_LEFT,
+        /** The holder may command no more. */
+        EXPELLED
+    }
+}

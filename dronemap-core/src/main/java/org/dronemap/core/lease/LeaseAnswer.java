@@ -1,0 +1,13 @@
+package org.dronemap.core.lease;
+
+/** What became of a {@link LeaseEvent} for whoever caused it. */
+public sealed interface LeaseAnswer {
+    /** Done; for a command: it may go with the epoch that is current now. */
+    record Granted() implements LeaseAnswer {}
+
+    /** The holder was asked. */
+    record Waiting() implements LeaseAnswer {}
+
+    /** Not done; a sentence for people. */
+    record Denied(String why) implements LeaseAnswer {}
+}

@@ -1,0 +1,309 @@
+package org.dronemap.core.lease;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.dronemap.core.lease.ControlChange.Kind;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Who may command a drone, as a function of what was and what happens: same input, same output. It touches nothing but
+ * the supply of epochs, which must rise. Any thread.
+ */
+public final class LeaseMachine {
+    private static final int MOST_REQUESTS = 20;
+    /** After a restart: as long as clients take to come back. */
+    private static final long RETURNING_NANOS = 15_000_000_000L;
+
+    private final LeaseRules rules;
+    private final LongSupplier epochs;
+
+    public LeaseMachine(LeaseRules rules, LongSupplier epochs) {
+        this.rules = rules;
+        this.epochs = epochs;
+    }
+
+    /** An explicit holder of an earlier process, who gets time to come back; the epoch is a new one. */
+    public Control restored(SavedLease lease, Moment now) {
+        Tenure tenure = new Tenure(new Holder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS);
+        return new Control(epochs.getAsLong(), tenure, List.of(), null);
+    }
+
+    public LeaseStep apply(Control control, LeaseEvent event, Moment now) {
+        if (event instanceof LeaseEvent.Command command) {
+            return command(control, command, now);
+        }
+        if (event instanceof LeaseEvent.Tick tick) {
+            return tick(control, tick.busy(), now);
+        }
+        if (event instanceof LeaseEvent.Heartbeat heartbeat) {
+            return heartbeat(control, heartbeat, now);
+        }
+        if (event instanceof LeaseEvent.Take take) {
+            return take(control, take.user(), now);
+        }
+        if (event instanceof LeaseEvent.Request request) {
+            return request(control, request, now);
+        }
+        if (event instanceof LeaseEvent.TakeOver takeOver) {
+            return takeOver(control, takeOver, now);
+        }
+        return ofHolderOrPilot(control, event, now);
+    }
+
+    private LeaseStep ofHolderOrPilot(Control control, LeaseEvent event, Moment now) {
+        if (event instanceof LeaseEvent.Grant grant) {
+            return grant(control, grant, now);
+        }
+        if (event instanceof LeaseEvent.Refuse refuse) {
+            return refuse(control, refuse);
+        }
+        if (event instanceof LeaseEvent.HandOver handOver) {
+            return handOver(control, handOver.user(), handOver.to(), now);
+        }
+        if (event instanceof LeaseEvent.Release release) {
+            return release(control, release.user());
+        }
+        if (event instanceof LeaseEvent.Expel expel) {
+            return expel(control, expel.user(), now);
+        }
+        if (event instanceof LeaseEvent.PilotActed pilot) {
+            return pilotActed(control, pilot.what(), now);
+        }
+        return pilotLeft(control);
+    }
+
+    private LeaseStep command(Control control, LeaseEvent.Command command, Moment now) {
+        Tenure tenure = control.tenure();
+        boolean holds = control.isHeldBy(command.user());
+        if (command.epoch() != null && !(holds && control.epoch() == command.epoch())) {
+            return LeaseStep.denied(
+                    control, "Control by epoch " + command.epoch() + " has ended. " + control.sentence());
+        }
+        if (tenure != null && !holds) {
+            return LeaseStep.denied(control, control.sentence());
+        }
+        if (tenure != null) {
+            return LeaseStep.granted(control.with(tenure.heard(now)));
+        }
+        Holder holder = new Holder.Person(command.user());
+        return LeaseStep.granted(begin(control, holder, false, now), change(Kind.TAKEN, holder, null));
+    }
+
+    private LeaseStep take(Control control, String user, Moment now) {
+        Tenure tenure = control.tenure();
+        Holder holder = new Holder.Person(user);
+        if (tenure == null || tenure.holder() instanceof Holder.Pilot) {
+            Holder before = tenure == null ? null : tenure.holder();
+            return LeaseStep.granted(begin(control, holder, true, now), change(Kind.TAKEN, holder, before));
+        }
+        if (!tenure.holder().equals(holder)) {
+            return LeaseStep.denied(control, control.sentence());
+        }
+        // Asked for again while it was explicit: from another window, and only one of them shall go on.
+        Control kept = tenure.explicit() ? begin(control, holder, true, now) : control.with(tenure.kept(now));
+        return LeaseStep.granted(kept, change(Kind.TAKEN, holder, null));
+    }
+
+    private LeaseStep request(Control control, LeaseEvent.Request request, Moment now) {
+        Tenure tenure = control.tenure();
+        if (tenure == null || !(tenure.holder() instanceof Holder.Person) || control.isHeldBy(request.user())) {
+            return take(control, request.user(), now);
+        }
+        List<ControlRequest> requests =
+                new ArrayList<>(control.without(request.user()).requests());
+        if (requests.size() >= MOST_REQUESTS) {
+            return LeaseStep.denied(control, "Too many have asked for control already. " + control.sentence());
+        }
+        requests.add(new ControlRequest(request.user(), request.reason(), now.at(), now.nanos()));
+        ControlChange asked =
+                new ControlChange(Kind.REQUESTED, new Holder.Person(request.user()), tenure.holder(), request.reason());
+        return new LeaseStep(control.withRequests(requests), new LeaseAnswer.Waiting(), List.of(asked));
+    }
+
+    private LeaseStep takeOver(Control control, LeaseEvent.TakeOver event, Moment now) {
+        Tenure tenure = control.tenure();
+        if (tenure == null || control.isHeldBy(event.user())) {
+            return take(control, event.user(), now);
+        }
+        Holder holder = new Holder.Person(event.user());
+        return LeaseStep.granted(
+                begin(control, holder, true, now),
+                new ControlChange(Kind.TAKEN_OVER, holder, tenure.holder(), event.reason()));
+    }
+
+    private LeaseStep grant(Control control, LeaseEvent.Grant grant, Moment now) {
+        if (control.isHeldBy(grant.user()) && requestBy(control, grant.to()).isEmpty()) {
+            return LeaseStep.denied(control, grant.to() + " does not ask for control (any more).");
+        }
+        return handOver(control, grant.user(), grant.to(), now);
+    }
+
+    private LeaseStep refuse(Control control, LeaseEvent.Refuse refuse) {
+        Tenure tenure = control.tenure();
+        if (tenure == null || !control.isHeldBy(refuse.user())) {
+            return notYours(control);
+        }
+        if (requestBy(control, refuse.to()).isEmpty()) {
+            return LeaseStep.denied(control, refuse.to() + " does not ask for control (any more).");
+        }
+        return LeaseStep.granted(
+                control.without(refuse.to()),
+                new ControlChange(Kind.REFUSED, tenure.holder(), new Holder.Person(refuse.to()), refuse.reason()));
+    }
+
+    /** Implicit for now: who gets it may not be looking. */
+    private LeaseStep handOver(Control control, String user, String to, Moment now) {
+        Tenure tenure = control.tenure();
+        if (tenure == null || !control.isHeldBy(user)) {
+            return notYours(control);
+        }
+        if (to.equals(user)) {
+            return LeaseStep.denied(control, "You have control already.");
+        }
+        Holder next = new Holder.Person(to);
+        return LeaseStep.granted(begin(control, next, false, now), change(Kind.HANDED_OVER, tenure.holder(), next));
+    }
+
+    private LeaseStep heartbeat(Control control, LeaseEvent.Heartbeat heartbeat, Moment now) {
+        Tenure tenure = control.tenure();
+        if (tenure == null || !control.isHeldBy(heartbeat.user()) || control.epoch() != heartbeat.epoch()) {
+            return LeaseStep.denied(
+                    control, "Control by epoch " + heartbeat.epoch() + " has ended. " + control.sentence());
+        }
+        if (!tenure.explicit()) {
+            return LeaseStep.denied(
+                    control, "Take control first: this one came with a command and needs no heartbeat.");
+        }
+        return LeaseStep.granted(control.with(tenure.heard(now)));
+    }
+
+    private static LeaseStep release(Control control, String user) {
+        Tenure tenure = control.tenure();
+        if (tenure == null || !control.isHeldBy(user)) {
+            return notYours(control);
+        }
+        return LeaseStep.granted(freed(control.epoch(), null), change(Kind.RELEASED, tenure.holder(), null));
+    }
+
+    private LeaseStep expel(Control control, String user, Moment now) {
+        Control rest = control.without(user);
+        Tenure tenure = rest.tenure();
+        if (tenure == null || !rest.isHeldBy(user)) {
+            return LeaseStep.granted(rest);
+        }
+        Lapse lapse = tenure.explicit() ? new Lapse(user, now.nanos(), false) : null;
+        return LeaseStep.granted(freed(epochs.getAsLong(), lapse), change(Kind.EXPELLED, tenure.holder(), null));
+    }
+
+    private LeaseStep pilotActed(Control control, String what, Moment now) {
+        Tenure tenure = control.tenure();
+        if (tenure == null) {
+            // Nobody here is in the way; but a pilot is there now, whom no rule shall call back.
+            return LeaseStep.granted(freed(control.epoch(), null));
+        }
+        if (tenure.holder() instanceof Holder.Pilot) {
+            return LeaseStep.granted(control.with(tenure.heard(now)));
+        }
+        Holder pilot = new Holder.Pilot();
+        return LeaseStep.granted(
+                begin(control, pilot, true, now), new ControlChange(Kind.PILOT_ACTED, pilot, tenure.holder(), what));
+    }
+
+    private static LeaseStep pilotLeft(Control control) {
+        Tenure tenure = control.tenure();
+        if (tenure == null || !(tenure.holder() instanceof Holder.Pilot)) {
+            return LeaseStep.granted(control);
+        }
+        return LeaseStep.granted(freed(control.epoch(), null), change(Kind.PILOT_LEFT, tenure.holder(), null));
+    }
+
+    /** Whether time alone changes anything by now. */
+    public boolean isDue(Control control, long nowNanos) {
+        Tenure tenure = control.tenure();
+        boolean over = tenure != null
+                && tenure.holder() instanceof Holder.Person
+                && nowNanos - tenure.heardNanos() > patienceNanos(tenure);
+        return over
+                || isReturnDue(control, nowNanos)
+                || control.requests().stream().anyMatch(request -> isOld(request, nowNanos));
+    }
+
+    private long patienceNanos(Tenure tenure) {
+        return (tenure.explicit() ? rules.silence() : rules.idle()).toNanos();
+    }
+
+    private boolean isOld(ControlRequest request, long nowNanos) {
+        return nowNanos - request.nanos() > rules.asking().toNanos();
+    }
+
+    private boolean isReturnDue(Control control, long nowNanos) {
+        Lapse lapse = control.lapse();
+        return lapse != null
+                && !lapse.returned()
+                && rules.onLoss() == LeaseRules.OnLoss.RETURN
+                && nowNanos - lapse.sinceNanos() >= rules.untilReturn().toNanos();
+    }
+
+    private LeaseStep tick(Control control, boolean busy, Moment now) {
+        Control rest = control.withRequests(control.requests().stream()
+                .filter(request -> !isOld(request, now.nanos()))
+                .toList());
+        Tenure tenure = rest.tenure();
+        if (tenure == null) {
+            return lapsed(rest, now);
+        }
+        if (!(tenure.holder() instanceof Holder.Person person)) {
+            return LeaseStep.granted(rest);
+        }
+        if (busy && !tenure.explicit()) {
+            return LeaseStep.granted(rest.with(tenure.heard(now)));
+        }
+        if (now.nanos() - tenure.heardNanos() <= patienceNanos(tenure)) {
+            return LeaseStep.granted(rest);
+        }
+        return tenure.explicit()
+                ? LeaseStep.granted(
+                        freed(epochs.getAsLong(), new Lapse(person.name(), now.nanos(), false)),
+                        change(Kind.LOST, person, null))
+                : LeaseStep.granted(freed(rest.epoch(), null), change(Kind.EXPIRED, person, null));
+    }
+
+    private LeaseStep lapsed(Control control, Moment now) {
+        Lapse lapse = control.lapse();
+        if (lapse == null || !isReturnDue(control, now.nanos())) {
+            return LeaseStep.granted(control);
+        }
+        Lapse returned = new Lapse(lapse.user(), lapse.sinceNanos(), true);
+        return LeaseStep.granted(
+                new Control(control.epoch(), null, control.requests(), returned),
+                change(Kind.RETURN_DUE, new Holder.Person(lapse.user()), null));
+    }
+
+    private Control begin(Control before, Holder holder, boolean explicit, Moment now) {
+        List<ControlRequest> others = holder instanceof Holder.Person person
+                ? before.without(person.name()).requests()
+                : List.of();
+        return new Control(epochs.getAsLong(), new Tenure(holder, explicit, now.at(), now.nanos()), others, null);
+    }
+
+    /** Whoever waited can take it now. */
+    private static Control freed(long epoch, @Nullable Lapse lapse) {
+        return new Control(epoch, null, List.of(), lapse);
+    }
+
+    private static ControlChange change(Kind kind, Holder by, @Nullable Holder other) {
+        return new ControlChange(kind, by, other, null);
+    }
+
+    private static Optional<ControlRequest> requestBy(Control control, String user) {
+        return control.requests().stream()
+                .filter(request -> request.by().equals(user))
+                .findFirst();
+    }
+
+    private static LeaseStep notYours(Control control) {
+        return LeaseStep.denied(control, "You do not have control. " + control.sentence());
+    }
+}

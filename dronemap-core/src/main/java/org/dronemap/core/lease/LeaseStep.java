@@ -1,0 +1,18 @@
+package org.dronemap.core.lease;
+
+import java.util.List;
+
+/** What an event makes of the control of a drone. */
+public record LeaseStep(Control control, LeaseAnswer answer, List<ControlChange> changes) {
+    public LeaseStep {
+        changes = List.copyOf(changes);
+    }
+
+    static LeaseStep granted(Control control, ControlChange... changes) {
+        return new LeaseStep(control, new LeaseAnswer.Granted(), List.of(changes));
+    }
+
+    static LeaseStep denied(Control control, String why) {
+        return new LeaseStep(control, new LeaseAnswer.Denied(why), List.of());
+    }
+}

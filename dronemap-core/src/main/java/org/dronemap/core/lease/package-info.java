@@ -1,0 +1,5 @@
+/** Who commands a drone: one lease for each, held by one user at a time or by the pilot at the vehicle. */
+@NullMarked
+package org.dronemap.core.lease;
+
+import org.jspecify.annotations.NullMarked;

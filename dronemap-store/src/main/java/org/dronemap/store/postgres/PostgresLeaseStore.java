@@ -1,0 +1,45 @@
+package org.dronemap.store.postgres;
+
+import java.util.List;
+import javax.sql.DataSource;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseStore;
+import org.dronemap.core.lease.SavedLease;
+import org.dronemap.store.StoreException;
+
+/** Who has control of which drone, in PostgreSQL. Thread-safe. */
+public final class PostgresLeaseStore implements LeaseStore {
+    private final Sql sql;
+
+    public PostgresLeaseStore(DataSource dataSource) {
+        this.sql = new Sql(dataSource);
+    }
+
+    @Override
+    public List<SavedLease> leases() {
+        return sql.list(
+                "SELECT * FROM control_lease ORDER BY drone_id COLLATE \"C\"",
+                row -> new SavedLease(new DroneId(row.text("drone_id")), row.text("account_name"), row.time("since")));
+    }
+
+    @Override
+    public void save(SavedLease lease) {
+        sql.update("""
+                INSERT INTO control_lease (drone_id, account_name, since) VALUES (?, ?, ?)
+                ON CONFLICT (drone_id) DO UPDATE SET account_name = excluded.account_name, since = excluded.since""", lease.drone().value(), lease.user(), lease.since());
+    }
+
+    @Override
+    public void delete(DroneId drone) {
+        sql.update("DELETE FROM control_lease WHERE drone_id = ?", drone.value());
+    }
+
+    @Override
+    public long reserve(int count) {
+        return sql.one(
+                        "UPDATE control_epoch SET reserved = reserved + ? RETURNING reserved",
+                        row -> row.longInteger("reserved"),
+                        count)
+                .orElseThrow(() -> new StoreException("The row of epochs is gone."));
+    }
+}

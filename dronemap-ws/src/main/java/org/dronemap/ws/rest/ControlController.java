@@ -1,0 +1,102 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.ControlAction;
+import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlService;
+import org.dronemap.ws.service.ControlView;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Who commands a drone. */
+@RestController
+@RequestMapping("/api/v1/drones/{id}/control")
+@Tag(
+        name = "Control",
+        description = "One user commands a drone at a time. The first command takes control where it is free; taken on"
+                + " purpose it is kept by a heartbeat every 2 s. 409 says who has control and since when.")
+public class ControlController {
+    private final ControlService controls;
+    private final CurrentPrincipal current;
+
+    public ControlController(ControlService controls, CurrentPrincipal current) {
+        this.controls = controls;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "See who has control")
+    public ControlView control(@PathVariable String id) {
+        return controls.control(current.principal(), id);
+    }
+
+    @PostMapping("/take")
+    @Operation(
+            summary = "Take control where nobody has it (operator)",
+            description = "Also back from the pilot at the vehicle. Send the heartbeat every 2 s from then on.")
+    public ResponseEntity<ControlView> take(@PathVariable String id) {
+        return act(id, ControlAction.TAKE, null);
+    }
+
+    @PostMapping("/request")
+    @Operation(
+            summary = "Ask the holder for control (operator)",
+            description = "202 while the holder decides, for up to a minute; 200 where control was free.")
+    public ResponseEntity<ControlView> request(
+            @PathVariable String id, @RequestBody(required = false) @Nullable ControlRequestView with) {
+        return act(id, ControlAction.REQUEST, with);
+    }
+
+    @PostMapping("/grant")
+    @Operation(summary = "Give control to somebody who asks for it (holder)")
+    public ResponseEntity<ControlView> grant(@PathVariable String id, @RequestBody ControlRequestView with) {
+        return act(id, ControlAction.GRANT, with);
+    }
+
+    @PostMapping("/refuse")
+    @Operation(summary = "Keep control from somebody who asks for it (holder)")
+    public ResponseEntity<ControlView> refuse(@PathVariable String id, @RequestBody ControlRequestView with) {
+        return act(id, ControlAction.REFUSE, with);
+    }
+
+    @PostMapping("/hand-over")
+    @Operation(summary = "Give control to somebody (holder)", description = "They keep it for 30 s, or by using it.")
+    public ResponseEntity<ControlView> handOver(@PathVariable String id, @RequestBody ControlRequestView with) {
+        return act(id, ControlAction.HAND_OVER, with);
+    }
+
+    @PostMapping("/take-over")
+    @Operation(summary = "Take control from whoever has it, with a reason (supervisor)")
+    public ResponseEntity<ControlView> takeOver(@PathVariable String id, @RequestBody ControlRequestView with) {
+        return act(id, ControlAction.TAKE_OVER, with);
+    }
+
+    @PostMapping("/heartbeat")
+    @Operation(summary = "Say that the holder is there (holder)", description = "Every 2 s; lost after 6 s without.")
+    public ResponseEntity<ControlView> heartbeat(@PathVariable String id, @RequestBody ControlRequestView with) {
+        return act(id, ControlAction.HEARTBEAT, with);
+    }
+
+    @DeleteMapping
+    @Operation(summary = "Give control back (holder)")
+    public ResponseEntity<ControlView> release(@PathVariable String id) {
+        return act(id, ControlAction.RELEASE, null);
+    }
+
+    private ResponseEntity<ControlView> act(String id, ControlAction action, @Nullable ControlRequestView with) {
+        ControlService.Answer answer =
+                controls.act(current.principal(), id, action, with == null ? ControlRequestView.NOTHING : with);
+        return ResponseEntity.status(answer.waiting() ? HttpStatus.ACCEPTED : HttpStatus.OK)
+                .body(answer.control());
+    }
+}

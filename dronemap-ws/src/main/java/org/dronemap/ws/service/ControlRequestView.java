@@ -1,0 +1,19 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import org.jspecify.annotations.Nullable;
+
+/** What a client says about the control of a drone; which members are needed depends on what it is. */
+@Schema(description = "What goes with it; which members are needed depends on what is done.")
+public record ControlRequestView(
+        @Schema(description = "takeOver (needed), request, refuse: at most 200 characters") @Nullable
+        String reason,
+
+        @Schema(description = "grant, refuse, hand-over: the name of the user") @Nullable
+        String user,
+
+        @Schema(description = "heartbeat: of the control that was taken") @Nullable
+        Long epoch) {
+    /** Nothing goes with it. */
+    public static final ControlRequestView NOTHING = new ControlRequestView(null, null, null);
+}

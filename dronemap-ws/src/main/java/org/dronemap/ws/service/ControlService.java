@@ -1,0 +1,114 @@
+package org.dronemap.ws.service;
+
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.UnknownDroneException;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.lease.LeaseAnswer;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseStep;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around who commands a drone: take, ask, grant, hand over, give back. Any thread. */
+public final class ControlService {
+    private static final int LONGEST_REASON = 200;
+
+    private final CloudManager cloud;
+    private final DroneService drones;
+    private final AccessStore access;
+
+    /** How it is now; {@code waiting}: the holder was asked, and decides. */
+    public record Answer(ControlView control, boolean waiting) {}
+
+    public ControlService(CloudManager cloud, DroneService drones, AccessStore access, Accounts accounts) {
+        this.cloud = cloud;
+        this.drones = drones;
+        this.access = access;
+        accounts.onChange(this::judgeAnew);
+    }
+
+    public ControlView control(Principal principal, String droneId) {
+        Roles.require(principal, Role.VIEWER);
+        return ControlView.of(cloud.controls().control(drones.state(droneId).id()));
+    }
+
+    /** Does what is asked, or says who has control and since when. */
+    public Answer act(Principal principal, String droneId, ControlAction action, ControlRequestView with) {
+        Roles.require(principal, action == ControlAction.TAKE_OVER ? Role.SUPERVISOR : Role.OPERATOR);
+        DroneState drone = drones.state(droneId);
+        if (drone.replay()) {
+            throw Rejection.conflict("This is a recording; it cannot be commanded.");
+        }
+        LeaseStep step = apply(drone.id(), event(principal.name(), action, with));
+        if (step.answer() instanceof LeaseAnswer.Denied denied) {
+            throw Rejection.held(denied.why(), null, step.control());
+        }
+        return new Answer(ControlView.of(step.control()), step.answer() instanceof LeaseAnswer.Waiting);
+    }
+
+    private LeaseStep apply(DroneId drone, LeaseEvent event) {
+        try {
+            return cloud.controls().apply(drone, event);
+        } catch (UnknownDroneException removedMeanwhile) {
+            throw Rejection.unknown("drone", drone.value());
+        }
+    }
+
+    private LeaseEvent event(String user, ControlAction action, ControlRequestView with) {
+        return switch (action) {
+            case TAKE -> new LeaseEvent.Take(user);
+            case REQUEST -> new LeaseEvent.Request(user, reason(with.reason()));
+            case GRANT -> new LeaseEvent.Grant(user, pilot(with.user()));
+            case REFUSE -> new LeaseEvent.Refuse(user, named(with.user()), reason(with.reason()));
+            case HAND_OVER -> new LeaseEvent.HandOver(user, pilot(with.user()));
+            case TAKE_OVER -> new LeaseEvent.TakeOver(user, Names.checked("reason", with.reason(), LONGEST_REASON));
+            case HEARTBEAT -> new LeaseEvent.Heartbeat(user, epoch(with.epoch()));
+            case RELEASE -> new LeaseEvent.Release(user);
+        };
+    }
+
+    private static @Nullable String reason(@Nullable String given) {
+        return given == null || given.isBlank() ? null : Names.checked("reason", given, LONGEST_REASON);
+    }
+
+    private static long epoch(@Nullable Long given) {
+        if (given == null) {
+            throw InvalidInput.missing("epoch", "the one that taking control was answered with");
+        }
+        return given;
+    }
+
+    private static String named(@Nullable String user) {
+        if (user == null || user.isBlank()) {
+            throw InvalidInput.missing("user", "the name of a user");
+        }
+        return user.strip();
+    }
+
+    /** Control goes to nobody who may not command. */
+    private String pilot(@Nullable String user) {
+        String name = named(user);
+        if (!mayCommand(name)) {
+            throw InvalidInput.outside("user", "a user who may command drones", "\"" + name + "\"");
+        }
+        return name;
+    }
+
+    private boolean mayCommand(String user) {
+        return access.user(user)
+                .filter(User::isActive)
+                .filter(known -> known.role().includes(Role.OPERATOR))
+                .isPresent();
+    }
+
+    /** Nobody keeps control by rights that are gone. */
+    private void judgeAnew(String user) {
+        if (!mayCommand(user)) {
+            cloud.controls().expel(user);
+        }
+    }
+}

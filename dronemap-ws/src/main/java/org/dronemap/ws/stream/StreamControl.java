@@ -1,0 +1,36 @@
+package org.dronemap.ws.stream;
+
+import org.dronemap.core.access.Principal;
+import org.dronemap.ws.service.ControlAction;
+import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlService;
+import org.dronemap.ws.service.InvalidInput;
+
+/** Answers what clients of the stream say about control. Any thread. */
+final class StreamControl {
+    private static final String ACTIONS = "take, request, grant, refuse, handOver, takeOver, heartbeat or release";
+
+    private final ControlService controls;
+
+    StreamControl(ControlService controls) {
+        this.controls = controls;
+    }
+
+    StreamMessage.ControlAnswer answer(Principal principal, StreamMessage.FromClient message) {
+        String drone = message.drone();
+        String action = message.action();
+        if (drone == null) {
+            throw InvalidInput.missing("drone", "the id of a drone");
+        }
+        if (action == null) {
+            throw InvalidInput.missing("action", ACTIONS);
+        }
+        ControlService.Answer answer = controls.act(
+                principal,
+                drone,
+                ControlAction.named(action)
+                        .orElseThrow(() -> InvalidInput.outside("action", ACTIONS, "\"" + action + "\"")),
+                new ControlRequestView(message.reason(), message.user(), message.epoch()));
+        return new StreamMessage.ControlAnswer(message.requestId(), drone, answer.waiting(), answer.control());
+    }
+}
