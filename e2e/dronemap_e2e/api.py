@@ -10,12 +10,15 @@ Json = dict[str, Any]
 
 
 class Api:
-    """Calls with one access key."""
+    """Calls with an access key, or, without, as a page does: with the cookie of its session."""
 
-    def __init__(self, address: str, key: str) -> None:
+    def __init__(self, address: str, key: str | None = None) -> None:
         self.base = address + "/api/v1"
         self._session = requests.Session()
-        self._session.headers["Authorization"] = f"Bearer {key}"
+        if key:
+            self._session.headers["Authorization"] = f"Bearer {key}"
+        else:
+            self._session.headers["X-Dronemap"] = "1"
 
     def get(self, path: str) -> Json:
         answer = self.call("GET", path)

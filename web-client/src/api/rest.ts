@@ -1,4 +1,5 @@
 import { AccountCalls, type Role, type Session } from './accounts';
+import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint } from './endpoints';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
 import type { ParameterFile, ParameterPage } from './parameters';
@@ -17,6 +18,9 @@ import type {
 } from './types';
 import type { WaitingVehicle } from './waiting';
 
+/** `epoch`: of the control that the page believes to have. */
+export type SentCommand = CommandRequest & { id: string; epoch?: number };
+
 type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
 
 /** The REST face of the cloud. Every call resolves with the contract's object or rejects with a Problem. */
@@ -24,6 +28,7 @@ export class RestClient {
   readonly #base: string;
   readonly #fetch: Fetch;
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
+  readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
 
   constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {
     this.#base = base;
@@ -103,7 +108,7 @@ export class RestClient {
     return this.#call('DELETE', `/waiting/${encodeURIComponent(id)}`);
   }
 
-  sendCommand(drone: string, request: CommandRequest & { id: string }): Promise<Command> {
+  sendCommand(drone: string, request: SentCommand): Promise<Command> {
     return this.#call('POST', `/drones/${encodeURIComponent(drone)}/commands`, request);
   }
 

@@ -1,6 +1,7 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
 
 import type { Role } from './accounts';
+import type { Control } from './control';
 
 export interface AccessKey {
   id: string;
@@ -179,6 +180,7 @@ export interface Drone {
   mission: VehicleMission | null;
   messages: VehicleMessage[];
   actions: Partial<Record<CommandKind, Action>>;
+  control?: Control;
   lastUpdate: string | null;
   version: number;
 }
@@ -264,6 +266,7 @@ export type StreamMessage =
   | { type: 'drone'; drone: Drone }
   | { type: 'droneRemoved'; id: string }
   | { type: 'command'; command: Command }
+  | { type: 'control'; drone: string; control: Control }
   | { type: 'ping'; at: string }
   | { type: 'pong' }
   | { type: 'commandAccepted'; requestId: string; command: Command }

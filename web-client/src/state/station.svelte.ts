@@ -3,10 +3,11 @@ import { RestClient } from '../api/rest';
 import { Problem } from '../api/problem';
 import { browserTimers, StreamClient, type Socket } from '../api/stream';
 import { mayAct, type Role, type Session } from '../api/accounts';
-import type { Drone, Settings, StreamMessage } from '../api/types';
+import type { CommandKind, Drone, Settings, StreamMessage } from '../api/types';
 import { CloudClock } from './clock.svelte';
 import { Commands } from './commands.svelte';
 import { Connection } from './connection.svelte';
+import { Controls } from './controls.svelte';
 import { Desk } from './desk.svelte';
 import { Fleet } from './fleet.svelte';
 import { Planner } from './planner.svelte';
@@ -25,11 +26,12 @@ export class Station {
   readonly connection = new Connection();
   readonly fleet = new Fleet();
   readonly planner = new Planner();
-  readonly commands = new Commands(this.rest, newUuid, (attempt) => {
+  readonly commands = new Commands(this.#signed(), newUuid, (attempt) => {
     if (attempt.type === 'uploadMission') {
       this.planner.becameTrue(attempt.drone);
     }
   });
+  readonly controls = new Controls(this.rest.control);
   readonly desk = new Desk();
   readonly preferences = new Preferences();
   /** undefined: not asked yet; null: nobody is signed in. */
@@ -54,6 +56,7 @@ export class Station {
     setInterval(() => {
       this.clock.tick();
       this.connection.tick();
+      this.controls.beat();
     }, 1000);
     await this.resume();
   }
@@ -93,9 +96,25 @@ export class Station {
     this.#stream.retryNow();
   }
 
-  /** Why this page can command nothing now, or null; the cloud's own reasons come with each action. */
-  whyNoCommand(): string | null {
-    return this.connection.state === 'up' ? null : 'No connection to the cloud.';
+  /** Why this page cannot give that command now, or null; the cloud's own reasons come with each action. */
+  whyNoCommand(drone: Drone, type: CommandKind): string | null {
+    if (this.connection.state !== 'up') {
+      return 'No connection to the cloud.';
+    }
+    const supervisor = mayAct(this.session?.role, 'supervisor');
+    return this.controls.whyNot(drone, type, this.session?.name, supervisor);
+  }
+
+  /** Commands under the control that this window keeps say so: they are refused when it has ended meanwhile. */
+  #signed(): Pick<RestClient, 'sendCommand' | 'command' | 'commandsOf'> {
+    return {
+      sendCommand: (drone, request) => {
+        const epoch = this.controls.kept.get(drone);
+        return this.rest.sendCommand(drone, epoch === undefined ? request : { ...request, epoch });
+      },
+      command: (id) => this.rest.command(id),
+      commandsOf: (drone) => this.rest.commandsOf(drone),
+    };
   }
 
   async #enter(session: Session): Promise<void> {
@@ -122,6 +141,7 @@ export class Station {
     this.signedOut = why;
     this.session = null;
     this.fleet.clear();
+    this.controls.clear();
     this.planner.stop();
     this.desk.deselect();
     this.desk.page = 'map';
@@ -140,6 +160,7 @@ export class Station {
   }
 
   #hear(message: StreamMessage): void {
+    this.controls.beat();
     switch (message.type) {
       case 'hello':
         this.#roleIs(message.role);

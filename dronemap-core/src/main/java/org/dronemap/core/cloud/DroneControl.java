@@ -129,7 +129,7 @@ final class DroneControl {
 
     private @Nullable SavedLease saved(Control of) {
         return of.tenure() != null && of.tenure().explicit() && of.tenure().holder() instanceof Holder.Person person
-                ? new SavedLease(drone, person.name(), of.tenure().since())
+                ? new SavedLease(drone, person.name(), of.tenure().since(), of.epoch())
                 : null;
     }
 

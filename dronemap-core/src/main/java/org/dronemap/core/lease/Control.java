@@ -29,6 +29,12 @@ public record Control(
         requests = List.copyOf(requests);
     }
 
+    /** That user has it, and knows it by this epoch. */
+    boolean isHeldBy(String user, long known) {
+        Long former = tenure == null ? null : tenure.formerEpoch();
+        return isHeldBy(user) && (known == epoch || (former != null && known == former));
+    }
+
     public boolean isHeldBy(String user) {
         return tenure != null && tenure.holder().is(user);
     }

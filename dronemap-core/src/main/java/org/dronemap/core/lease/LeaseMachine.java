@@ -26,7 +26,8 @@ public final class LeaseMachine {
 
     /** An explicit holder of an earlier process, who gets time to come back; the epoch is a new one. */
     public Control restored(SavedLease lease, Moment now) {
-        Tenure tenure = new Tenure(new Holder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS);
+        Tenure tenure = new Tenure(
+                new Holder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS, lease.epoch());
         return new Control(epochs.getAsLong(), tenure, List.of(), null);
     }
 
@@ -77,7 +78,7 @@ public final class LeaseMachine {
     private LeaseStep command(Control control, LeaseEvent.Command command, Moment now) {
         Tenure tenure = control.tenure();
         boolean holds = control.isHeldBy(command.user());
-        if (command.epoch() != null && !(holds && control.epoch() == command.epoch())) {
+        if (command.epoch() != null && !control.isHeldBy(command.user(), command.epoch())) {
             return LeaseStep.denied(
                     control, "Control by epoch " + command.epoch() + " has ended. " + control.sentence());
         }
@@ -168,7 +169,7 @@ public final class LeaseMachine {
 
     private LeaseStep heartbeat(Control control, LeaseEvent.Heartbeat heartbeat, Moment now) {
         Tenure tenure = control.tenure();
-        if (tenure == null || !control.isHeldBy(heartbeat.user()) || control.epoch() != heartbeat.epoch()) {
+        if (tenure == null || !control.isHeldBy(heartbeat.user(), heartbeat.epoch())) {
             return LeaseStep.denied(
                     control, "Control by epoch " + heartbeat.epoch() + " has ended. " + control.sentence());
         }
@@ -285,7 +286,7 @@ public final class LeaseMachine {
         List<ControlRequest> others = holder instanceof Holder.Person person
                 ? before.without(person.name()).requests()
                 : List.of();
-        return new Control(epochs.getAsLong(), new Tenure(holder, explicit, now.at(), now.nanos()), others, null);
+        return new Control(epochs.getAsLong(), new Tenure(holder, explicit, now.at(), now.nanos(), null), others, null);
     }
 
     /** Whoever waited can take it now. */

@@ -48,10 +48,12 @@ final class Fixtures {
         final List<Command> performed = new CopyOnWriteArrayList<>();
         final List<CommandId> cancelled = new CopyOnWriteArrayList<>();
         final ConcurrentHashMap<CommandId, Report> reports = new ConcurrentHashMap<>();
+        final ConcurrentHashMap<Report, Fence> fences = new ConcurrentHashMap<>();
 
         @Override
         public void perform(CommandId id, Command command, Fence fence, Report report) {
             performed.add(command);
+            fences.put(report, fence);
             reports.put(id, report);
         }
 

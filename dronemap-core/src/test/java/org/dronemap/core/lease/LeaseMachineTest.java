@@ -258,13 +258,24 @@ class LeaseMachineTest {
     @Test
     void givesAHolderTimeToComeBackAfterARestart() {
         control = machine.restored(
-                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60)), new Moment(START, 0));
+                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77), new Moment(START, 0));
 
         after(15, new LeaseEvent.Tick(false));
         assertThat(control.isHeldBy("ann")).isTrue();
         assertThat(control.epoch()).isEqualTo(101);
         after(6.1, new LeaseEvent.Tick(false));
         assertThat(kinds()).containsExactly(Kind.LOST);
+    }
+
+    @Test
+    void knowsAHolderByTheEpochFromBeforeARestart() {
+        control = machine.restored(new SavedLease(new DroneId("d1"), "ann", START, 77), new Moment(START, 0));
+
+        granted(new LeaseEvent.Heartbeat("ann", 77));
+        granted(new LeaseEvent.Command("ann", 77L));
+        assertThat(denied(new LeaseEvent.Heartbeat("ann", 76))).startsWith("Control by epoch 76 has ended.");
+        granted(new LeaseEvent.Take("ann"));
+        assertThat(denied(new LeaseEvent.Heartbeat("ann", 77))).startsWith("Control by epoch 77 has ended.");
     }
 
     private void after(double more, LeaseEvent event) {

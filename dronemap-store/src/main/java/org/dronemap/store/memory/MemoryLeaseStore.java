@@ -20,7 +20,9 @@ public final class MemoryLeaseStore implements LeaseStore {
 
     @Override
     public synchronized void save(SavedLease lease) {
-        leases.put(lease.drone().value(), new SavedLease(lease.drone(), lease.user(), StoredInstant.of(lease.since())));
+        leases.put(
+                lease.drone().value(),
+                new SavedLease(lease.drone(), lease.user(), StoredInstant.of(lease.since()), lease.epoch()));
     }
 
     @Override

@@ -19,14 +19,19 @@ public final class PostgresLeaseStore implements LeaseStore {
     public List<SavedLease> leases() {
         return sql.list(
                 "SELECT * FROM control_lease ORDER BY drone_id COLLATE \"C\"",
-                row -> new SavedLease(new DroneId(row.text("drone_id")), row.text("account_name"), row.time("since")));
+                row -> new SavedLease(
+                        new DroneId(row.text("drone_id")),
+                        row.text("account_name"),
+                        row.time("since"),
+                        row.longInteger("epoch")));
     }
 
     @Override
     public void save(SavedLease lease) {
         sql.update("""
-                INSERT INTO control_lease (drone_id, account_name, since) VALUES (?, ?, ?)
-                ON CONFLICT (drone_id) DO UPDATE SET account_name = excluded.account_name, since = excluded.since""", lease.drone().value(), lease.user(), lease.since());
+                INSERT INTO control_lease (drone_id, account_name, since, epoch) VALUES (?, ?, ?, ?)
+                ON CONFLICT (drone_id) DO UPDATE SET account_name = excluded.account_name, since = excluded.since,
+                    epoch = excluded.epoch""", lease.drone().value(), lease.user(), lease.since(), lease.epoch());
     }
 
     @Override

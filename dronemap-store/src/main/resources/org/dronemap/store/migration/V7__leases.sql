@@ -3,7 +3,8 @@
 CREATE TABLE control_lease (
     drone_id     text PRIMARY KEY REFERENCES drone ON DELETE CASCADE,
     account_name text NOT NULL,
-    since        timestamptz NOT NULL
+    since        timestamptz NOT NULL,
+    epoch        bigint NOT NULL
 );
 
 CREATE TABLE control_epoch (

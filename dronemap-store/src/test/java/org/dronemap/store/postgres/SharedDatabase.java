@@ -30,7 +30,7 @@ final class SharedDatabase {
                 Statement statement = connection.createStatement()) {
             statement.execute(
                     "TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key, link_security,"
-                            + " recording, link, link_key");
+                            + " recording, link, link_key, control_lease");
             return DATABASE;
         } catch (SQLException e) {
             throw new IllegalStateException(e);

@@ -161,6 +161,7 @@ public record CommandRequest(
                 null,
                 null,
                 null,
-                List.of(new ParameterRequest(name, value)));
+                List.of(new ParameterRequest(name, value)),
+                null);
     }
 }

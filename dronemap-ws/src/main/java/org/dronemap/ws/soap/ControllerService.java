@@ -10,6 +10,9 @@ import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.ControlAction;
+import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.MissionItemView;
 import org.dronemap.ws.service.ParameterService;
@@ -32,13 +35,19 @@ public class ControllerService implements MAVLinkController {
     private final SoapCaller caller;
     private final DroneService drones;
     private final CommandService commands;
+    private final ControlService controls;
     private final ParameterService parameters;
 
     public ControllerService(
-            Authentication authentication, DroneService drones, CommandService commands, ParameterService parameters) {
+            Authentication authentication,
+            DroneService drones,
+            CommandService commands,
+            ControlService controls,
+            ParameterService parameters) {
         this.caller = new SoapCaller(authentication);
         this.drones = drones;
         this.commands = commands;
+        this.controls = controls;
         this.parameters = parameters;
     }
 
@@ -172,6 +181,41 @@ public class ControllerService implements MAVLinkController {
     public SoapOutcome setParameter(String droneId, @Nullable String name, @Nullable Double value)
             throws DronemapFault {
         return act(droneId, CommandRequest.setParameter(name, value));
+    }
+
+    @Override
+    public SoapControl getControl(String droneId) throws DronemapFault {
+        return answer(() -> SoapControl.of(controls.control(caller.principal(), droneId)));
+    }
+
+    @Override
+    public SoapControl takeControl(String droneId) throws DronemapFault {
+        return control(droneId, ControlAction.TAKE, ControlRequestView.NOTHING);
+    }
+
+    @Override
+    public SoapControl takeOverControl(String droneId, @Nullable String reason) throws DronemapFault {
+        return control(droneId, ControlAction.TAKE_OVER, new ControlRequestView(reason, null, null));
+    }
+
+    @Override
+    public SoapControl handControlOver(String droneId, @Nullable String user) throws DronemapFault {
+        return control(droneId, ControlAction.HAND_OVER, new ControlRequestView(null, user, null));
+    }
+
+    @Override
+    public SoapControl controlHeartbeat(String droneId, @Nullable Long epoch) throws DronemapFault {
+        return control(droneId, ControlAction.HEARTBEAT, new ControlRequestView(null, null, epoch));
+    }
+
+    @Override
+    public SoapControl giveControlBack(String droneId) throws DronemapFault {
+        return control(droneId, ControlAction.RELEASE, ControlRequestView.NOTHING);
+    }
+
+    private SoapControl control(String droneId, ControlAction action, ControlRequestView with) throws DronemapFault {
+        return answer(() -> SoapControl.of(
+                controls.act(caller.principal(), droneId, action, with).control()));
     }
 
     @Override

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 public interface MAVLinkController {
     String DRONE = "droneId";
     String OUTCOME = "commandOutcome";
+    String CONTROL = "control";
 
     @WebMethod
     @WebResult(name = "drone")
@@ -134,6 +135,38 @@ public interface MAVLinkController {
             @WebParam(name = "name") @Nullable String name,
             @WebParam(name = "value") @Nullable Double value)
             throws DronemapFault;
+
+    /** Who has control. */
+    @WebMethod
+    @WebResult(name = CONTROL)
+    SoapControl getControl(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** Where nobody has it; kept by a heartbeat every 2 s. */
+    @WebMethod
+    @WebResult(name = CONTROL)
+    SoapControl takeControl(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** From whoever has it; for supervisors. */
+    @WebMethod
+    @WebResult(name = CONTROL)
+    SoapControl takeOverControl(
+            @WebParam(name = DRONE) String droneId, @WebParam(name = "reason") @Nullable String reason)
+            throws DronemapFault;
+
+    /** To a user by name. */
+    @WebMethod
+    @WebResult(name = CONTROL)
+    SoapControl handControlOver(@WebParam(name = DRONE) String droneId, @WebParam(name = "user") @Nullable String user)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = CONTROL)
+    SoapControl controlHeartbeat(@WebParam(name = DRONE) String droneId, @WebParam(name = "epoch") @Nullable Long epoch)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = CONTROL)
+    SoapControl giveControlBack(@WebParam(name = DRONE) String droneId) throws DronemapFault;
 
     @WebMethod
     @WebResult(name = OUTCOME)

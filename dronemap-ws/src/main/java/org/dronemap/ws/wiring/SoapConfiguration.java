@@ -7,6 +7,7 @@ import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.soap.ControllerService;
@@ -32,8 +33,9 @@ public class SoapConfiguration {
             Authentication authentication,
             DroneService drones,
             CommandService commands,
+            ControlService controls,
             ParameterService parameters) {
-        return SoapEndpoint.publish(soapBus, new ControllerService(authentication, drones, commands, parameters));
+        return SoapEndpoint.publish(soapBus, new ControllerService(authentication, drones, commands, controls, parameters));
     }
 
     @Bean

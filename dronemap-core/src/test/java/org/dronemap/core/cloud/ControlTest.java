@@ -1,0 +1,313 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.LeaseAnswer;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseRules;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Control of a drone, from the gate to the wire. */
+class ControlTest {
+    private static final CommandGate.Source ANN = operator("ann");
+    private static final CommandGate.Source BOB = operator("bob");
+    private static final CommandGate.Source SUE = new CommandGate.Source(new Principal("sue", Role.SUPERVISOR), "rest");
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
+    /** As quick as it may be. */
+    private static final LeaseRules RULES = new LeaseRules(
+            Duration.ofSeconds(3),
+            Duration.ofSeconds(1),
+            Duration.ofSeconds(60),
+            LeaseRules.OnLoss.RETURN,
+            Duration.ofSeconds(1));
+
+    private static final Capabilities MODES = new Capabilities(
+            Set.of(Capability.values()),
+            List.of("GUIDED", "LOITER", "AUTO"),
+            Map.of("GUIDED", Steering.ORDERS, "LOITER", Steering.STICKS));
+
+    private final Lanes lanes = new Lanes(2);
+    private final Journal journal = new Journal();
+    private final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
+    private final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
+    private final Fixtures.HeapLeaseStore leases = new Fixtures.HeapLeaseStore();
+    private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    private final List<ControlChange.Kind> changes = new CopyOnWriteArrayList<>();
+    private final CloudManager cloud = cloud();
+    private final CommandGate gate = cloud.gate();
+    private DroneLink link;
+
+    private static CommandGate.Source operator(String name) {
+        return new CommandGate.Source(new Principal(name, Role.OPERATOR), "rest");
+    }
+
+    private CloudManager cloud() {
+        return new CloudManager(
+                lanes,
+                new CloudManager.Rules(
+                        new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)), RULES),
+                Clock.systemUTC(),
+                new CloudManager.Keeping(drones, commands, leases, journal),
+                () -> new DroneId("drone-1"));
+    }
+
+    @BeforeEach
+    void fly() {
+        cloud.addListener(new CloudListener() {
+            @Override
+            public void controlChanged(DroneId drone, Control now, ControlChange change) {
+                changes.add(change.kind());
+            }
+        });
+        LinkSession session =
+                new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
+        link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+    }
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    @Test
+    void refusesTheCommandOfOneWhileAnotherHasControl() {
+        CommandRecord first = gate.submit(ANN, link.id(), id("first-001"), new Command.SetMode("LOITER"));
+        CommandRecord second = gate.submit(BOB, link.id(), id("second-01"), new Command.SetMode("GUIDED"));
+
+        assertThat(first.epoch()).isPositive();
+        assertThat(second.outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Refused.class,
+                        refused -> assertThat(refused.reason()).startsWith("ann has had control of it since 20"));
+        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.SetMode("LOITER"))));
+    }
+
+    @Test
+    void isFreeForTheNextWhenTheFirstIsIdle() {
+        CommandRecord first = gate.submit(ANN, link.id(), id("first-001"), new Command.SetMode("LOITER"));
+        report(first).ended(new Outcome.Succeeded());
+        await().atMost(PATIENCE).until(() -> changes.contains(ControlChange.Kind.EXPIRED));
+
+        CommandRecord second = gate.submit(BOB, link.id(), id("second-01"), new Command.SetMode("GUIDED"));
+
+        assertThat(second.outcome()).isNull();
+        assertThat(second.epoch()).isGreaterThan(first.epoch());
+    }
+
+    @Test
+    void stopsWhatIsUnderWayWhenControlChangesHands() {
+        CommandRecord old = gate.submit(ANN, link.id(), id("first-001"), new Command.SetMode("LOITER"));
+        Fence fence = vehicle.fences.get(report(old));
+        assertThat(fence.isOpen()).isTrue();
+
+        apply(new LeaseEvent.TakeOver("sue", "smoke over there"));
+
+        assertThat(fence.isOpen()).isFalse();
+        assertThat(gate.end(old.id()))
+                .succeedsWithin(PATIENCE)
+                .satisfies(ended -> assertThat(ended.outcome())
+                        .isInstanceOfSatisfying(
+                                Outcome.Superseded.class,
+                                superseded -> assertThat(superseded.reason())
+                                        .startsWith("Control has changed hands. sue has had control")));
+        assertThat(vehicle.cancelled).containsExactly(old.id());
+        await().atMost(PATIENCE)
+                .until(() -> cloud.drone(link.id()).orElseThrow().messages().stream()
+                        .anyMatch(
+                                message -> message.text().equals("sue took control over from ann: smoke over there")));
+    }
+
+    @Test
+    void letsASupervisorLandStopAndCallBackWhateverOthersFly() {
+        apply(new LeaseEvent.Take("ann"));
+        for (Command safe : List.of(new Command.Hold(), new Command.Land(), new Command.ReturnToLaunch())) {
+            CommandRecord given =
+                    gate.submit(SUE, link.id(), id("safe-" + safe.summary().replace(' ', '-')), safe);
+            assertThat(vehicle.fences.get(report(given)).isOpen()).isTrue();
+            apply(new LeaseEvent.Take("ann"));
+            assertThat(vehicle.fences.get(report(given)).isOpen()).isTrue();
+        }
+
+        assertThat(gate.submit(SUE, link.id(), id("other-001"), new Command.SetMode("LOITER"))
+                        .outcome())
+                .isInstanceOf(Outcome.Refused.class);
+        assertThat(gate.submit(BOB, link.id(), id("other-002"), new Command.Land())
+                        .outcome())
+                .isInstanceOf(Outcome.Refused.class);
+        assertThat(control().isHeldBy("ann")).isTrue();
+    }
+
+    @Test
+    void letsEverybodyReadWhateverOthersFly() {
+        apply(new LeaseEvent.Take("ann"));
+
+        assertThat(gate.submit(BOB, link.id(), id("read-0001"), new Command.ReadParameters())
+                        .outcome())
+                .isNull();
+        assertThat(control().isHeldBy("ann")).isTrue();
+    }
+
+    @Test
+    void holdsAndThenCallsBackADroneWhoseHolderIsLost() {
+        apply(new LeaseEvent.Take("ann"));
+
+        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.Hold()));
+        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+
+        assertThat(vehicle.performed).containsExactly(new Command.Hold(), new Command.ReturnToLaunch());
+        assertThat(commands.records.values()).allMatch(record -> record.by().equals("dronemap"));
+    }
+
+    @Test
+    void leavesADroneAloneThatFliesItsMissionWithoutItsHolder() {
+        hear(new DroneEvent.ModeHeard("AUTO", true));
+        apply(new LeaseEvent.Take("ann"));
+
+        await().atMost(PATIENCE).until(() -> changes.contains(ControlChange.Kind.RETURN_DUE));
+
+        hear(new DroneEvent.ModeHeard("AUTO", true));
+        assertThat(vehicle.performed).isEmpty();
+    }
+
+    @Test
+    void doesNotCallBackWhatSomebodyElseHasTaken() {
+        apply(new LeaseEvent.Take("ann"));
+        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.Hold()));
+        apply(new LeaseEvent.Take("bob"));
+        await().during(Duration.ofSeconds(2)).atMost(PATIENCE).until(() -> {
+            apply(new LeaseEvent.Heartbeat("bob", control().epoch()));
+            return !vehicle.performed.contains(new Command.ReturnToLaunch());
+        });
+    }
+
+    @Test
+    void givesWayToThePilotAtTheVehicle() {
+        apply(new LeaseEvent.Take("ann"));
+        awaitTick();
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+
+        await().atMost(PATIENCE).until(() -> control().tenure().holder() instanceof Holder.Pilot);
+        assertThat(gate.submit(ANN, link.id(), id("first-001"), new Command.SetMode("GUIDED"))
+                        .outcome())
+                .isInstanceOf(Outcome.Refused.class);
+
+        apply(new LeaseEvent.Take("ann"));
+        assertThat(gate.submit(ANN, link.id(), id("first-002"), new Command.SetMode("GUIDED"))
+                        .outcome())
+                .isNull();
+    }
+
+    @Test
+    void takesNeitherItsOwnCommandsNorAFailSafeForAPilot() {
+        CommandRecord asked = gate.submit(ANN, link.id(), id("first-001"), new Command.SetMode("LOITER"));
+        report(asked);
+        awaitTick();
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+        awaitTick();
+        report(asked).ended(new Outcome.Succeeded());
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        awaitTick();
+        hear(new DroneEvent.TextHeard(Severity.WARNING, "EKF Failsafe: changed to LOITER"));
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+        awaitTick();
+
+        assertThat(changes).doesNotContain(ControlChange.Kind.PILOT_ACTED);
+    }
+
+    @Test
+    void rebuildsExplicitControlAfterARestartWithANewerEpoch() {
+        apply(new LeaseEvent.Take("ann"));
+        long before = control().epoch();
+        await().atMost(PATIENCE).until(() -> !drones.records.isEmpty());
+
+        CloudManager again = cloud();
+
+        assertThat(again.controls().control(link.id()).isHeldBy("ann")).isTrue();
+        assertThat(again.controls().control(link.id()).epoch()).isGreaterThan(before);
+    }
+
+    @Test
+    void refusesAClientThatBelievesInControlThatHasEnded() {
+        apply(new LeaseEvent.Take("ann"));
+        long old = control().epoch();
+        apply(new LeaseEvent.Take("ann"));
+
+        CommandRecord stale = gate.submit(
+                new CommandGate.Source(ANN.principal(), "rest", old),
+                link.id(),
+                id("stale-001"),
+                new Command.SetMode("LOITER"));
+
+        assertThat(stale.outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Refused.class,
+                        refused -> assertThat(refused.reason()).startsWith("Control by epoch " + old + " has ended."));
+    }
+
+    private Control control() {
+        return cloud.controls().control(link.id());
+    }
+
+    private void apply(LeaseEvent event) {
+        assertThat(cloud.controls().apply(link.id(), event).answer()).isInstanceOf(LeaseAnswer.Granted.class);
+    }
+
+    private void hear(DroneEvent event) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        link.lane().execute(() -> {
+            link.accept(event);
+            done.complete(null);
+        });
+        assertThat(done).succeedsWithin(PATIENCE);
+    }
+
+    /** Until the lane has looked at the drone once more. */
+    private void awaitTick() {
+        CompletableFuture<Void> ticked = new CompletableFuture<>();
+        Lane.Ticker ticker = () -> ticked.complete(null);
+        link.lane().execute(() -> link.lane().addTicker(ticker));
+        assertThat(ticked).succeedsWithin(30, TimeUnit.SECONDS);
+        link.lane().execute(() -> link.lane().removeTicker(ticker));
+    }
+
+    private VehicleChannel.Report report(CommandRecord command) {
+        await().atMost(PATIENCE).until(() -> vehicle.reports.containsKey(command.id()));
+        return vehicle.reports.get(command.id());
+    }
+
+    private static CommandId id(String value) {
+        return new CommandId(value);
+    }
+}

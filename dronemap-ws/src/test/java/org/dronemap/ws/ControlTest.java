@@ -1,0 +1,226 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.MAVLinkController;
+import org.dronemap.ws.soap.SoapControl;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+/** Who commands a drone, through the faces. */
+class ControlTest {
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private String annsKey;
+    private Http ann;
+    private Http bob;
+    private Http supervisor;
+    private String annsName;
+    private String bobsName;
+    private String control;
+    private String commands;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15691);
+        annsKey = house.key(Role.OPERATOR);
+        ann = new Http(house, annsKey);
+        bob = new Http(house, house.key(Role.OPERATOR));
+        supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        control = "/api/v1/drones/" + vehicle.id() + "/control";
+        commands = "/api/v1/drones/" + vehicle.id() + "/commands";
+        annsName = nameOf(ann);
+        bobsName = nameOf(bob);
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void takesControlWithTheFirstCommandAndTellsTheOtherWhoHasIt() {
+        Http.Answer first = ann.post(commands + "?wait=30", "{\"type\":\"arm\"}");
+        Http.Answer second = bob.post(commands, "{\"type\":\"arm\"}");
+
+        assertThat(first.status()).isEqualTo(200);
+        assertThat(first.json().path("epoch").asLong()).isPositive();
+        assertThat(second.status()).isEqualTo(409);
+        assertThat(second.text("detail")).startsWith(annsName + " has had control of it since 20");
+        assertThat(second.text("holder")).isEqualTo(annsName);
+        assertThat(second.text("heldSince")).startsWith("20");
+        assertThat(bob.get("/api/v1/commands/" + second.text("commandId")).status())
+                .isEqualTo(200);
+        assertThat(vehicle.performed()).hasSize(1);
+        JsonNode seen = bob.get("/api/v1/drones/" + vehicle.id()).json().path("control");
+        assertThat(seen.path("state").asString()).isEqualTo("held");
+        assertThat(seen.path("holder").asString()).isEqualTo(annsName);
+        assertThat(seen.path("explicit").asBoolean()).isFalse();
+    }
+
+    @Test
+    void handsControlOverToWhoAsks() {
+        assertThat(ann.post(control + "/take", "{}").text("holder")).isEqualTo(annsName);
+        assertThat(bob.post(control + "/take", "{}").status()).isEqualTo(409);
+
+        Http.Answer asked = bob.post(control + "/request", "{\"reason\":\"my survey\"}");
+        assertThat(asked.status()).isEqualTo(202);
+        JsonNode request = ann.get(control).json().path("requests").get(0);
+        assertThat(request.path("by").asString()).isEqualTo(bobsName);
+        assertThat(request.path("reason").asString()).isEqualTo("my survey");
+
+        assertThat(ann.post(control + "/refuse", user(bobsName)).status()).isEqualTo(200);
+        assertThat(ann.post(control + "/grant", user(bobsName)).status()).isEqualTo(409);
+        bob.post(control + "/request", "{}");
+        assertThat(ann.post(control + "/grant", user(bobsName)).text("holder")).isEqualTo(bobsName);
+        assertThat(bob.post(control + "/hand-over", user(annsName)).text("holder"))
+                .isEqualTo(annsName);
+        assertThat(ann.send(control, HttpRequest.Builder::DELETE).text("state")).isEqualTo("free");
+    }
+
+    @Test
+    void letsOnlySupervisorsTakeOverAndOnlyWithAReason() {
+        ann.post(control + "/take", "{}");
+
+        assertThat(bob.post(control + "/take-over", "{\"reason\":\"mine\"}").status())
+                .isEqualTo(403);
+        Http.Answer without = supervisor.post(control + "/take-over", "{}");
+        assertThat(without.status()).isEqualTo(422);
+        assertThat(without.text("field")).isEqualTo("reason");
+        Http.Answer taken = supervisor.post(control + "/take-over", "{\"reason\":\"smoke\"}");
+        assertThat(taken.text("holder")).isEqualTo(nameOf(supervisor));
+    }
+
+    @Test
+    void keepsControlByHeartbeatsOfTheRightEpoch() {
+        long epoch = ann.post(control + "/take", "{}").json().path("epoch").asLong();
+
+        assertThat(ann.post(control + "/heartbeat", "{\"epoch\":" + epoch + "}").status())
+                .isEqualTo(200);
+        Http.Answer wrong = ann.post(control + "/heartbeat", "{\"epoch\":" + (epoch - 1) + "}");
+        assertThat(wrong.status()).isEqualTo(409);
+        assertThat(wrong.text("detail")).startsWith("Control by epoch " + (epoch - 1) + " has ended.");
+        assertThat(ann.post(control + "/heartbeat", "{}").text("field")).isEqualTo("epoch");
+        Http.Answer stale = ann.post(commands, "{\"type\":\"arm\",\"epoch\":" + (epoch - 1) + "}");
+        assertThat(stale.status()).isEqualTo(409);
+        assertThat(ann.post(commands, "{\"type\":\"arm\",\"epoch\":" + epoch + "}")
+                        .status())
+                .isLessThan(300);
+    }
+
+    @Test
+    void givesControlToNobodyWhoMayNotCommand() {
+        ann.post(control + "/take", "{}");
+        String viewer = nameOf(new Http(house, house.key(Role.VIEWER)));
+
+        for (String user : new String[] {viewer, "nobody at all"}) {
+            Http.Answer refused = ann.post(control + "/hand-over", user(user));
+            assertThat(refused.status()).isEqualTo(422);
+            assertThat(refused.text("allowed")).isEqualTo("a user who may command drones");
+        }
+        assertThat(new Http(house, house.key(Role.PLANNER))
+                        .post(control + "/take", "{}")
+                        .status())
+                .isEqualTo(403);
+        assertThat(new Http(house, house.key(Role.REPORTER)).get(control).status())
+                .isEqualTo(403);
+        assertThat(ann.get("/api/v1/drones/nothing/control").status()).isEqualTo(404);
+    }
+
+    @Test
+    void tellsEverybodyWhoWatchesWhatBecomesOfControl() {
+        try (StreamListener stream = StreamListener.withKey(house, annsKey)) {
+            stream.await(message -> isType(message, "drones"));
+            stream.send("{\"type\":\"control\",\"requestId\":\"r1\",\"drone\":\"" + vehicle.id()
+                    + "\",\"action\":\"take\"}");
+            JsonNode answer = stream.await(message -> isType(message, "controlAnswer"));
+            assertThat(answer.path("requestId").asString()).isEqualTo("r1");
+            assertThat(answer.path("control").path("holder").asString()).isEqualTo(annsName);
+
+            bob.post(control + "/request", "{\"reason\":\"please\"}");
+            JsonNode request = stream.await(message -> isType(message, "control")
+                    && message.path("change").path("kind").asString().equals("requested"));
+            assertThat(request.path("change").path("by").asString()).isEqualTo(bobsName);
+            assertThat(request.path("change").path("reason").asString()).isEqualTo("please");
+            stream.await(message -> isType(message, "drone")
+                    && message.path("drone").path("control").path("requests").size() == 1);
+
+            stream.send("{\"type\":\"control\",\"drone\":\"" + vehicle.id() + "\",\"action\":\"fly\"}");
+            JsonNode error = stream.await(message -> isType(message, "error"));
+            assertThat(error.path("problem").path("field").asString()).isEqualTo("action");
+        }
+    }
+
+    @Test
+    void takesAndGivesBackBySoap() throws DronemapFault {
+        MAVLinkController soap = SoapClient.withKey(house, annsKey);
+        SoapControl taken = soap.takeControl(vehicle.id());
+
+        assertThat(taken.getHolder()).isEqualTo(annsName);
+        assertThat(soap.controlHeartbeat(vehicle.id(), taken.getEpoch()).isExplicit())
+                .isTrue();
+        assertThatThrownBy(() -> soap.takeOverControl(vehicle.id(), "mine")).hasMessageContaining("supervisor");
+        assertThat(soap.handControlOver(vehicle.id(), bobsName).getHolder()).isEqualTo(bobsName);
+        assertThatThrownBy(() -> soap.giveControlBack(vehicle.id()))
+                .hasMessageStartingWith("You do not have control. " + bobsName);
+        assertThat(soap.getControl(vehicle.id()).getState()).isEqualTo("held");
+    }
+
+    @Test
+    void letsASupervisorCallBackADroneThatAnotherFlies() {
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
+        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        Waiting.until(
+                "it flies",
+                () -> Optional.of(ann.get("/api/v1/drones/" + vehicle.id()).text("flight"))
+                        .filter("inAir"::equals));
+        ann.post(control + "/take", "{}");
+
+        assertThat(bob.post(commands, "{\"type\":\"returnToLaunch\"}").status()).isEqualTo(409);
+        assertThat(supervisor
+                        .post(commands + "?wait=30", "{\"type\":\"returnToLaunch\"}")
+                        .status())
+                .isEqualTo(200);
+        assertThat(ann.get(control).text("holder")).isEqualTo(annsName);
+    }
+
+    @Test
+    void takesControlFromAUserWhoMayCommandNoMore() {
+        ann.post(control + "/take", "{}");
+        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+
+        administrator.send("/api/v1/users/" + annsName, HttpRequest.Builder::DELETE);
+
+        assertThat(bob.get(control).text("state")).isEqualTo("free");
+    }
+
+    private static boolean isType(JsonNode message, String type) {
+        return message.path("type").asString().equals(type);
+    }
+
+    private static String user(String name) {
+        return "{\"user\":\"" + name + "\"}";
+    }
+
+    private static String nameOf(Http who) {
+        return who.get("/api/v1/session").text("name");
+    }
+}

@@ -1,0 +1,218 @@
+"""One user commands a drone at a time: judged at the vehicle's socket and on the page."""
+
+import secrets
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from playwright.sync_api import Browser, expect, sync_playwright
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.race import Hoverer, Racer, RestClient, StreamClient, judge, race
+from dronemap_e2e.server import Server
+from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.waiting import wait_for
+
+LOITER, RTL, BRAKE, GUIDED = 5, 6, 17, 4
+ROUNDS = 60
+SOAK_ROUNDS = 10_000
+
+
+class User(NamedTuple):
+    name: str
+    password: str
+
+
+class Sky(NamedTuple):
+    """A server that calls drones back soon after their holder is lost."""
+
+    server: Server
+    api: Api
+
+    def user(self, role: str) -> User:
+        user = User(f"{role}-{secrets.token_hex(4)}", secrets.token_hex(10))
+        body = {"name": user.name, "password": user.password, "role": role}
+        answer = self.api.call("POST", "/users", body)
+        assert answer.status_code == 201, answer.text
+        return user
+
+    def key(self, role: str) -> str:
+        """A key of a new user, whose password is their own."""
+        user = self.user(role)
+        session = Api(self.server.address)
+        own = secrets.token_hex(10)
+        credentials = {"name": user.name, "password": user.password}
+        assert session.call("POST", "/session", credentials).ok
+        change = {"current": user.password, "next": own}
+        assert session.call("POST", "/session/password", change).status_code == 204
+        return session.new_key("race", role)
+
+
+@pytest.fixture(scope="module")
+def sky(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Sky]:
+    server = Server(tmp_path_factory.mktemp("control") / "data", DRONEMAP_CONTROL_RETURN_SECONDS="2")
+    server.start()
+    yield Sky(server, Api(server.address, server.local_key()))
+    server.stop()
+
+
+@pytest.fixture
+def hover(sky: Sky) -> Iterator[Callable[[], tuple[Hoverer, str]]]:
+    """Makes drones that hover, guided."""
+    flying: list[Hoverer] = []
+
+    def make() -> tuple[Hoverer, str]:
+        hoverer = Hoverer(sky.server.udp_port, 50 + len(flying))
+        flying.append(hoverer)
+        drone = wait_for("it flies", lambda: _flying(sky.api, hoverer.peer.port), 60)
+        return hoverer, drone["id"]
+
+    yield make
+    for hoverer in flying:
+        hoverer.peer.close()
+
+
+def _flying(api: Api, port: int) -> Json | None:
+    return next(
+        (
+            d
+            for d in api.drones()
+            if d["link"]["port"] == port and d["flight"] == "inAir" and d["actions"]["goTo"]["allowed"]
+        ),
+        None,
+    )
+
+
+def racers(sky: Sky, drone: str) -> list[Racer]:
+    stream = StreamClient(sky.server.stream_address, sky.key("supervisor"), drone)
+    rest = RestClient(Api(sky.server.address, sky.key("supervisor")), drone)
+    return [Racer("rest", rest, 0, seed=1), Racer("stream", stream, 1, seed=2)]
+
+
+def test_two_clients_who_race_never_both_have_the_drone(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+) -> None:
+    hoverer, drone = hover()
+    both = racers(sky, drone)
+
+    race(both, ROUNDS)
+
+    wait_for("both have flown it", lambda: judge(list(hoverer.moves), both) > 1, 60)
+    assert all(racer.allowed for racer in both)
+
+
+@pytest.mark.soak
+def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+) -> None:
+    hoverer, drone = hover()
+    both = racers(sky, drone)
+
+    def restart(round_number: int) -> None:
+        if round_number and round_number % (SOAK_ROUNDS // 4) == 0:
+            sky.server.kill()
+            sky.server.start()
+            wait_for("it flies again", lambda: _flying(sky.api, hoverer.peer.port), 60)
+
+    race(both, SOAK_ROUNDS, restart)
+
+    assert judge(list(hoverer.moves), both) > SOAK_ROUNDS / 100
+
+
+def test_the_drone_of_a_killed_client_holds_and_then_returns(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+) -> None:
+    hoverer, drone = hover()
+    root = Path(__file__).resolve().parents[1]
+    arguments = [sky.server.address, sky.key("operator"), drone]
+    client = subprocess.Popen(
+        [sys.executable, "-m", "dronemap_e2e.holder", *arguments], cwd=root, stdout=subprocess.PIPE
+    )
+    try:
+        assert client.stdout and client.stdout.readline() == b"taken\n"
+        assert sky.api.drone(drone)["control"]["explicit"] is True
+        refused = sky.api.call("POST", f"/drones/{drone}/commands", {"type": "setMode", "mode": "LOITER"})
+        assert refused.status_code == 409
+        assert refused.json()["holder"] == sky.api.drone(drone)["control"]["holder"]
+    finally:
+        client.kill()
+        client.wait()
+
+    wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
+    wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
+    assert sky.api.drone(drone)["control"]["state"] == "free"
+    assert [c["by"] for c in sky.api.get(f"/drones/{drone}/commands")["commands"][:2]] == ["dronemap"] * 2
+
+
+def test_a_supervisor_calls_back_what_another_flies_at_any_moment(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+) -> None:
+    hoverer, drone = hover()
+    operator = Api(sky.server.address, sky.key("operator"))
+    supervisor = Api(sky.server.address, sky.key("supervisor"))
+    assert operator.call("POST", f"/drones/{drone}/control/take", {}).ok
+
+    for command, modes in (("hold", (LOITER, BRAKE)), ("returnToLaunch", (RTL,))):
+        supervisor.do(drone, type=command)
+        assert hoverer.peer.state.custom_mode in modes
+    other = supervisor.call("POST", f"/drones/{drone}/commands", {"type": "setMode", "mode": "GUIDED"})
+
+    assert other.status_code == 409
+    assert operator.call("DELETE", f"/drones/{drone}/control").ok
+
+
+def test_the_pilot_at_the_vehicle_goes_before_everybody(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+) -> None:
+    hoverer, drone = hover()
+    operator = Api(sky.server.address, sky.key("operator"))
+    taken = operator.call("POST", f"/drones/{drone}/control/take", {}).json()
+    hoverer.peer.state.custom_mode = LOITER
+
+    wait_for("the pilot has it", lambda: operator.drone(drone)["control"]["state"] == "pilot", 60)
+    refused = operator.call("POST", f"/drones/{drone}/commands", {"type": "setMode", "mode": "GUIDED"})
+    again = operator.call("POST", f"/drones/{drone}/control/take", {})
+    operator.do(drone, type="setMode", mode="GUIDED")
+
+    assert refused.status_code == 409 and "pilot" in refused.json()["detail"]
+    assert again.json()["epoch"] > taken["epoch"]
+    assert hoverer.peer.state.custom_mode == GUIDED
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        started = launch(playwright)
+        yield started
+        started.close()
+
+
+def test_people_see_who_has_control_and_hand_it_over(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], browser: Browser
+) -> None:
+    _, drone = hover()
+    name = sky.api.drone(drone)["name"]
+    users = [sky.user("operator"), sky.user("operator")]
+    contexts = [browser.new_context(viewport={"width": 1440, "height": 900}) for _ in users]
+    ann, bob = (Station(context.new_page(), Pointer()) for context in contexts)
+    for station, user in zip((ann, bob), users, strict=True):
+        station.sign_in(sky.server.address, *user, secrets.token_hex(10))
+        station.choose(name)
+
+    ann.press("Take control")
+    bob.shows(f"{users[0].name} has control")
+    expect(bob.button("Hold")).to_have_attribute("aria-disabled", "true")
+    bob.press("Ask for control")
+    ann.press("Grant")
+    bob.shows("You have control")
+    ann.shows(f"{users[1].name} has control")
+    bob.press("Keep control")
+    bob.press("Give back")
+    ann.shows("Nobody has control")
+    ann.press("Take control")
+    contexts[0].close()
+    bob.shows("Nobody has control", 60)
+    contexts[1].close()

@@ -1,0 +1,63 @@
+/** Somebody asks the holder for control. */
+export interface ControlRequest {
+  by: string;
+  reason: string | null;
+  at: string;
+}
+
+/** Who commands a drone. `explicit`: taken on purpose and kept by heartbeats; else it came with a command. */
+export interface Control {
+  state: 'free' | 'held' | 'pilot';
+  holder: string | null;
+  explicit: boolean;
+  since: string | null;
+  epoch: number;
+  requests: ControlRequest[];
+}
+
+type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
+
+/** The calls around control of a drone; each answers with how it is then. */
+export class ControlCalls {
+  readonly #call: Call;
+
+  constructor(call: Call) {
+    this.#call = call;
+  }
+
+  take(drone: string): Promise<Control> {
+    return this.#post(drone, 'take', {});
+  }
+
+  request(drone: string, reason: string): Promise<Control> {
+    return this.#post(drone, 'request', { reason });
+  }
+
+  grant(drone: string, user: string): Promise<Control> {
+    return this.#post(drone, 'grant', { user });
+  }
+
+  refuse(drone: string, user: string): Promise<Control> {
+    return this.#post(drone, 'refuse', { user });
+  }
+
+  handOver(drone: string, user: string): Promise<Control> {
+    return this.#post(drone, 'hand-over', { user });
+  }
+
+  takeOver(drone: string, reason: string): Promise<Control> {
+    return this.#post(drone, 'take-over', { reason });
+  }
+
+  heartbeat(drone: string, epoch: number): Promise<Control> {
+    return this.#post(drone, 'heartbeat', { epoch });
+  }
+
+  release(drone: string): Promise<Control> {
+    return this.#call('DELETE', `/drones/${encodeURIComponent(drone)}/control`);
+  }
+
+  #post(drone: string, action: string, body: unknown): Promise<Control> {
+    return this.#call('POST', `/drones/${encodeURIComponent(drone)}/control/${action}`, body);
+  }
+}
