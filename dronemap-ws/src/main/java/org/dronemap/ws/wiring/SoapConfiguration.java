@@ -35,7 +35,8 @@ public class SoapConfiguration {
             CommandService commands,
             ControlService controls,
             ParameterService parameters) {
-        return SoapEndpoint.publish(soapBus, new ControllerService(authentication, drones, commands, controls, parameters));
+        return SoapEndpoint.publish(
+                soapBus, new ControllerService(authentication, drones, commands, controls, parameters));
     }
 
     @Bean
