@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.InstantSource;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.LongStream;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
+import org.dronemap.core.cloud.Fence;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
@@ -56,7 +58,7 @@ class DownlinkTest {
 
     private void send(int from, int to) {
         for (int i = from; i < to; i++) {
-            downlink.send(new Attitude(i, 0f, 0f, 0f, 0f, 0f, 0f), now);
+            downlink.send(new Attitude(i, 0f, 0f, 0f, 0f, 0f, 0f), Fence.NONE, now);
         }
     }
 
@@ -88,6 +90,23 @@ class DownlinkTest {
         assertThat(numbers())
                 .containsExactlyElementsOf(
                         LongStream.range(300 - 256, 300).boxed().toList());
+    }
+
+    @Test
+    void letsNothingGoThatMayNotGoAnyMoreWhenItsTurnComes() {
+        AtomicBoolean open = new AtomicBoolean(true);
+        Fence fence = send -> {
+            if (open.get()) {
+                send.run();
+            }
+            return open.get();
+        };
+        downlink.send(new Attitude(1, 0f, 0f, 0f, 0f, 0f, 0f), fence, now);
+        send(2, 3);
+        open.set(false);
+
+        downlink.tick(now + 2 * SECOND);
+        assertThat(numbers()).containsExactly(2L);
     }
 
     @Test

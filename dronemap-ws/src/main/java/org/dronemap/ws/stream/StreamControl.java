@@ -1,10 +1,12 @@
 package org.dronemap.ws.stream;
 
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.Roles;
 
 /** Answers what clients of the stream say about control. Any thread. */
 final class StreamControl {
@@ -17,6 +19,7 @@ final class StreamControl {
     }
 
     StreamMessage.ControlAnswer answer(Principal principal, StreamMessage.FromClient message) {
+        Roles.require(principal, Role.OPERATOR);
         String drone = message.drone();
         String action = message.action();
         if (drone == null) {
