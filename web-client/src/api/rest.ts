@@ -17,6 +17,7 @@ import type {
   Settings,
 } from './types';
 import type { WaitingVehicle } from './waiting';
+import { ZoneCalls } from './zones';
 
 /** `epoch`: of the control that the page believes to have. */
 export type SentCommand = CommandRequest & { id: string; epoch?: number };
@@ -29,6 +30,7 @@ export class RestClient {
   readonly #fetch: Fetch;
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
+  readonly zones = new ZoneCalls((method, path, body) => this.#call(method, path, body));
 
   constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {
     this.#base = base;

@@ -2,6 +2,7 @@
 
 import type { Role } from './accounts';
 import type { Control } from './control';
+import type { Zone } from './zones';
 
 export interface AccessKey {
   id: string;
@@ -265,6 +266,8 @@ export type StreamMessage =
   | { type: 'drones'; drones: Drone[] }
   | { type: 'drone'; drone: Drone }
   | { type: 'droneRemoved'; id: string }
+  | { type: 'zone'; zone: Zone }
+  | { type: 'zoneRemoved'; id: string }
   | { type: 'command'; command: Command }
   | { type: 'control'; drone: string; control: Control }
   | { type: 'ping'; at: string }

@@ -43,6 +43,55 @@ export function missionLayers(palette: Palette): LayerSpecification[] {
   ];
 }
 
+/** Keep-outs red, areas to stay in green with nothing but an edge, what is being drawn violet. */
+export function zoneLayers(palette: Palette): LayerSpecification[] {
+  const colour = [
+    'case',
+    ['==', ['get', 'kind'], 'inclusion'],
+    palette.green,
+    palette.red,
+  ] as unknown as string;
+  return [
+    {
+      id: 'zones',
+      type: 'fill',
+      source: 'zones',
+      paint: {
+        'fill-color': colour,
+        'fill-opacity': ['case', ['==', ['get', 'kind'], 'inclusion'], 0.03, 0.14],
+      },
+    },
+    { id: 'zone-edges', type: 'line', source: 'zones', paint: { 'line-color': colour, 'line-width': 1.5 } },
+    {
+      id: 'zone-labels',
+      type: 'symbol',
+      source: 'zones',
+      minzoom: 9,
+      layout: { 'text-field': ['get', 'label'], 'text-font': MAP_FONT, 'text-size': 12 },
+      paint: { 'text-color': colour, 'text-halo-color': palette.halo, 'text-halo-width': 1.4 },
+    },
+    {
+      id: 'zone-draft',
+      type: 'fill',
+      source: 'zone-draft',
+      filter: ['==', ['geometry-type'], 'Polygon'],
+      paint: { 'fill-color': palette.violet, 'fill-opacity': 0.2, 'fill-outline-color': palette.violet },
+    },
+    {
+      id: 'zone-draft-points',
+      type: 'circle',
+      source: 'zone-draft',
+      filter: ['==', ['geometry-type'], 'Point'],
+      paint: {
+        'circle-radius': 6,
+        'circle-color': palette.violet,
+        'circle-stroke-color': palette.surface,
+        'circle-stroke-width': 2,
+      },
+    },
+  ];
+}
+
 function wayLayer(source: string, colour: string, dash: number[]): LayerSpecification {
   return {
     id: `${source}-way`,

@@ -1,17 +1,29 @@
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
 import type { Palette } from './palette';
-import { droneLayers, MAP_FONT, missionLayers } from './layers';
+import { droneLayers, MAP_FONT, missionLayers, zoneLayers } from './layers';
 
 const NOTHING = { type: 'FeatureCollection' as const, features: [] };
 
 /** Names of the sources whose data changes while the page is open. */
 export type LiveSource =
-  'countries' | 'names' | 'grid' | 'trails' | 'home' | 'mission' | 'draft' | 'target' | 'drones';
+  | 'countries'
+  | 'names'
+  | 'grid'
+  | 'zones'
+  | 'zone-draft'
+  | 'trails'
+  | 'home'
+  | 'mission'
+  | 'draft'
+  | 'target'
+  | 'drones';
 
 const LIVE_SOURCES: LiveSource[] = [
   'countries',
   'names',
   'grid',
+  'zones',
+  'zone-draft',
   'trails',
   'home',
   'mission',
@@ -41,6 +53,7 @@ export function buildStyle(palette: Palette, tileAddress: string | null): StyleS
       ...(tileAddress === null
         ? []
         : [{ id: 'tiles', type: 'raster', source: 'tiles' } as LayerSpecification]),
+      ...zoneLayers(palette),
       ...missionLayers(palette),
       ...droneLayers(palette),
     ],

@@ -12,6 +12,7 @@ import { Desk } from './desk.svelte';
 import { Fleet } from './fleet.svelte';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
+import { Zones } from './zones.svelte';
 
 /** The context key; tests put a station of their own under it. */
 export const STATION = Symbol('station');
@@ -34,6 +35,7 @@ export class Station {
   readonly controls = new Controls(this.rest.control);
   readonly desk = new Desk();
   readonly preferences = new Preferences();
+  readonly zones = new Zones(this.rest.zones);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
   /** Why nobody is signed in any more, when that was not their wish. */
@@ -145,11 +147,13 @@ export class Station {
     this.planner.stop();
     this.desk.deselect();
     this.desk.page = 'map';
+    this.zones.clear();
   }
 
   #streamUp(): void {
     this.connection.up();
     void this.commands.catchUp();
+    void this.zones.load();
   }
 
   /** An administrator may have given another one since the sign-in. */
@@ -173,6 +177,12 @@ export class Station {
         break;
       case 'droneRemoved':
         this.fleet.remove(message.id);
+        break;
+      case 'zone':
+        this.zones.hear(message.zone);
+        break;
+      case 'zoneRemoved':
+        this.zones.forget(message.id);
         break;
       case 'command':
         this.commands.hear(message.command);

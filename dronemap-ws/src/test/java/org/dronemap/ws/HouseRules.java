@@ -56,7 +56,8 @@ final class HouseRules {
                     "org.dronemap.core.access..",
                     "org.dronemap.core.recording..",
                     "org.dronemap.core.link..",
-                    "org.dronemap.core.lease..")
+                    "org.dronemap.core.lease..",
+                    "org.dronemap.core.zone..")
             .layer("cloud")
             .definedBy("org.dronemap.core.cloud..")
             .whereLayer("cloud")

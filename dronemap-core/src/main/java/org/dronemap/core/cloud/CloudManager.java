@@ -28,6 +28,8 @@ import org.dronemap.core.lease.Epochs;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.LeaseStore;
+import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
 /** The one registry of drones. Links bring vehicles in, faces read states, listeners hear of changes. Any thread. */
@@ -48,6 +50,7 @@ public final class CloudManager {
     private final ControlDesk controls = new ControlDesk(registry);
     private final DroneControl.Keeping leases;
     private final LeaseMachine leaseMachine;
+    private final ZoneBook zones = new ZoneBook();
 
     /** Where the manager keeps things: the stores, and the thread that writes to them. */
     public record Keeping(DroneStore drones, CommandStore commands, LeaseStore leases, Journal journal) {}
@@ -68,7 +71,10 @@ public final class CloudManager {
         this.journal = keeping.journal();
         this.newIds = newIds;
         this.reception = new Reception(registry, clock);
-        this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody);
+        this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody, new ZoneRules(zones));
+        ZoneGuard guard = new ZoneGuard(zones, new ZoneActions(registry, gate), clock);
+        zones.onChange(change -> registry.all().forEach(guard::lookAgain));
+        listeners.add(guard);
         this.leases = new DroneControl.Keeping(keeping.leases(), journal);
         Epochs epochs = new Epochs(keeping.leases(), task -> journal.write("more epochs", task, () -> {}));
         this.leaseMachine = new LeaseMachine(rules.leases(), epochs::next);
@@ -89,6 +95,11 @@ public final class CloudManager {
     /** Where control of drones is taken, asked for and given back. */
     public ControlDesk controls() {
         return controls;
+    }
+
+    /** The zones that bind drones; whoever keeps them puts them in. */
+    public ZoneBook zones() {
+        return zones;
     }
 
     public void addListener(CloudListener listener) {

@@ -20,6 +20,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -40,6 +41,7 @@ public final class CommandGate {
     private final Journal journal;
     private final Clock clock;
     private final CloudListener listener;
+    private final ZoneRules zones;
     private final ConcurrentHashMap<CommandId, Underway> underway = new ConcurrentHashMap<>();
 
     /** What safety rules are called in the log, and their face. */
@@ -68,7 +70,14 @@ public final class CommandGate {
         }
     }
 
-    CommandGate(DroneRegistry registry, CommandStore store, Journal journal, Clock clock, CloudListener listener) {
+    CommandGate(
+            DroneRegistry registry,
+            CommandStore store,
+            Journal journal,
+            Clock clock,
+            CloudListener listener,
+            ZoneRules zones) {
+        this.zones = zones;
         this.registry = registry;
         this.store = store;
         this.journal = journal;
@@ -128,7 +137,9 @@ public final class CommandGate {
 
     /** Why this principal cannot give that command now; empty when it can. */
     public Optional<String> whyNot(Principal principal, DroneState drone, Command command) {
-        return RoleRules.whyNot(principal.role(), drone, command.needs()).or(() -> CommandRules.whyNot(drone, command));
+        return RoleRules.whyNot(principal.role(), drone, command.needs())
+                .or(() -> CommandRules.whyNot(drone, command))
+                .or(() -> zones.whyNot(principal.name(), drone, command, clock.instant()));
     }
 
     public Optional<CommandRecord> find(CommandId id) {
@@ -248,8 +259,10 @@ public final class CommandGate {
             endOutdated(entry);
             return;
         }
-        Optional<String> why =
-                CommandRules.whyNot(entry.drone().drone().state(), entry.open().command());
+        DroneState now = entry.drone().drone().state();
+        Command command = entry.open().command();
+        Optional<String> why = CommandRules.whyNot(now, command)
+                .or(() -> zones.whyNot(entry.open().record().by(), now, command, clock.instant()));
         Optional<VehicleChannel> channel = entry.drone().channel();
         if (why.isPresent() || channel.isEmpty()) {
             end(entry, new Outcome.Refused(GATE, why.orElse("There is no link to the drone.")));

@@ -4,9 +4,10 @@ import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Severity;
@@ -103,16 +104,11 @@ final class ControlWatch implements Lane.Ticker {
     /** A mode for sticks that nobody here asked for, and no fail-safe explains. */
     private boolean isPilots(DroneState state) {
         return Boolean.TRUE.equals(state.armed())
-                && steering(state) == Capabilities.Steering.STICKS
+                && state.capabilities().steering(state.mode()).equals(Optional.of(Steering.STICKS))
                 && !gate.mayHaveChangedMode(drone)
                 && state.messages().stream()
                         .filter(message -> message.at().isAfter(clock.instant().minus(SAID_WITH)))
                         .noneMatch(message ->
                                 message.text().toLowerCase(Locale.ROOT).contains("failsafe"));
-    }
-
-    private static Capabilities.@Nullable Steering steering(DroneState state) {
-        String mode = state.mode();
-        return mode == null ? null : state.capabilities().steering().get(mode);
     }
 }

@@ -2,13 +2,15 @@ package org.dronemap.core.drone;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What one vehicle can do, as the adapter of its autopilot declares it.
  *
  * @param modes flight modes that can be set by name
- * @param steering who steers in a mode; in one that is not there the vehicle flies by itself
+ * @param steering what a vehicle goes by in a mode; of one that is not there nothing is known but that it flies by itself
  * @param known false until the adapter declared it
  */
 public record Capabilities(
@@ -17,12 +19,16 @@ public record Capabilities(
     /** Of a vehicle that was not asked yet. */
     public static final Capabilities UNKNOWN = new Capabilities(Set.of(), List.of(), Map.of(), false);
 
-    /** Who steers where the vehicle does not fly by itself. */
+    /** What a vehicle goes by in a mode. */
     public enum Steering {
         /** A pilot's sticks. */
         STICKS,
         /** Whoever gives orders; it waits for them. */
-        ORDERS
+        ORDERS,
+        /** The mission on board. */
+        MISSION,
+        /** Its own way home or down. */
+        SAFETY
     }
 
     public Capabilities {
@@ -35,8 +41,13 @@ public record Capabilities(
         this(commands, modes, steering, true);
     }
 
-    /** Of a vehicle whose modes say nothing of who steers. */
+    /** Of a vehicle whose modes say nothing of what it goes by. */
     public Capabilities(Set<Capability> commands, List<String> modes) {
         this(commands, modes, Map.of());
+    }
+
+    /** What the vehicle goes by in that mode; empty: not known, or by itself. */
+    public Optional<Steering> steering(@Nullable String mode) {
+        return mode == null ? Optional.empty() : Optional.ofNullable(steering.get(mode));
     }
 }

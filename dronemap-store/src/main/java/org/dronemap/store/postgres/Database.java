@@ -17,6 +17,7 @@ import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingStore;
+import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.own.OwnPostgres;
 import org.dronemap.store.secret.SecretBox;
@@ -77,6 +78,10 @@ public final class Database implements AutoCloseable {
 
     public MissionStore missions() {
         return new PostgresMissionStore(pool);
+    }
+
+    public ZoneStore zones() {
+        return new PostgresZoneStore(pool);
     }
 
     public CommandStore commands() {

@@ -16,6 +16,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
@@ -29,6 +30,7 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.ZoneFeature;
 import org.java_websocket.framing.CloseFrame;
 import org.java_websocket.server.DefaultSSLWebSocketServerFactory;
 import org.jspecify.annotations.Nullable;
@@ -91,6 +93,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         server.start();
         int port = awaitListening();
         cloud.addListener(this);
+        cloud.zones().onChange(this::zonesChanged);
         pump.start();
         return port;
     }
@@ -168,6 +171,21 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             }
         }
         wake();
+    }
+
+    private void zonesChanged(ZoneBook.Change change) {
+        change.put().forEach(zone -> tell(new StreamMessage.ZoneChanged(ZoneFeature.of(zone))));
+        change.removed().forEach(id -> tell(new StreamMessage.ZoneRemoved(id)));
+        wake();
+    }
+
+    private void tell(Object news) {
+        String message = services.json().write(news);
+        for (StreamClient client : server.clients()) {
+            if (client.principal().isPresent()) {
+                client.outbox().add(message);
+            }
+        }
     }
 
     private Pump.Pause round(long now) {

@@ -8,6 +8,7 @@ import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.ZoneFeature;
 import org.jspecify.annotations.Nullable;
 
 /** The messages of the stream, each with its type as clients see it. */
@@ -49,6 +50,18 @@ final class StreamMessage {
     record DroneRemoved(String type, String id) {
         DroneRemoved(String id) {
             this("droneRemoved", id);
+        }
+    }
+
+    record ZoneChanged(String type, ZoneFeature zone) {
+        ZoneChanged(ZoneFeature zone) {
+            this("zone", zone);
+        }
+    }
+
+    record ZoneRemoved(String type, String id) {
+        ZoneRemoved(String id) {
+            this("zoneRemoved", id);
         }
     }
 

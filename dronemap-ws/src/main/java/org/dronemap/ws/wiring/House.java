@@ -6,6 +6,7 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingArchive;
+import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.LinkSecurityControl;
@@ -17,6 +18,7 @@ public record House(
         CloudManager cloud,
         AccessStore access,
         MissionStore missions,
+        ZoneStore zones,
         Recordings recordings,
         RecordingArchive archive,
         LinkSide links,

@@ -70,6 +70,8 @@ final class HouseBuilder {
                 clock,
                 new CloudManager.Keeping(database.drones(), database.commands(), database.leases(), journal),
                 new DroneIds());
+        // Before any vehicle is heard.
+        cloud.zones().put(database.zones().zones());
         SecretBox box = ServerSecret.box(
                 settings.linkSecret() == null ? null : settings.linkSecret().text(),
                 settings.dataDirectory().resolve("link-secret"));
@@ -85,6 +87,7 @@ final class HouseBuilder {
                 cloud,
                 database.access(),
                 database.missions(),
+                database.zones(),
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
                 new House.LinkSide(new ProxyLinks(links), database.links(), dtlsKeys),

@@ -30,6 +30,7 @@ import org.dronemap.ws.rest.SystemController;
 import org.dronemap.ws.rest.UserController;
 import org.dronemap.ws.rest.WaitingController;
 import org.dronemap.ws.rest.WebClientPages;
+import org.dronemap.ws.rest.ZoneController;
 import org.dronemap.ws.security.AccessFilter;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
@@ -71,6 +72,7 @@ import tools.jackson.databind.DeserializationFeature;
     MetricsController.class,
     SystemController.class,
     WaitingController.class,
+    ZoneController.class,
     StreamTicketController.class,
     ProblemAdvice.class,
     ErrorAnswer.class

@@ -36,6 +36,7 @@ import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
 import org.dronemap.ws.service.UserService;
 import org.dronemap.ws.service.WaitingService;
+import org.dronemap.ws.service.ZoneService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
@@ -173,6 +174,12 @@ public class ServiceConfiguration {
     @Bean
     MissionService missionService(House house, Clock clock) {
         return new MissionService(house.missions(), clock);
+    }
+
+    @Bean
+    ZoneService zoneService(House house, DroneService drones, Clock clock) {
+        return new ZoneService(
+                new ZoneService.Keeping(house.zones(), house.cloud().zones(), house.access()), drones, clock);
     }
 
     @Bean

@@ -29,6 +29,7 @@ import org.dronemap.store.memory.MemoryLeaseStore;
 import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
+import org.dronemap.store.memory.MemoryZoneStore;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.Registration;
@@ -78,6 +79,7 @@ public final class TestHouse implements AutoCloseable {
                 cloud,
                 access,
                 new MemoryMissionStore(),
+                new MemoryZoneStore(),
                 new CountingRecordings(),
                 recorder.shelf(),
                 linkSide(),

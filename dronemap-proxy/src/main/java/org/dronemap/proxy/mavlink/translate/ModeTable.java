@@ -60,6 +60,9 @@ final class ModeTable {
             "SIMPLE",
             "VELOCITY");
 
+    private static final Set<String> SAFETY =
+            Set.of("RTL", "SMART_RTL", "AUTO_RTL", "QRTL", "LAND", "QLAND", "AUTOLAND", "LOITERALTQLAND");
+
     private static final Set<String> ORDERS = Set.of("GUIDED", "GUIDED_NOGPS", "BRAKE", "HOLD");
 
     private final Map<Long, String> names;
@@ -93,7 +96,7 @@ final class ModeTable {
         return List.copyOf(names.values());
     }
 
-    /** Who steers in each mode where the vehicle does not fly by itself. */
+    /** What the vehicle goes by in each mode, where it is known. */
     Map<String, Steering> steering() {
         Map<String, Steering> steering = new LinkedHashMap<>();
         for (String name : names.values()) {
@@ -103,6 +106,10 @@ final class ModeTable {
                 steering.put(name, Steering.STICKS);
             } else if (ORDERS.contains(name) || loiter) {
                 steering.put(name, Steering.ORDERS);
+            } else if (SAFETY.contains(name)) {
+                steering.put(name, Steering.SAFETY);
+            } else if (name.equals("AUTO")) {
+                steering.put(name, Steering.MISSION);
             }
         }
         return steering;

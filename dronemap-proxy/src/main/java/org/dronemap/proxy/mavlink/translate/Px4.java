@@ -9,6 +9,7 @@ import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.VehicleKind;
@@ -31,15 +32,18 @@ final class Px4 implements Autopilot {
     private static final int AUTO_MAIN_MODE = 4;
     private static final int COM_DLL_EXCEPT_MISSION = 1;
     private static final Map<String, Mode> MODES = modesByName();
-    private static final Map<String, Capabilities.Steering> STEERING = Map.of(
-            "MANUAL", Capabilities.Steering.STICKS,
-            "STABILIZED", Capabilities.Steering.STICKS,
-            "ACRO", Capabilities.Steering.STICKS,
-            "RATTITUDE", Capabilities.Steering.STICKS,
-            "ALTCTL", Capabilities.Steering.STICKS,
-            "POSCTL", Capabilities.Steering.STICKS,
-            "LOITER", Capabilities.Steering.ORDERS,
-            "OFFBOARD", Capabilities.Steering.ORDERS);
+    private static final Map<String, Steering> STEERING = Map.ofEntries(
+            Map.entry("MANUAL", Steering.STICKS),
+            Map.entry("STABILIZED", Steering.STICKS),
+            Map.entry("ACRO", Steering.STICKS),
+            Map.entry("RATTITUDE", Steering.STICKS),
+            Map.entry("ALTCTL", Steering.STICKS),
+            Map.entry("POSCTL", Steering.STICKS),
+            Map.entry("LOITER", Steering.ORDERS),
+            Map.entry("OFFBOARD", Steering.ORDERS),
+            Map.entry("MISSION", Steering.MISSION),
+            Map.entry("RTL", Steering.SAFETY),
+            Map.entry("LAND", Steering.SAFETY));
     private static final String NO_HOME =
             "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
 

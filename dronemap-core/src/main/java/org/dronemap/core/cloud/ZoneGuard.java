@@ -1,0 +1,118 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.zone.Lookout;
+import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneRules;
+
+/** Watches drones in flight against the zones: warns before a breach and acts on one. Each drone on its own lane. */
+final class ZoneGuard implements CloudListener {
+    private static final long RHYTHM_NANOS = 100_000_000L;
+    /** Who gives one of these is who flies the drone. */
+    private static final Set<String> FLYING = Set.of(
+            Command.Arm.class.getSimpleName(),
+            Command.TakeOff.class.getSimpleName(),
+            Command.GoTo.class.getSimpleName(),
+            Command.StartMission.class.getSimpleName(),
+            Command.SetMode.class.getSimpleName(),
+            Command.Turn.class.getSimpleName());
+
+    private final ZoneBook book;
+    private final ZoneRules rules;
+    private final ZoneActions actions;
+    private final Clock clock;
+    private final ConcurrentHashMap<DroneId, Watched> watched = new ConcurrentHashMap<>();
+    private final ConcurrentHashMap<DroneId, String> pilots = new ConcurrentHashMap<>();
+
+    /** Owned by the drone's lane. */
+    private static final class Watched {
+        private final Lookout lookout = new Lookout();
+        private long lookedNanos = System.nanoTime() - RHYTHM_NANOS;
+    }
+
+    ZoneGuard(ZoneBook book, ZoneActions actions, Clock clock) {
+        this.book = book;
+        this.rules = new ZoneRules(book);
+        this.actions = actions;
+        this.clock = clock;
+    }
+
+    @Override
+    public void droneChanged(DroneState state) {
+        if (book.zones().isEmpty() || state.replay()) {
+            return;
+        }
+        if (!state.airborne()) {
+            watched.remove(state.id());
+            return;
+        }
+        Watched drone = watched.computeIfAbsent(state.id(), id -> new Watched());
+        long now = System.nanoTime();
+        if (now - drone.lookedNanos >= RHYTHM_NANOS) {
+            drone.lookedNanos = now;
+            look(drone.lookout, state, now);
+        }
+    }
+
+    /** Zones were changed: nobody waits for the next position to learn what that means. Any thread. */
+    void lookAgain(ManagedDrone drone) {
+        drone.lane().offer(() -> droneChanged(drone.drone().state()));
+    }
+
+    private void look(Lookout lookout, DroneState state, long nanos) {
+        List<Zone> zones = book.binding(pilot(state.id()), state.id(), clock.instant(), clock.instant());
+        for (Lookout.Finding finding : lookout.look(zones, state, nanos)) {
+            if (finding instanceof Lookout.Finding.Breach breach) {
+                actions.breached(state, breach.zone());
+            } else if (finding instanceof Lookout.Finding.Ahead ahead) {
+                String does = ahead.zone().shape().inside() ? "leaves " : "enters ";
+                actions.say(
+                        state.id(),
+                        Severity.WARNING,
+                        String.format(
+                                Locale.ROOT,
+                                "If it goes on like this it %s in about %.0f s.",
+                                does + ahead.zone().words(),
+                                Math.ceil(ahead.seconds())));
+            }
+        }
+    }
+
+    private String pilot(DroneId id) {
+        return pilots.getOrDefault(id, "");
+    }
+
+    @Override
+    public void commandChanged(CommandRecord command) {
+        if (command.face().equals(ZoneActions.FACE) || command.outcome() instanceof Outcome.Refused) {
+            return;
+        }
+        if (FLYING.contains(command.type())) {
+            pilots.put(command.drone(), command.by());
+        } else if (command.type().equals(Command.ReturnToLaunch.class.getSimpleName())
+                && command.phase() == CommandPhase.SENT) {
+            actions.state(command.drone())
+                    .flatMap(state -> rules.homewardDoubt(command.by(), state, clock.instant()))
+                    .ifPresent(doubt ->
+                            actions.say(command.drone(), Severity.WARNING, "It returns all the same, but: " + doubt));
+        }
+    }
+
+    @Override
+    public void droneRemoved(DroneId id) {
+        watched.remove(id);
+        pilots.remove(id);
+    }
+}

@@ -1,0 +1,46 @@
+package org.dronemap.core.zone;
+
+import java.util.Locale;
+import org.dronemap.core.mission.Altitude;
+import org.jspecify.annotations.Nullable;
+
+/** From a floor to a ceiling in metres, both measured from the same reference; null: no bound on that side. */
+public record AltitudeBand(
+        @Nullable Double floorMeters, @Nullable Double ceilingMeters, Altitude.Reference reference) {
+    public static final AltitudeBand ALL = new AltitudeBand(null, null, Altitude.Reference.HOME);
+
+    public AltitudeBand {
+        if (!planned(floorMeters) || !planned(ceilingMeters)) {
+            throw new IllegalArgumentException("floor and ceiling must be -500 to 10000 m");
+        }
+        if (floorMeters != null && ceilingMeters != null && floorMeters >= ceilingMeters) {
+            throw new IllegalArgumentException("the ceiling must be above the floor");
+        }
+    }
+
+    private static boolean planned(@Nullable Double meters) {
+        return meters == null
+                || (meters >= Altitude.LOWEST_PLANNED_METERS && meters <= Altitude.HIGHEST_PLANNED_METERS);
+    }
+
+    public boolean isBounded() {
+        return floorMeters != null || ceilingMeters != null;
+    }
+
+    public double lowMeters() {
+        return floorMeters == null ? Double.NEGATIVE_INFINITY : floorMeters;
+    }
+
+    public double highMeters() {
+        return ceilingMeters == null ? Double.POSITIVE_INFINITY : ceilingMeters;
+    }
+
+    /** "120 m above home", "500 m above sea level". */
+    String words(double meters) {
+        return String.format(
+                Locale.ROOT,
+                "%s m above %s",
+                meters == Math.rint(meters) ? String.format(Locale.ROOT, "%.0f", meters) : String.valueOf(meters),
+                reference == Altitude.Reference.HOME ? "home" : "sea level");
+    }
+}

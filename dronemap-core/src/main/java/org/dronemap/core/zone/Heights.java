@@ -1,0 +1,53 @@
+package org.dronemap.core.zone;
+
+import java.util.List;
+import org.dronemap.core.mission.Altitude;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * All heights that a vehicle may be at on a stretch: between the lowest and the highest that are named, since vehicles
+ * climb at the beginning of a leg, at its end or all along it; and all the way down where it stands or lands.
+ *
+ * @param named nothing when it is not known how high it is
+ */
+public record Heights(List<Altitude> named, boolean toTheGround) {
+    /** How far a height above home and one above the sea may be off each other. */
+    private static final double CONVERSION_METERS = 0.5;
+
+    /** In metres from one reference. */
+    record Range(double lowMeters, double highMeters) {
+        static final Range ANY = new Range(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+    }
+
+    public Heights {
+        named = List.copyOf(named);
+    }
+
+    /** As seen from a reference; anything where that cannot be said. */
+    Range from(Altitude.Reference reference, @Nullable Double homeAmslMeters) {
+        if (named.isEmpty()) {
+            return Range.ANY;
+        }
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (Altitude altitude : named) {
+            boolean same = altitude.reference() == reference;
+            if (!same && homeAmslMeters == null) {
+                return Range.ANY;
+            }
+            double doubt = same ? 0 : CONVERSION_METERS;
+            double meters =
+                    altitude.meters() + (homeAmslMeters == null ? 0 : shift(altitude, reference, homeAmslMeters));
+            low = Math.min(low, meters - doubt);
+            high = Math.max(high, meters + doubt);
+        }
+        return new Range(toTheGround ? Double.NEGATIVE_INFINITY : low, high);
+    }
+
+    private static double shift(Altitude altitude, Altitude.Reference reference, double homeAmslMeters) {
+        if (altitude.reference() == reference) {
+            return 0;
+        }
+        return reference == Altitude.Reference.AMSL ? homeAmslMeters : -homeAmslMeters;
+    }
+}

@@ -1,0 +1,266 @@
+package org.dronemap.core.zone;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Outline;
+import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.Stretch;
+import org.dronemap.core.mission.FenceZone;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Whether a leg keeps to a zone: in doubt it does not. Nobody knows to the decimetre how a vehicle flies a straight
+ * line, and the longer the line the less; a leg must stay away from an edge by what is not known.
+ */
+final class LegCheck {
+    /** Rounding on the wire, and a little. */
+    private static final double LEAST_ROOM_METERS = 0.3;
+
+    private static final double LONGEST_LEG_METERS = 1_000_000;
+    /** Nothing farther than this from all of a leg needs a closer look. */
+    private static final double NEAR_DEGREES = 0.2;
+
+    private static final double MEAN_EARTH_RADIUS_METERS = 6_371_008.8;
+
+    private final Leg leg;
+    private final @Nullable Double homeAmslMeters;
+    private final LocalPlane plane;
+    private final Stretch stretch;
+
+    LegCheck(Leg leg, @Nullable Double homeAmslMeters) {
+        this.leg = leg;
+        this.homeAmslMeters = homeAmslMeters;
+        double middle = (leg.from().latitudeDegrees() + leg.to().latitudeDegrees()) / 2;
+        this.plane = new LocalPlane(new Geodetic(middle, leg.from().longitudeDegrees()));
+        this.stretch = new Stretch(plane.spot(leg.from()), plane.spot(leg.to()));
+    }
+
+    /** A sentence that names leg, zone and distance; empty when the leg keeps to the zone. */
+    Optional<String> whyNot(Zone zone) {
+        if (stretch.lengthMeters() > LONGEST_LEG_METERS) {
+            return Optional.of(
+                    leg.words() + " is longer than 1000 km; it cannot be checked against " + zone.words() + ".");
+        }
+        return zone.shape().inside() ? leaves(zone) : enters(zone);
+    }
+
+    private Optional<String> enters(Zone zone) {
+        if (isFar(zone.shape()) || !sharesHeights(zone)) {
+            return Optional.empty();
+        }
+        Contact contact =
+                zone.shape() instanceof FenceZone.Circle circle ? meets(circle) : meets(outline(zone.shape()));
+        if (contact.beginsInside()) {
+            return Optional.of(leg.words() + " begins inside " + named(zone) + ".");
+        }
+        if (contact.metersToCrossing() < Double.POSITIVE_INFINITY) {
+            return Optional.of(
+                    leg.words() + " enters " + named(zone) + " after " + meters(contact.metersToCrossing()) + ".");
+        }
+        return near(contact).map(how -> leg.words() + " passes " + how + " of " + named(zone) + ".");
+    }
+
+    private Optional<String> leaves(Zone zone) {
+        Optional<String> height = outOfBand(zone);
+        if (height.isPresent()) {
+            return height;
+        }
+        if (zone.shape() instanceof FenceZone.Circle circle) {
+            return leaves(zone, staysIn(circle));
+        }
+        return leaves(zone, meets(outline(zone.shape())));
+    }
+
+    private Optional<String> leaves(Zone zone, Contact contact) {
+        if (!contact.beginsInside()) {
+            return Optional.of(leg.words() + " begins outside " + zone.words() + ", " + meters(contact.startGapMeters())
+                    + " away from it.");
+        }
+        if (contact.metersToCrossing() < Double.POSITIVE_INFINITY) {
+            return Optional.of(
+                    leg.words() + " leaves " + zone.words() + " after " + meters(contact.metersToCrossing()) + ".");
+        }
+        return near(contact).map(how -> leg.words() + " comes " + how + " of the edge of " + zone.words() + ".");
+    }
+
+    private static Optional<String> near(Contact contact) {
+        return contact.gapMeters() > contact.roomMeters()
+                ? Optional.empty()
+                : Optional.of(
+                        "within " + meters(contact.gapMeters()) + " (" + meters(contact.roomMeters()) + " are needed)");
+    }
+
+    /**
+     * How a leg lies to an edge.
+     *
+     * @param startGapMeters from the beginning of the leg to the edge
+     * @param metersToCrossing along the leg; infinite when it does not cross
+     * @param gapMeters the least distance between the two
+     * @param roomMeters the distance that is needed for certainty
+     */
+    private record Contact(
+            boolean beginsInside,
+            double startGapMeters,
+            double metersToCrossing,
+            double gapMeters,
+            double roomMeters) {}
+
+    private Contact meets(Outline outline) {
+        double crossing = Double.POSITIVE_INFINITY;
+        double gap = Double.POSITIVE_INFINITY;
+        double room = 0;
+        double startGap = Double.POSITIVE_INFINITY;
+        for (Stretch edge : outline.edges()) {
+            double away = stretch.distanceMeters(edge);
+            double needed = roomMeters(stretch.lengthMeters()) + bendMeters(edge.lengthMeters());
+            startGap = Math.min(startGap, edge.distanceMeters(stretch.from()));
+            if (stretch.crosses(edge)) {
+                crossing = Math.min(crossing, stretch.crossingShare(edge) * stretch.lengthMeters());
+            }
+            if (away - needed < gap - room) {
+                gap = away;
+                room = needed;
+            }
+        }
+        return new Contact(outline.contains(stretch.from()), startGap, crossing, gap, room);
+    }
+
+    private Contact meets(FenceZone.Circle circle) {
+        Stretch way = around(circle);
+        double radius = circle.radiusMeters();
+        double gap = way.distanceMeters(CENTER) - radius;
+        double crossing = gap > 0 ? Double.POSITIVE_INFINITY : metersToRim(way, radius);
+        double begins = way.from().distanceMeters(CENTER);
+        return new Contact(
+                begins <= radius, Math.abs(begins - radius), crossing, Math.max(0, gap), circleRoomMeters(radius));
+    }
+
+    /** A disc is convex: what begins and ends in it stays in it. */
+    private Contact staysIn(FenceZone.Circle circle) {
+        Stretch way = around(circle);
+        double radius = circle.radiusMeters();
+        double begins = way.from().distanceMeters(CENTER);
+        double ends = way.to().distanceMeters(CENTER);
+        boolean inside = begins <= radius;
+        double gap = inside ? radius - Math.max(begins, ends) : begins - radius;
+        double crossing = inside && ends > radius
+                ? way.lengthMeters() - metersToRim(backwards(way), radius)
+                : Double.POSITIVE_INFINITY;
+        return new Contact(inside, Math.abs(begins - radius), crossing, Math.max(0, gap), circleRoomMeters(radius));
+    }
+
+    private static final Spot CENTER = new Spot(0, 0);
+
+    private Stretch around(FenceZone.Circle circle) {
+        return new Stretch(
+                LocalPlane.offset(circle.center(), leg.from()), LocalPlane.offset(circle.center(), leg.to()));
+    }
+
+    private static Stretch backwards(Stretch way) {
+        return new Stretch(way.to(), way.from());
+    }
+
+    /** From the beginning of a way outside a disc to where it enters it. */
+    private static double metersToRim(Stretch way, double radius) {
+        double share = way.nearestShare(CENTER);
+        double across = way.at(share).distanceMeters(CENTER);
+        double half = Math.sqrt(Math.max(0, radius * radius - across * across));
+        return Math.max(0, share * way.lengthMeters() - half);
+    }
+
+    private double circleRoomMeters(double radius) {
+        return roomMeters(stretch.lengthMeters()) + radius * 1e-5;
+    }
+
+    private double roomMeters(double lengthMeters) {
+        return LEAST_ROOM_METERS + bendMeters(lengthMeters);
+    }
+
+    /** By how much the different straight lines between two places (on map, globe and compass) part on the way. */
+    private double bendMeters(double lengthMeters) {
+        double steepest = Math.max(
+                Math.abs(leg.from().latitudeDegrees()), Math.abs(leg.to().latitudeDegrees()));
+        return lengthMeters * lengthMeters * Math.tan(Math.toRadians(steepest)) / (8 * MEAN_EARTH_RADIUS_METERS);
+    }
+
+    private Outline outline(FenceZone shape) {
+        if (shape instanceof FenceZone.Polygon polygon) {
+            return plane.outline(polygon.corners());
+        }
+        throw new IllegalArgumentException("no outline of " + shape);
+    }
+
+    /** A quick look that spares the close one. */
+    private boolean isFar(FenceZone shape) {
+        double reach = NEAR_DEGREES + roomMeters(stretch.lengthMeters()) / 100_000;
+        if (shape instanceof FenceZone.Circle circle) {
+            return apart(List.of(circle.center()), reach + circle.radiusMeters() / 100_000);
+        }
+        return shape instanceof FenceZone.Polygon polygon && apart(polygon.corners(), reach);
+    }
+
+    private boolean apart(List<Geodetic> places, double degrees) {
+        double south = Math.min(leg.from().latitudeDegrees(), leg.to().latitudeDegrees()) - degrees;
+        double north = Math.max(leg.from().latitudeDegrees(), leg.to().latitudeDegrees()) + degrees;
+        return places.stream().allMatch(place -> place.latitudeDegrees() < south)
+                || places.stream().allMatch(place -> place.latitudeDegrees() > north);
+    }
+
+    private boolean sharesHeights(Zone zone) {
+        Heights.Range range = leg.heights().from(zone.band().reference(), homeAmslMeters);
+        return range.lowMeters() <= zone.band().highMeters()
+                && range.highMeters() >= zone.band().lowMeters();
+    }
+
+    private Optional<String> outOfBand(Zone zone) {
+        AltitudeBand band = zone.band();
+        if (!band.isBounded()) {
+            return Optional.empty();
+        }
+        Heights.Range range = leg.heights().from(band.reference(), homeAmslMeters);
+        if (range.equals(Heights.Range.ANY)) {
+            return Optional.of("How high " + lowerFirst(leg.words()) + " leads cannot be compared with the heights of "
+                    + zone.words() + " as long as the altitude of the home is not known.");
+        }
+        if (range.highMeters() > band.highMeters()) {
+            return Optional.of(leg.words() + " reaches " + band.words(Math.round(range.highMeters() * 10) / 10.0)
+                    + ", over the ceiling of " + zone.words() + " at " + band.words(band.highMeters()) + ".");
+        }
+        if (!leg.heights().toTheGround() && range.lowMeters() < band.lowMeters()) {
+            return Optional.of(leg.words() + " goes down to " + band.words(Math.round(range.lowMeters() * 10) / 10.0)
+                    + ", under the floor of " + zone.words() + " at " + band.words(band.lowMeters()) + ".");
+        }
+        return Optional.empty();
+    }
+
+    /** With its heights, which may be the way round it. */
+    private static String named(Zone zone) {
+        AltitudeBand band = zone.band();
+        if (!band.isBounded()) {
+            return zone.words();
+        }
+        Double floor = band.floorMeters();
+        Double ceiling = band.ceilingMeters();
+        if (floor == null) {
+            return zone.words() + " (up to " + band.words(band.highMeters()) + ")";
+        }
+        return ceiling == null
+                ? zone.words() + " (from " + band.words(floor) + " upwards)"
+                : zone.words() + " (from " + String.format(Locale.ROOT, "%.0f", floor) + " to " + band.words(ceiling)
+                        + ")";
+    }
+
+    private static String lowerFirst(String words) {
+        return words.substring(0, 1).toLowerCase(Locale.ROOT) + words.substring(1);
+    }
+
+    private static String meters(double meters) {
+        if (meters >= 10_000) {
+            return String.format(Locale.ROOT, "%.1f km", meters / 1000);
+        }
+        return String.format(Locale.ROOT, meters < 10 ? "%.1f m" : "%.0f m", meters);
+    }
+}

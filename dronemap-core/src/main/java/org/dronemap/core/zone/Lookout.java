@@ -1,0 +1,111 @@
+package org.dronemap.core.zone;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Watches one drone in the air: says once that a zone will be breached if it goes on like this, and once that it is.
+ * Owned by one thread; times in ns of a monotonic clock.
+ */
+public final class Lookout {
+    /** How far it looks ahead. */
+    private static final double AHEAD_SECONDS = 10;
+
+    private static final double STEP_SECONDS = 0.5;
+    /** Who was out of danger for so long is warned again. */
+    private static final long CALM_NANOS = 3_000_000_000L;
+    /** Who was out of a zone for so long breaches it anew; less is the trembling of a position. */
+    private static final long OUTSIDE_NANOS = 1_500_000_000L;
+
+    private final Course course = new Course();
+    private final Map<String, Alert> alerts = new HashMap<>();
+
+    /** What was just found out. */
+    public sealed interface Finding {
+        Zone zone();
+
+        /** It will breach the zone in so many seconds, going on like this. */
+        record Ahead(Zone zone, double seconds) implements Finding {}
+
+        /** It breaches the zone. */
+        record Breach(Zone zone) implements Finding {}
+    }
+
+    /** When there was danger last, and when a breach; null: not yet. */
+    private record Alert(long lastNanos, @Nullable Long breachNanos) {}
+
+    /** Looks at a drone in the air. */
+    public List<Finding> look(List<Zone> zones, DroneState drone, long nanos) {
+        Position position = drone.position();
+        Geodetic point = position == null ? null : position.point();
+        if (position == null || point == null) {
+            return List.of();
+        }
+        course.add(nanos, point, position);
+        Double home = ZoneRules.homeAmslMeters(drone);
+        List<Finding> findings = new ArrayList<>();
+        for (Zone zone : zones) {
+            if (Presence.breaches(zone, point, position, home)) {
+                breached(zone, nanos, findings);
+            } else {
+                ahead(zone, position, point, home).ifPresent(seconds -> danger(zone, seconds, nanos, findings));
+            }
+        }
+        alerts.values().removeIf(alert -> nanos - alert.lastNanos() > CALM_NANOS);
+        return findings;
+    }
+
+    private void breached(Zone zone, long nanos, List<Finding> findings) {
+        Alert before = alerts.put(zone.id(), new Alert(nanos, nanos));
+        Long last = before == null ? null : before.breachNanos();
+        if (last == null || nanos - last > OUTSIDE_NANOS) {
+            findings.add(new Finding.Breach(zone));
+        }
+    }
+
+    private void danger(Zone zone, double seconds, long nanos, List<Finding> findings) {
+        Alert before = alerts.get(zone.id());
+        alerts.put(zone.id(), new Alert(nanos, before == null ? null : before.breachNanos()));
+        if (before == null) {
+            findings.add(new Finding.Ahead(zone, seconds));
+        }
+    }
+
+    /** Seconds to the breach; empty: none as far as can be seen. */
+    private Optional<Double> ahead(Zone zone, Position position, Geodetic point, @Nullable Double home) {
+        if (!leads(zone, position, point, AHEAD_SECONDS, home)) {
+            return Optional.empty();
+        }
+        double seconds = STEP_SECONDS;
+        while (seconds < AHEAD_SECONDS && !leads(zone, position, point, seconds, home)) {
+            seconds += STEP_SECONDS;
+        }
+        return Optional.of(seconds);
+    }
+
+    private boolean leads(Zone zone, Position position, Geodetic point, double seconds, @Nullable Double home) {
+        Course.Ahead there = course.ahead(seconds);
+        if (there == null) {
+            return false;
+        }
+        List<Altitude> heights = Stream.concat(
+                        MissionWalk.altitudes(position).stream(), MissionWalk.altitudes(there.position()).stream())
+                .toList();
+        // Whoever takes off or lands is below the floor of the area that it stays in.
+        Leg leg = new Leg(
+                "The way ahead",
+                point,
+                there.point(),
+                new Heights(heights, zone.shape().inside()));
+        return new LegCheck(leg, home).whyNot(zone).isPresent();
+    }
+}

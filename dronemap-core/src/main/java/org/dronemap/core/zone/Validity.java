@@ -1,0 +1,24 @@
+package org.dronemap.core.zone;
+
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
+/** When a zone is in force: from a moment on, until another one; null: since ever, for ever. */
+public record Validity(@Nullable Instant from, @Nullable Instant until) {
+    public static final Validity ALWAYS = new Validity(null, null);
+
+    public Validity {
+        if (from != null && until != null && !from.isBefore(until)) {
+            throw new IllegalArgumentException("the end of the validity must be after its beginning");
+        }
+    }
+
+    public boolean at(Instant moment) {
+        return between(moment, moment);
+    }
+
+    /** At any time of a span. */
+    public boolean between(Instant begin, Instant end) {
+        return (from == null || !from.isAfter(end)) && (until == null || until.isAfter(begin));
+    }
+}

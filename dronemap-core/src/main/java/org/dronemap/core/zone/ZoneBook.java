@@ -1,0 +1,55 @@
+package org.dronemap.core.zone;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import org.dronemap.core.drone.DroneId;
+
+/** The zones that are in force here and now: each change holds from the moment on that it is made. Any thread. */
+public final class ZoneBook {
+    private final CopyOnWriteArrayList<Consumer<Change>> listeners = new CopyOnWriteArrayList<>();
+    private volatile List<Zone> zones = List.of();
+
+    /** What was put in (new or changed), and the ids of what was taken out. */
+    public record Change(List<Zone> put, List<String> removed) {}
+
+    public List<Zone> zones() {
+        return zones;
+    }
+
+    /** Heard by whoever changes the book, on its thread; must return at once. */
+    public void onChange(Consumer<Change> listener) {
+        listeners.add(listener);
+    }
+
+    /** New ones, or new forms of old ones: all at once. */
+    public void put(Collection<Zone> changed) {
+        List<Zone> put = List.copyOf(changed);
+        synchronized (this) {
+            List<String> ids = put.stream().map(Zone::id).toList();
+            List<Zone> next = new ArrayList<>(zones);
+            next.removeIf(zone -> ids.contains(zone.id()));
+            next.addAll(put);
+            zones = List.copyOf(next);
+        }
+        listeners.forEach(listener -> listener.accept(new Change(put, List.of())));
+    }
+
+    public void remove(String id) {
+        synchronized (this) {
+            zones = zones.stream().filter(zone -> !zone.id().equals(id)).toList();
+        }
+        listeners.forEach(listener -> listener.accept(new Change(List.of(), List.of(id))));
+    }
+
+    /** Those that bind a drone that this user flies at any time of a span. */
+    public List<Zone> binding(String user, DroneId drone, Instant begin, Instant end) {
+        return zones.stream()
+                .filter(zone ->
+                        zone.binding().binds(user, drone) && zone.validity().between(begin, end))
+                .toList();
+    }
+}

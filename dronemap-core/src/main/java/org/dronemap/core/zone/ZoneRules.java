@@ -1,0 +1,65 @@
+package org.dronemap.core.zone;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Position;
+import org.jspecify.annotations.Nullable;
+
+/** Which commands the zones forbid: those that would lead a drone where it must not be, or where nobody knows. */
+public final class ZoneRules {
+    /** What comes into force while it flies counts already when it is sent off. */
+    private static final Duration AHEAD = Duration.ofHours(1);
+
+    private final ZoneBook book;
+
+    public ZoneRules(ZoneBook book) {
+        this.book = book;
+    }
+
+    /** A sentence that names the leg, the zone and a distance; empty when nothing speaks against it. */
+    public Optional<String> whyNot(String user, DroneState drone, Command command, Instant now) {
+        List<Zone> zones = book.binding(user, drone.id(), now, now.plus(AHEAD));
+        return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.of(drone, command));
+    }
+
+    /** What a return home would cross, for a warning: it is never forbidden. */
+    public Optional<String> homewardDoubt(String user, DroneState drone, Instant now) {
+        List<Zone> zones = book.binding(user, drone.id(), now, now);
+        return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.home(drone));
+    }
+
+    private static Optional<String> whyNot(List<Zone> zones, DroneState drone, Route route) {
+        Double home = homeAmslMeters(drone);
+        for (Leg leg : route.legs()) {
+            LegCheck check = new LegCheck(leg, home);
+            for (Zone zone : zones) {
+                Optional<String> why = check.whyNot(zone);
+                if (why.isPresent()) {
+                    return why;
+                }
+            }
+        }
+        String doubt = route.doubt();
+        return doubt == null
+                ? Optional.empty()
+                : Optional.of(doubt + "; so the way cannot be checked against the zones that bind this flight, such as "
+                        + zones.get(0).words() + ".");
+    }
+
+    /** The height of home above the sea, also when only what is measured from it tells it. */
+    static @Nullable Double homeAmslMeters(DroneState drone) {
+        Home home = drone.home();
+        if (home != null) {
+            return home.altitudeAmslMeters();
+        }
+        Position position = drone.position();
+        Double amsl = position == null ? null : position.altitudeAmslMeters();
+        Double above = position == null ? null : position.altitudeAboveHomeMeters();
+        return amsl == null || above == null ? null : Double.valueOf(amsl - above);
+    }
+}

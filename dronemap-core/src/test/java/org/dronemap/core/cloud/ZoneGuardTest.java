@@ -1,0 +1,160 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.TextMessage;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.BreachAction;
+import org.dronemap.core.zone.Validity;
+import org.dronemap.core.zone.Zone;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class ZoneGuardTest {
+    private static final Geodetic HERE = new Geodetic(47.4, 8.5);
+    private static final Geodetic NORTH = new Geodetic(47.41, 8.5);
+    private static final Duration LONG = Duration.ofSeconds(30);
+    private static final CommandGate.Source BOB = new CommandGate.Source(new Principal("bob", Role.OPERATOR), "rest");
+
+    private final Lanes lanes = new Lanes(2);
+    private final Journal journal = new Journal();
+    private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    private final CloudManager cloud = new CloudManager(
+            lanes,
+            Watchdog.DEFAULT,
+            Clock.systemUTC(),
+            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), new Fixtures.HeapCommandStore(), journal),
+            () -> new DroneId("drone-1"));
+    private DroneLink link;
+
+    @BeforeEach
+    void fly() {
+        LinkSession session =
+                new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
+        link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        hear(new DroneEvent.Identified(
+                Fixtures.copter(null),
+                new Capabilities(
+                        Set.of(Capability.values()), List.of("GUIDED", "AUTO", "RTL"), Map.of("AUTO", Steering.MISSION, "RTL", Steering.SAFETY))));
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0)));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        await().atMost(LONG).until(() -> cloud.drone(link.id()).orElseThrow().airborne());
+    }
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    @Test
+    void actsAtOnceOnAZoneThatIsPutOverADrone() {
+        cloud.zones().put(List.of(around(HERE, BreachAction.LAND, Binding.EVERYBODY)));
+
+        await().atMost(LONG).until(() -> vehicle.performed.contains(new Command.Land()));
+        assertThat(said()).contains("It has entered the no-fly zone “Accident” and is told: land.");
+    }
+
+    @Test
+    void triesAgainWhenItFails() {
+        cloud.zones().put(List.of(around(HERE, BreachAction.HOLD, Binding.EVERYBODY)));
+        await().atMost(LONG).until(() -> vehicle.performed.size() == 1);
+
+        vehicle.reports.values().forEach(report -> report.ended(new Outcome.TimedOut("no answer within 3 s")));
+
+        await().atMost(LONG).until(() -> vehicle.performed.size() == 2);
+        assertThat(vehicle.performed).containsExactly(new Command.Hold(), new Command.Hold());
+    }
+
+    @Test
+    void leavesADroneAloneThatIsOnItsWayHome() {
+        hear(new DroneEvent.ModeHeard("RTL", true));
+
+        cloud.zones().put(List.of(around(HERE, BreachAction.HOLD, Binding.EVERYBODY)));
+
+        await().atMost(LONG).until(() -> said().stream().anyMatch(text -> text.contains("on its way home or down")));
+        assertThat(vehicle.performed).isEmpty();
+    }
+
+    @Test
+    void bindsWhatAUserFliesOnceHeFliesIt() {
+        cloud.zones().put(List.of(around(HERE, BreachAction.HOLD, new Binding.OfUser("bob"))));
+        cloud.gate().submit(BOB, link.id(), new CommandId("turn-0001"), new Command.Turn(90));
+
+        // The next position is looked at with bob as the pilot.
+        await().atMost(LONG).until(() -> {
+            hear(new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0)));
+            return vehicle.performed.contains(new Command.Hold());
+        });
+    }
+
+    @Test
+    void keepsAWayThroughAZoneFromTheVehicle() {
+        cloud.zones().put(List.of(around(NORTH, BreachAction.HOLD, Binding.EVERYBODY)));
+
+        CommandRecord refused = cloud.gate()
+                .submit(
+                        BOB,
+                        link.id(),
+                        new CommandId("goto-0001"),
+                        new Command.GoTo(new Geodetic(47.42, 8.5), Altitude.aboveHome(20)));
+
+        assertThat(refused.outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Refused.class,
+                        outcome -> assertThat(outcome.reason())
+                                .isEqualTo(
+                                        "The way from where the drone is to the place enters the no-fly zone “Accident” after"
+                                                + " 1012 m."));
+        assertThat(vehicle.performed).isEmpty();
+    }
+
+    private List<String> said() {
+        return cloud.drone(link.id()).orElseThrow().messages().stream()
+                .map(TextMessage::text)
+                .toList();
+    }
+
+    private void hear(DroneEvent event) {
+        link.lane().execute(() -> link.accept(event));
+    }
+
+    private static Zone around(Geodetic center, BreachAction action, Binding binding) {
+        return new Zone(
+                "z1",
+                "Accident",
+                new FenceZone.Circle(false, center, 100),
+                AltitudeBand.ALL,
+                binding,
+                Validity.ALWAYS,
+                action,
+                "ann",
+                Clock.systemUTC().instant());
+    }
+}

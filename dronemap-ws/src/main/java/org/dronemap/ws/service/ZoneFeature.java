@@ -1,0 +1,116 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.Zone;
+import org.jspecify.annotations.Nullable;
+
+/** A zone as a feature of GeoJSON (RFC 7946), read and written in the same form. */
+@Schema(description = "A zone as a GeoJSON feature: a Polygon, or a Point with a radius.")
+public record ZoneFeature(
+        @Schema(description = "Feature") @Nullable String type,
+        @Schema(description = "Given by the server") @Nullable String id,
+        @Nullable ZoneGeometry geometry,
+        @Nullable ZoneProperties properties) {
+
+    /** Longitude comes before latitude. */
+    public record ZoneGeometry(
+            @Schema(description = "Polygon (one ring) or Point, the middle of a circle") @Nullable String type,
+            @Schema(description = "Degrees, longitude first") @Nullable Object coordinates) {}
+
+    /** What GeoJSON has no word for. */
+    public record ZoneProperties(
+            @Nullable String name,
+
+            @Schema(description = "exclusion (keep out; the default) or inclusion (stay in)") @Nullable
+            String kind,
+
+            @Schema(description = "Point: metres, 1 to 100000") @Nullable
+            Double radius,
+
+            @Schema(description = "metres; null: down to the ground") @Nullable
+            Double floor,
+
+            @Schema(description = "metres; null: without end") @Nullable
+            Double ceiling,
+
+            @Schema(description = "what floor and ceiling are measured from: home (the default) or amsl") @Nullable
+            String altitudeReference,
+
+            @Schema(description = "binds what this user flies; null: whoever flies") @Nullable
+            String user,
+
+            @Schema(description = "binds this drone; null: every drone") @Nullable
+            String drone,
+
+            @Schema(description = "ISO 8601; null: already") @Nullable
+            String from,
+
+            @Schema(description = "ISO 8601; null: for ever") @Nullable
+            String until,
+
+            @Schema(description = "hold (the default), returnToLaunch or land") @Nullable
+            String onBreach,
+
+            @Schema(description = "Who changed it last; given by the server") @Nullable
+            String by,
+
+            @Schema(description = "Given by the server") @Nullable
+            String changedAt) {}
+
+    /** All zones, or those of an import. */
+    public record ZoneCollection(
+            @Schema(description = "FeatureCollection") @Nullable String type, @Nullable List<ZoneFeature> features) {
+        static ZoneCollection of(List<Zone> zones) {
+            return new ZoneCollection(
+                    "FeatureCollection", zones.stream().map(ZoneFeature::of).toList());
+        }
+    }
+
+    public static ZoneFeature of(Zone zone) {
+        return new ZoneFeature("Feature", zone.id(), shape(zone.shape()), properties(zone));
+    }
+
+    private static ZoneGeometry shape(FenceZone shape) {
+        if (shape instanceof FenceZone.Circle circle) {
+            return new ZoneGeometry("Point", position(circle.center()));
+        }
+        List<Object> ring = new ArrayList<>();
+        if (shape instanceof FenceZone.Polygon polygon) {
+            polygon.corners().forEach(corner -> ring.add(position(corner)));
+            ring.add(ring.get(0));
+        }
+        return new ZoneGeometry("Polygon", List.of(ring));
+    }
+
+    private static List<Double> position(Geodetic point) {
+        return List.of(point.longitudeDegrees(), point.latitudeDegrees());
+    }
+
+    private static ZoneProperties properties(Zone zone) {
+        Binding binding = zone.binding();
+        return new ZoneProperties(
+                zone.name(),
+                zone.shape().inside() ? "inclusion" : "exclusion",
+                zone.shape() instanceof FenceZone.Circle circle ? circle.radiusMeters() : null,
+                zone.band().floorMeters(),
+                zone.band().ceilingMeters(),
+                WireNames.camel(zone.band().reference()),
+                binding instanceof Binding.OfUser user ? user.name() : null,
+                binding instanceof Binding.OfDrone drone ? drone.id().value() : null,
+                text(zone.validity().from()),
+                text(zone.validity().until()),
+                WireNames.camel(zone.onBreach()),
+                zone.changedBy(),
+                text(zone.changedAt()));
+    }
+
+    private static @Nullable String text(@Nullable Instant moment) {
+        return moment == null ? null : moment.toString();
+    }
+}

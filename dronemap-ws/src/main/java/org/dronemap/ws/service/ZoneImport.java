@@ -1,0 +1,107 @@
+package org.dronemap.ws.service;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * Reads GeoJSON (or KML) that others wrote: what is not ours in it is passed over, an area in several parts becomes several, and
+ * what has no name gets one.
+ */
+final class ZoneImport {
+    private static final JsonReader LENIENT = new JsonReader(JsonMapper.builder()
+            .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+            .build());
+    private static final String TYPES = "FeatureCollection or Feature";
+
+    private ZoneImport() {}
+
+    /** Either a whole collection or one feature. */
+    record Document(
+            @Nullable String type,
+            @Nullable List<@Nullable ZoneFeature> features,
+            ZoneFeature.@Nullable ZoneGeometry geometry,
+            ZoneFeature.@Nullable ZoneProperties properties) {}
+
+    /** One zone to be, and where in the document it stands. */
+    record Part(String at, ZoneFeature feature) {}
+
+    static List<Part> parts(String text) {
+        if (text.stripLeading().startsWith("<")) {
+            return KmlZones.parts(text);
+        }
+        Document document = LENIENT.read(text, Document.class);
+        if ("Feature".equals(document.type())) {
+            return parts("", new ZoneFeature("Feature", null, document.geometry(), document.properties()), 1);
+        }
+        if (!"FeatureCollection".equals(document.type())) {
+            throw InvalidInput.outside("type", TYPES, String.valueOf(document.type()));
+        }
+        List<@Nullable ZoneFeature> features = document.features();
+        if (features == null || features.isEmpty()) {
+            throw InvalidInput.missing("features", "a list with at least one feature");
+        }
+        List<Part> read = new ArrayList<>();
+        for (int i = 0; i < features.size(); i++) {
+            ZoneFeature feature = features.get(i);
+            if (feature == null) {
+                throw InvalidInput.missing("features[" + i + "]", "a feature");
+            }
+            read.addAll(parts("features[" + i + "].", feature, i + 1));
+        }
+        return List.copyOf(read);
+    }
+
+    /** An area that is nothing but its rings and a name. */
+    static ZoneFeature feature(List<Object> rings, String name) {
+        return named(
+                new ZoneFeature("Feature", null, null, null), new ZoneFeature.ZoneGeometry("Polygon", rings), name, "");
+    }
+
+    private static List<Part> parts(String at, ZoneFeature feature, int number) {
+        ZoneFeature.ZoneGeometry shape = feature.geometry();
+        if (shape == null || !"MultiPolygon".equals(shape.type())) {
+            return List.of(new Part(at, named(feature, shape, "Zone " + number, "")));
+        }
+        if (!(shape.coordinates() instanceof List<?> polygons)) {
+            throw InvalidInput.missing(at + "geometry.coordinates", "a list of polygons");
+        }
+        List<Part> parts = new ArrayList<>();
+        for (Object polygon : polygons) {
+            String part = polygons.size() > 1 ? " (" + (parts.size() + 1) + ")" : "";
+            ZoneFeature.ZoneGeometry one = new ZoneFeature.ZoneGeometry("Polygon", polygon);
+            parts.add(new Part(at, named(feature, one, "Zone " + number, part)));
+        }
+        return List.copyOf(parts);
+    }
+
+    private static ZoneFeature named(
+            ZoneFeature feature, ZoneFeature.@Nullable ZoneGeometry shape, String fallback, String part) {
+        ZoneFeature.ZoneProperties p = feature.properties();
+        if (p == null) {
+            p = new ZoneFeature.ZoneProperties(
+                    null, null, null, null, null, null, null, null, null, null, null, null, null);
+        }
+        String name = p.name() == null || p.name().isBlank() ? fallback : p.name();
+        return new ZoneFeature(
+                feature.type(),
+                null,
+                shape,
+                new ZoneFeature.ZoneProperties(
+                        name + part,
+                        p.kind(),
+                        p.radius(),
+                        p.floor(),
+                        p.ceiling(),
+                        p.altitudeReference(),
+                        p.user(),
+                        p.drone(),
+                        p.from(),
+                        p.until(),
+                        p.onBreach(),
+                        null,
+                        null));
+    }
+}

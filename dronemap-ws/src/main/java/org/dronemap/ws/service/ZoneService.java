@@ -1,0 +1,121 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.UUID;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.Zone;
+import org.dronemap.core.zone.ZoneBook;
+import org.dronemap.core.zone.ZoneStore;
+
+/** Use cases around the zones of the cloud: each change is kept first and binds at once. Any thread. */
+public final class ZoneService {
+    private static final int MOST = 500;
+
+    private final Keeping keeping;
+    private final DroneService drones;
+    private final Clock clock;
+
+    /** Where zones are kept, where they bind from, and the users that they may name. */
+    public record Keeping(ZoneStore store, ZoneBook book, AccessStore users) {}
+
+    public ZoneService(Keeping keeping, DroneService drones, Clock clock) {
+        this.keeping = keeping;
+        this.drones = drones;
+        this.clock = clock;
+    }
+
+    public ZoneFeature.ZoneCollection zones() {
+        return ZoneFeature.ZoneCollection.of(keeping.store().zones());
+    }
+
+    public ZoneFeature zone(String id) {
+        return ZoneFeature.of(find(id));
+    }
+
+    public ZoneFeature add(Principal principal, ZoneFeature feature) {
+        Roles.require(principal, Role.SUPERVISOR);
+        Zone zone = read("", newId(), feature, principal);
+        keep(List.of(zone));
+        return ZoneFeature.of(zone);
+    }
+
+    public ZoneFeature replace(Principal principal, String id, ZoneFeature feature) {
+        Roles.require(principal, Role.SUPERVISOR);
+        Zone zone = read("", find(id).id(), feature, principal);
+        keep(List.of(zone));
+        return ZoneFeature.of(zone);
+    }
+
+    /** GeoJSON of others; all of it, or nothing. */
+    public ZoneFeature.ZoneCollection take(Principal principal, String text) {
+        Roles.require(principal, Role.SUPERVISOR);
+        List<Zone> zones = ZoneImport.parts(text).stream()
+                .map(part -> read(part.at(), newId(), part.feature(), principal))
+                .toList();
+        keep(zones);
+        return ZoneFeature.ZoneCollection.of(zones);
+    }
+
+    public synchronized void delete(Principal principal, String id) {
+        Roles.require(principal, Role.SUPERVISOR);
+        if (!keeping.store().delete(id)) {
+            throw Rejection.unknown("zone", id);
+        }
+        keeping.book().remove(id);
+    }
+
+    /** In one piece, so that store and book never part. */
+    private synchronized void keep(List<Zone> zones) {
+        List<String> known = keeping.book().zones().stream().map(Zone::id).toList();
+        long more = zones.stream().filter(zone -> !known.contains(zone.id())).count();
+        if (known.size() + more > MOST) {
+            throw Rejection.conflict(
+                    "There may be " + MOST + " zones at most; there are " + known.size() + " already.");
+        }
+        keeping.store().save(zones);
+        keeping.book().put(zones);
+    }
+
+    private Zone read(String at, String id, ZoneFeature feature, Principal principal) {
+        ZoneReader reader = new ZoneReader(at, feature);
+        return new Zone(
+                id,
+                reader.name(),
+                reader.shape(),
+                reader.band(),
+                known(at, reader.binding()),
+                reader.validity(),
+                reader.onBreach(),
+                principal.name(),
+                clock.instant().truncatedTo(ChronoUnit.MILLIS));
+    }
+
+    /** A slip of the pen must not make a zone that binds nobody. */
+    private Binding known(String at, Binding binding) {
+        if (binding instanceof Binding.OfUser user
+                && keeping.users().user(user.name()).isEmpty()) {
+            throw InvalidInput.outside(at + "properties.user", "the name of a user", "\"" + user.name() + "\"");
+        }
+        if (binding instanceof Binding.OfDrone drone
+                && drones.find(drone.id().value()).isEmpty()) {
+            throw InvalidInput.outside(at + "properties.drone", "the id of a drone", "\"" + drone.id() + "\"");
+        }
+        return binding;
+    }
+
+    private Zone find(String id) {
+        return keeping.store().zones().stream()
+                .filter(zone -> zone.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown("zone", id));
+    }
+
+    private static String newId() {
+        return UUID.randomUUID().toString();
+    }
+}

@@ -1,0 +1,248 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+class ZonesTest {
+    private static final String ZONES = "/api/v1/zones";
+    /** North of where the scripted vehicle is. */
+    private static final String NORTH =
+            "[[[8.544,47.400],[8.547,47.400],[8.547,47.402],[8.544,47.402],[8.544,47.400]]]";
+    /** Around it. */
+    private static final String HERE = "[[[8.544,47.397],[8.547,47.397],[8.547,47.399],[8.544,47.399],[8.544,47.397]]]";
+
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private Http supervisor;
+    private Http operator;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15683);
+        supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        operator = new Http(house, house.key(Role.OPERATOR));
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void keepsAZoneAndGivesItBack() {
+        Http.Answer added = supervisor.post(
+                ZONES,
+                feature(
+                        NORTH,
+                        "\"name\":\"School\",\"floor\":0,\"ceiling\":80.5,\"until\":\"2099-01-01T00:00:00+01:00\""));
+
+        assertThat(added.status()).isEqualTo(201);
+        assertThat(added.raw().headers().firstValue("Location")).contains(ZONES + "/" + added.text("id"));
+        assertThat(added.json().path("properties").path("until").asString()).isEqualTo("2098-12-31T23:00:00Z");
+        assertThat(added.json().path("properties").path("kind").asString()).isEqualTo("exclusion");
+        assertThat(added.json().path("properties").path("onBreach").asString()).isEqualTo("hold");
+        Http viewer = new Http(house, house.key(Role.VIEWER));
+        assertThat(viewer.get(ZONES).json().path("features").get(0)).isEqualTo(added.json());
+        // What was read can be written again.
+        Http.Answer again = put(added.text("id"), added.json().toString().replace("School", "Hospital"));
+        assertThat(again.json().path("properties").path("name").asString()).isEqualTo("Hospital");
+        assertThat(delete(added.text("id")).status()).isEqualTo(204);
+        assertThat(delete(added.text("id")).status()).isEqualTo(404);
+        assertThat(viewer.get(ZONES).json().path("features").size()).isZero();
+    }
+
+    @Test
+    void letsOnlySupervisorsChangeZones() {
+        assertThat(operator.post(ZONES, feature(NORTH, "\"name\":\"A\"")).status())
+                .isEqualTo(403);
+        assertThat(operator.post(ZONES + "/import", feature(NORTH, "\"name\":\"A\""))
+                        .status())
+                .isEqualTo(403);
+        String id = supervisor.post(ZONES, feature(NORTH, "\"name\":\"A\"")).text("id");
+        assertThat(operator.send(ZONES + "/" + id, HttpRequest.Builder::DELETE).status())
+                .isEqualTo(403);
+    }
+
+    @Test
+    void saysWhatIsWrongWithAZone() {
+        assertWrong(feature(NORTH, "\"name\":\" \""), "properties.name", "missing");
+        assertWrong(feature("[[[8.5,47],[8.6,47],[8.5,47]]]", "\"name\":\"A\""), "geometry.coordinates[0]", "3 to 100");
+        assertWrong(
+                feature("[[[8.5,95],[8.6,47],[8.7,48]]]", "\"name\":\"A\""), "geometry.coordinates[0][0][1]", "-90");
+        assertWrong(
+                feature("[[[8.5,47],[8.51,47.01],[8.51,47],[8.5,47.01],[8.5,47]]]", "\"name\":\"A\""),
+                "geometry",
+                "crosses or touches itself");
+        assertWrong(
+                feature(NORTH, "\"name\":\"A\",\"floor\":50,\"ceiling\":20"), "properties.ceiling", "above the floor");
+        assertWrong(feature(NORTH, "\"name\":\"A\",\"user\":\"nobody\""), "properties.user", "the name of a user");
+        assertWrong(feature(NORTH, "\"name\":\"A\",\"drone\":\"nobody-1\""), "properties.drone", "the id of a drone");
+        assertWrong(feature(NORTH, "\"name\":\"A\",\"from\":\"noon\""), "properties.from", "a time such as");
+        assertWrong(feature(NORTH, "\"name\":\"A\",\"onBreach\":\"explode\""), "properties.onBreach", "hold");
+        assertWrong(
+                "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[8.5,47]},"
+                        + "\"properties\":{\"name\":\"A\"}}",
+                "properties.radius",
+                "1 to 100000 m");
+        assertThat(house.cloud().zones().zones()).isEmpty();
+    }
+
+    @Test
+    void takesAFileOfAnotherProgramWholeOrNotAtAll() {
+        String foreign = "{\"type\":\"FeatureCollection\",\"crs\":{\"a\":1},\"features\":["
+                + "{\"type\":\"Feature\",\"id\":7,\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[" + NORTH
+                + ","
+                + HERE + "]},\"properties\":{\"colour\":\"red\",\"name\":\"Park\"}},"
+                + "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Polygon\",\"coordinates\":" + NORTH
+                + "},\"properties\":null}]}";
+
+        Http.Answer taken = supervisor.post(ZONES + "/import", foreign);
+        Http.Answer broken = supervisor.post(ZONES + "/import", foreign.replace("\"Polygon\"", "\"LineString\""));
+
+        assertThat(taken.status()).isEqualTo(201);
+        assertThat(taken.json()
+                        .path("features")
+                        .valueStream()
+                        .map(zone -> zone.path("properties").path("name").asString()))
+                .containsExactly("Park (1)", "Park (2)", "Zone 2");
+        assertThat(broken.status()).isEqualTo(422);
+        assertThat(broken.text("field")).isEqualTo("features[1].geometry.type");
+        assertThat(supervisor.get(ZONES).json().path("features").size()).isEqualTo(3);
+    }
+
+    @Test
+    void takesTheAreasOfAKmlFile() {
+        String kml = "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><name>All</name>"
+                + "<Placemark><name>Lake &amp; shore</name><Polygon><outerBoundaryIs><LinearRing><coordinates>"
+                + "8.5,47,0 8.6,47,0 8.6,47.1,0\n8.5,47,0</coordinates></LinearRing></outerBoundaryIs></Polygon>"
+                + "</Placemark><Placemark><Point><coordinates>8,47</coordinates></Point></Placemark></Document></kml>";
+
+        Http.Answer taken = supervisor.post(ZONES + "/import", kml);
+        Http.Answer evil = supervisor.post(
+                ZONES + "/import", "<!DOCTYPE kml [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><kml>&x;</kml>");
+        Http.Answer empty = supervisor.post(ZONES + "/import", "<kml/>");
+
+        assertThat(taken.status()).isEqualTo(201);
+        assertThat(taken.json()
+                        .path("features")
+                        .get(0)
+                        .path("properties")
+                        .path("name")
+                        .asString())
+                .isEqualTo("Lake & shore");
+        assertThat(evil.status()).isEqualTo(400);
+        assertThat(empty.text("detail")).isEqualTo("There is no Polygon in this KML file.");
+    }
+
+    @Test
+    void refusesAWayThroughAZoneBeforeAnythingIsSent() {
+        supervisor.post(ZONES, feature(NORTH, "\"name\":\"School\""));
+        fly();
+
+        Http.Answer refused = operator.post(
+                "/api/v1/drones/" + vehicle.id() + "/commands",
+                "{\"type\":\"goTo\",\"latitude\":47.404,\"longitude\":8.5456,\"altitude\":20}");
+
+        assertThat(refused.status()).isEqualTo(409);
+        assertThat(refused.text("detail"))
+                .isEqualTo("The way from where the drone is to the place enters the no-fly zone “School” after 256 m.");
+        assertThat(vehicle.performed()).isEmpty();
+    }
+
+    @Test
+    void tellsADroneToHoldWhenAZoneIsPutOverIt() {
+        fly();
+
+        supervisor.post(ZONES, feature(HERE, "\"name\":\"Accident\""));
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> vehicle.performed().contains(new Command.Hold()));
+        await().until(() -> operator.get("/api/v1/drones/" + vehicle.id())
+                .json()
+                .path("messages")
+                .toString()
+                .contains("It has entered the no-fly zone “Accident” and is told: hold."));
+        assertThat(operator.get("/api/v1/drones/" + vehicle.id() + "/commands")
+                        .json()
+                        .path("commands")
+                        .get(0)
+                        .path("face")
+                        .asString())
+                .isEqualTo("safety");
+    }
+
+    @Test
+    void tellsEverybodyWhoListens() {
+        try (StreamListener stream = StreamListener.withKey(house, house.key(Role.VIEWER))) {
+            stream.await(message -> isType(message, "drones"));
+            String id = supervisor
+                    .post(ZONES, feature(NORTH, "\"name\":\"School\""))
+                    .text("id");
+
+            assertThat(stream.await(message -> isType(message, "zone"))
+                            .path("zone")
+                            .path("id")
+                            .asString())
+                    .isEqualTo(id);
+            delete(id);
+            assertThat(stream.await(message -> isType(message, "zoneRemoved"))
+                            .path("id")
+                            .asString())
+                    .isEqualTo(id);
+        }
+    }
+
+    private static boolean isType(JsonNode message, String type) {
+        return message.path("type").asString().equals(type);
+    }
+
+    private void fly() {
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
+        vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 508.0, 20.0)));
+        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        await().until(() ->
+                "inAir".equals(operator.get("/api/v1/drones/" + vehicle.id()).text("flight")));
+    }
+
+    private void assertWrong(String body, String field, String words) {
+        Http.Answer answer = supervisor.post(ZONES, body);
+        assertThat(answer.status()).as(body).isEqualTo(422);
+        assertThat(answer.text("field")).isEqualTo(field);
+        assertThat(answer.text("detail")).contains(words);
+    }
+
+    private static String feature(String coordinates, String properties) {
+        return "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Polygon\",\"coordinates\":" + coordinates
+                + "},\"properties\":{" + properties + "}}";
+    }
+
+    private Http.Answer put(String id, String body) {
+        return supervisor.send(
+                ZONES + "/" + id,
+                builder -> builder.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    private Http.Answer delete(String id) {
+        return supervisor.send(ZONES + "/" + id, HttpRequest.Builder::DELETE);
+    }
+}

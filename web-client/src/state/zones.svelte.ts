@@ -1,0 +1,81 @@
+import { sentenceFor } from '../api/problem';
+import type { Zone, ZoneCalls } from '../api/zones';
+import type { Coordinates } from '../geo/coordinates';
+import { featureOf, withPoint, type ZoneDraft } from '../zones/zone-draft';
+
+/** The zones of the cloud, and the one that is being drawn. */
+export class Zones {
+  all = $state.raw<readonly Zone[]>([]);
+  draft = $state.raw<ZoneDraft | null>(null);
+  /** The zone that the map shall show; a new object each time. */
+  wanted = $state.raw<{ zone: Zone } | null>(null);
+  problem = $state<string | null>(null);
+  readonly #calls: ZoneCalls;
+
+  constructor(calls: ZoneCalls) {
+    this.#calls = calls;
+  }
+
+  async load(): Promise<void> {
+    await this.#attempt(async () => {
+      this.all = sorted(await this.#calls.all());
+    });
+  }
+
+  hear(zone: Zone): void {
+    this.all = sorted([...this.all.filter((one) => one.id !== zone.id), zone]);
+  }
+
+  forget(id: string): void {
+    this.all = this.all.filter((one) => one.id !== id);
+  }
+
+  clear(): void {
+    this.all = [];
+    this.draft = null;
+    this.problem = null;
+  }
+
+  addPoint(place: Coordinates): void {
+    if (this.draft !== null) {
+      this.draft = withPoint(this.draft, place);
+    }
+  }
+
+  /** Sends what was drawn; it stays on the map as a draft when it was refused. */
+  async save(): Promise<void> {
+    const { draft } = this;
+    if (draft !== null) {
+      await this.#attempt(async () => {
+        this.hear(await this.#calls.add(featureOf(draft)));
+        this.draft = null;
+      });
+    }
+  }
+
+  async take(file: Blob): Promise<void> {
+    await this.#attempt(async () => {
+      (await this.#calls.take(file)).forEach((zone) => this.hear(zone));
+    });
+  }
+
+  async remove(id: string): Promise<void> {
+    await this.#attempt(async () => {
+      await this.#calls.remove(id);
+      this.forget(id);
+    });
+  }
+
+  async #attempt(action: () => Promise<void>): Promise<void> {
+    try {
+      await action();
+      this.problem = null;
+    } catch (thrown) {
+      this.problem = sentenceFor(thrown);
+    }
+  }
+}
+
+function sorted(zones: readonly Zone[]): Zone[] {
+  return zones.toSorted((a, b) => a.properties.name.localeCompare(b.properties.name));
+}

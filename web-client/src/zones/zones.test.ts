@@ -1,0 +1,127 @@
+import { describe, expect, it, vi } from 'vitest';
+import { ZoneCalls, type Zone } from '../api/zones';
+import { Zones } from '../state/zones.svelte';
+import { featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
+import { ringOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
+import { zoneLine } from './zone-line';
+
+const HERE = { latitude: 47, longitude: 8 };
+
+function aZone(change: Partial<Zone['properties']> = {}): Zone {
+  return {
+    type: 'Feature',
+    id: 'z1',
+    geometry: { type: 'Point', coordinates: [8, 47] },
+    properties: {
+      name: 'School',
+      kind: 'exclusion',
+      radius: 100,
+      floor: null,
+      ceiling: null,
+      altitudeReference: 'home',
+      user: null,
+      drone: null,
+      from: null,
+      until: null,
+      onBreach: 'hold',
+      ...change,
+    },
+  };
+}
+
+describe('a zone that is drawn', () => {
+  it('says what is still missing', () => {
+    let draft = newZone('polygon');
+    expect(missing(draft)).toContain('0 of at least 3');
+    for (const longitude of [8, 8.1, 8.2]) {
+      draft = withPoint(draft, { latitude: 47 + longitude / 10, longitude });
+    }
+    expect(missing(draft)).toBe('Give it a name.');
+    expect(missing({ ...draft, name: 'School' })).toBeNull();
+    expect(missing(withoutLastPoint(draft))).toContain('2 of at least 3');
+    expect(missing({ ...withPoint(newZone('circle'), HERE), radius: null })).toContain('radius');
+  });
+
+  it('becomes a closed ring, or a point with a radius', () => {
+    const circle = featureOf({ ...withPoint(newZone('circle'), HERE), name: ' Park ', ceiling: 60 });
+    expect(circle.geometry).toEqual({ type: 'Point', coordinates: [8, 47] });
+    expect(circle.properties).toMatchObject({ name: 'Park', radius: 100, ceiling: 60, kind: 'exclusion' });
+    const three = [HERE, { latitude: 47.1, longitude: 8 }, { latitude: 47, longitude: 8.1 }];
+    const area = featureOf({ ...newZone('polygon'), points: three });
+    expect(area.geometry.coordinates).toEqual([
+      [
+        [8, 47],
+        [8, 47.1],
+        [8.1, 47],
+        [8, 47],
+      ],
+    ]);
+  });
+
+  it('moves the middle of a circle with each click', () => {
+    const draft = withPoint(withPoint(newZone('circle'), HERE), { latitude: 48, longitude: 9 });
+    expect(draft.points).toEqual([{ latitude: 48, longitude: 9 }]);
+  });
+});
+
+describe('a zone on the map', () => {
+  it('draws circles as areas of their size', () => {
+    const north = Math.max(...ringOf(aZone()).map(([, latitude = 0]) => latitude));
+    expect((north - 47) * 111_195).toBeCloseTo(100, 3);
+    expect(zoneFeatures([aZone()]).features[0]?.properties).toEqual({ kind: 'exclusion', label: 'School' });
+  });
+
+  it('keeps an area in one piece across the date line', () => {
+    const zone: Zone = {
+      ...aZone(),
+      geometry: {
+        type: 'Polygon',
+        coordinates: [
+          [
+            [179.9, -17],
+            [-179.9, -17],
+            [-179.9, -16],
+            [179.9, -17],
+          ],
+        ],
+      },
+    };
+    expect(ringOf(zone)[1]?.[0]).toBeCloseTo(180.1, 6);
+  });
+
+  it('shows what is drawn so far', () => {
+    expect(zoneDraftFeatures(null).features).toHaveLength(0);
+    expect(zoneDraftFeatures(withPoint(newZone('polygon'), HERE)).features).toHaveLength(1);
+    expect(zoneDraftFeatures(withPoint(newZone('circle'), HERE)).features).toHaveLength(2);
+  });
+});
+
+describe('the list of zones', () => {
+  it('says in one line what a zone means', () => {
+    expect(zoneLine(aZone(), () => null)).toBe('keep out · at any height · on breach hold');
+    expect(
+      zoneLine(
+        aZone({ kind: 'inclusion', floor: 10, ceiling: 60, drone: 'd1', onBreach: 'land' }),
+        () => 'Eagle',
+      ),
+    ).toBe('stay in · 10 to 60 m above home · only Eagle · on breach land');
+  });
+
+  it('follows what the cloud says', () => {
+    const zones = new Zones(new ZoneCalls(vi.fn()));
+    zones.hear(aZone({ name: 'B' }));
+    zones.hear({ ...aZone({ name: 'A' }), id: 'z2' });
+    zones.hear(aZone({ name: 'C' }));
+    expect(zones.all.map((zone) => zone.properties.name)).toEqual(['A', 'C']);
+    zones.forget('z2');
+    expect(zones.all).toHaveLength(1);
+  });
+
+  it('keeps the draft when the cloud refuses it, and says why', async () => {
+    const zones = new Zones(new ZoneCalls(() => Promise.reject(new Error('no'))));
+    zones.draft = withPoint(newZone('circle'), HERE);
+    await zones.save();
+    expect(zones.draft).not.toBeNull();
+    expect(zones.problem).not.toBeNull();
+  });
+});
