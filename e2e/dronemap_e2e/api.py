@@ -14,6 +14,7 @@ class Api:
 
     def __init__(self, address: str, key: str | None = None) -> None:
         self.base = address + "/api/v1"
+        self.key = key
         self._session = requests.Session()
         if key:
             self._session.headers["Authorization"] = f"Bearer {key}"

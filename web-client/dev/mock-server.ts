@@ -4,8 +4,9 @@
 import { randomUUID } from 'node:crypto';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import { WebSocketServer, type WebSocket } from 'ws';
+import type { AccessKey } from '../src/api/access-keys';
 import type { Session } from '../src/api/accounts';
-import type { AccessKey, Command, CommandRequest, SavedMission } from '../src/api/types';
+import type { Command, CommandRequest, SavedMission } from '../src/api/types';
 import { MockAccounts, type Handler } from './mock-accounts';
 import { MockDrone } from './mock-drone';
 import { snapshotOf } from './mock-snapshot';
@@ -122,6 +123,20 @@ function changePassword(body: { next: string }): void {
   session = session && { ...session, mustChangePassword: false };
 }
 
+function newKey(given: Record<string, unknown>): AccessKey {
+  const days = given['days'] as number | undefined;
+  return {
+    id: randomUUID(),
+    label: String(given['label']),
+    role: session?.role ?? 'viewer',
+    operations: given['operations'] as AccessKey['operations'],
+    drones: (given['drones'] as string[] | undefined) ?? null,
+    expiresAt: days === undefined ? null : new Date(Date.now() + days * 86_400_000).toISOString(),
+    parent: null,
+    lastUsedAt: null,
+  };
+}
+
 function needSession(): Session {
   if (session === null) {
     throw new Refusal(401, 'Sign in first.');
@@ -136,6 +151,10 @@ const HANDLERS: Record<string, Handler> = {
     session = null;
   },
   'POST session/*': (body) => changePassword(body),
+  'POST access-keys/*/renew': (_, id) => ({
+    ...keys.find((key) => key.id === id),
+    key: `dmk_${randomUUID().replaceAll('-', '')}`,
+  }),
   ...accounts.handlers,
   'GET settings': () => ({
     streamPort,
@@ -161,7 +180,7 @@ function routeLists(method: string, list: string, id: string, body: unknown): un
     case 'GET access-keys':
       return { accessKeys: keys };
     case 'POST access-keys': {
-      const made = { id: randomUUID(), label: String(given['label']), role: 'operator' as const };
+      const made = newKey(given);
       keys = [...keys, made];
       return { ...made, key: `dmk_${randomUUID().replaceAll('-', '')}` };
     }

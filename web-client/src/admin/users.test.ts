@@ -23,7 +23,7 @@ describe('users', () => {
   it('shows who waits first, and lets them in', async () => {
     const station = show([user('ann'), user('carol', { role: 'viewer', state: 'waiting' })]);
     const change = vi.spyOn(station.rest.accounts, 'change').mockResolvedValue(user('carol'));
-    await screen.findByText('carol');
+    await screen.findByText('carol', { selector: 'strong' });
     const [first] = screen.getAllByRole('listitem');
     expect(first?.textContent).toContain('waits to be let in');
 

@@ -1,4 +1,5 @@
-import { AccountCalls, type Role, type Session } from './accounts';
+import { AccessKeyCalls } from './access-keys';
+import { AccountCalls, type Session } from './accounts';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint } from './endpoints';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
@@ -6,12 +7,10 @@ import type { ParameterFile, ParameterPage } from './parameters';
 import { Problem } from './problem';
 import type { RecordingPage } from './recordings';
 import type {
-  AccessKey,
   Command,
   CommandRequest,
   Drone,
   MissionItem,
-  NewAccessKey,
   ProblemBody,
   SavedMission,
   Settings,
@@ -28,6 +27,7 @@ type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
 export class RestClient {
   readonly #base: string;
   readonly #fetch: Fetch;
+  readonly accessKeys = new AccessKeyCalls((method, path, body) => this.#call(method, path, body));
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
   readonly zones = new ZoneCalls((method, path, body) => this.#call(method, path, body));
@@ -174,21 +174,6 @@ export class RestClient {
     return this.#call('DELETE', `/recordings/${encodeURIComponent(id)}?confirm=true`);
   }
 
-  async accessKeys(): Promise<AccessKey[]> {
-    return listOf(
-      await this.#call<{ accessKeys: AccessKey[] } | AccessKey[]>('GET', '/access-keys'),
-      'accessKeys',
-    );
-  }
-
-  createAccessKey(label: string, role: Role): Promise<NewAccessKey> {
-    return this.#call('POST', '/access-keys', { label, role });
-  }
-
-  revokeAccessKey(id: string): Promise<void> {
-    return this.#call('DELETE', `/access-keys/${encodeURIComponent(id)}`);
-  }
-
   async endpoints(): Promise<Endpoint[]> {
     return (await this.#call<{ endpoints: Endpoint[] }>('GET', '/endpoints')).endpoints;
   }
@@ -248,9 +233,4 @@ function problemFrom(status: number, text: string): ProblemBody {
     // A proxy in between may answer with a page instead of a problem.
     return { status, detail: `The cloud answered with status ${status}.` };
   }
-}
-
-/** Lists may come bare or under their name. */
-function listOf<K extends string, T>(answer: Record<K, T[]> | T[], key: K): T[] {
-  return Array.isArray(answer) ? answer : answer[key];
 }

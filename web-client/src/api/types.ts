@@ -4,17 +4,6 @@ import type { Role } from './accounts';
 import type { Control } from './control';
 import type { Zone } from './zones';
 
-export interface AccessKey {
-  id: string;
-  label: string;
-  role: Role;
-}
-
-/** What creating a key answers: the key itself is shown this once and never again. */
-export interface NewAccessKey extends AccessKey {
-  key: string;
-}
-
 /** `ended`: the recording that it comes from has been played to its end. */
 export type LinkState = 'live' | 'suspect' | 'lost' | 'ended';
 

@@ -1,6 +1,20 @@
 package org.dronemap.core.access;
 
 import java.time.Instant;
+import org.jspecify.annotations.Nullable;
 
-/** A key for programs; the secret only as a SHA-256 hash (hexadecimal), since it is 256 random bits. */
-public record AccessKey(String id, String label, String owner, Role role, String secretHash, Instant createdAt) {}
+/**
+ * A key for programs; the secret only as a SHA-256 hash (hexadecimal), since it is 256 random bits.
+ *
+ * @param parent the key that it was made with, and goes with; null: its owner made it
+ * @param lastUsedAt to about a minute; null: not used yet
+ */
+public record AccessKey(
+        String id,
+        String label,
+        String owner,
+        @Nullable String parent,
+        KeyRights rights,
+        String secretHash,
+        Instant createdAt,
+        @Nullable Instant lastUsedAt) {}

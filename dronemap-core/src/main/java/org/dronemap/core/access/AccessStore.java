@@ -32,9 +32,16 @@ public interface AccessStore {
 
     Optional<AccessKey> accessKey(String secretHash);
 
+    /** Its parent, when it has one, must be there. */
     void addAccessKey(AccessKey key);
 
-    /** True when that owner had such a key. */
+    /** The same key with another secret; true when that owner had such a key. */
+    boolean replaceSecret(String owner, String id, String secretHash);
+
+    /** An earlier time than the one kept, or a key that is gone, changes nothing. */
+    void accessKeyUsed(String id, Instant at);
+
+    /** With all keys made from it; true when that owner had such a key. */
     boolean deleteAccessKey(String owner, String id);
 
     /** Those that have not expired at {@code now}, the one that expires first before the others. */

@@ -137,7 +137,7 @@ public final class CommandGate {
 
     /** Why this principal cannot give that command now; empty when it can. */
     public Optional<String> whyNot(Principal principal, DroneState drone, Command command) {
-        return RoleRules.whyNot(principal.role(), drone, command.needs())
+        return RoleRules.whyNot(principal, drone, command.needs())
                 .or(() -> CommandRules.whyNot(drone, command))
                 .or(() -> zones.whyNot(principal.name(), drone, command, clock.instant()));
     }

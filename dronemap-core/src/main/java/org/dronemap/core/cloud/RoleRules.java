@@ -3,11 +3,12 @@ package org.dronemap.core.cloud;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 
-/** Which kinds of commands a role may give; the same sentences serve the gate and every page that greys a button. */
+/** Who may give which kinds of commands; the same sentences serve the gate and every page that greys a button. */
 public final class RoleRules {
     private static final String MAY_NOT_COMMAND =
             "Your role may look, not command; ask an administrator for the operator role.";
@@ -16,24 +17,35 @@ public final class RoleRules {
     private static final String ONLY_ON_THE_GROUND =
             "A planner may change what a drone carries only while it is known to be disarmed.";
 
+    private static final String OTHER_DRONES = "This access key is for other drones.";
+    private static final String KEY_MAY_NOT_PLAN = "This access key may not change missions, fences or rally points.";
+    private static final String KEY_MAY_NOT_COMMAND = "This access key may not command.";
+
     /** What prepares a flight and moves nothing. */
     private static final Set<Capability> PLANNING =
             EnumSet.of(Capability.UPLOAD_MISSION, Capability.CLEAR_MISSION, Capability.FENCE, Capability.RALLY_POINTS);
 
     private RoleRules() {}
 
-    /** Why this role may not give a command of this kind to that drone now; empty when it may. */
-    public static Optional<String> whyNot(Role role, DroneState drone, Capability capability) {
-        if (role.includes(Role.OPERATOR)) {
-            return Optional.empty();
+    /** Why this one may not give a command of this kind to that drone now; empty when it may. */
+    public static Optional<String> whyNot(Principal principal, DroneState drone, Capability capability) {
+        if (!principal.sees(drone.id())) {
+            return Optional.of(OTHER_DRONES);
         }
-        if (!role.includes(Role.PLANNER)) {
-            return Optional.of(MAY_NOT_COMMAND);
-        }
-        if (!PLANNING.contains(capability)) {
-            return Optional.of(MAY_ONLY_PLAN);
+        boolean planning = PLANNING.contains(capability);
+        if (!principal.may(planning ? Role.PLANNER : Role.OPERATOR)) {
+            return Optional.of(lacking(principal, planning));
         }
         // A drone in AUTO may be flying the very mission that is overwritten.
-        return Boolean.FALSE.equals(drone.armed()) ? Optional.empty() : Optional.of(ONLY_ON_THE_GROUND);
+        return principal.may(Role.OPERATOR) || Boolean.FALSE.equals(drone.armed())
+                ? Optional.empty()
+                : Optional.of(ONLY_ON_THE_GROUND);
+    }
+
+    private static String lacking(Principal principal, boolean planning) {
+        if (principal.role().includes(planning ? Role.PLANNER : Role.OPERATOR)) {
+            return planning ? KEY_MAY_NOT_PLAN : KEY_MAY_NOT_COMMAND;
+        }
+        return principal.role().includes(Role.PLANNER) ? MAY_ONLY_PLAN : MAY_NOT_COMMAND;
     }
 }

@@ -7,6 +7,9 @@ import java.util.EnumSet;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
@@ -59,8 +62,37 @@ class RoleRulesTest {
         assertThat(allowed(Role.PLANNER, true)).isEmpty();
     }
 
-    /** What that role may ask of a drone that said whether it is armed, or, by null, has not. */
+    @Test
+    void letsKeysOfOperatorsDoOnlyTheOperationsThatTheyAreFor() {
+        EnumSet<Capability> planning = EnumSet.of(
+                Capability.UPLOAD_MISSION, Capability.CLEAR_MISSION, Capability.FENCE, Capability.RALLY_POINTS);
+
+        assertThat(allowed(byKey(null, Permission.VIEW), false)).isEmpty();
+        assertThat(allowed(byKey(null, Permission.PLAN), false)).isEqualTo(planning);
+        assertThat(allowed(byKey(null, Permission.PLAN), true)).isEmpty();
+        assertThat(allowed(byKey(null, Permission.COMMAND), true)).isEqualTo(EnumSet.complementOf(planning));
+        assertThat(allowed(byKey(null, Permission.PLAN, Permission.COMMAND), true))
+                .containsExactlyInAnyOrder(Capability.values());
+    }
+
+    @Test
+    void letsKeysCommandOnlyTheirDrones() {
+        assertThat(allowed(byKey(Set.of(new DroneId("drone")), Permission.COMMAND), true))
+                .isNotEmpty();
+        assertThat(allowed(byKey(Set.of(new DroneId("another")), Permission.COMMAND), true))
+                .isEmpty();
+    }
+
+    private static Principal byKey(@Nullable Set<DroneId> drones, Permission... permissions) {
+        return new Principal("ann", Role.OPERATOR, new KeyScope(drones, Set.of(permissions)), "key");
+    }
+
     private Set<Capability> allowed(Role role, @Nullable Boolean armed) {
+        return allowed(new Principal("one", role), armed);
+    }
+
+    /** What that one may ask of a drone that said whether it is armed, or, by null, has not. */
+    private Set<Capability> allowed(Principal principal, @Nullable Boolean armed) {
         LinkSession session = new LinkSession(
                 new DroneKey("127.0.0.1", 14_601, 1), "udp", false, "ArduCopter 1", new Fixtures.RecordingChannel());
         DroneLink link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
@@ -75,7 +107,7 @@ class RoleRulesTest {
         DroneState drone = cloud.drone(link.id()).orElseThrow();
         EnumSet<Capability> allowed = EnumSet.noneOf(Capability.class);
         for (Capability capability : Capability.values()) {
-            if (RoleRules.whyNot(role, drone, capability).isEmpty()) {
+            if (RoleRules.whyNot(principal, drone, capability).isEmpty()) {
                 allowed.add(capability);
             }
         }

@@ -1,7 +1,9 @@
 package org.dronemap.store.memory;
 
 import java.time.Instant;
+import java.util.ArrayDeque;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,11 +12,13 @@ import java.util.TreeMap;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Invitation;
+import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
 import org.dronemap.store.SignInLimit;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
+import org.jspecify.annotations.Nullable;
 
 /** Users, sessions and keys in memory. Thread-safe: every method holds the object's lock. */
 public final class MemoryAccessStore implements AccessStore {
@@ -107,21 +111,60 @@ public final class MemoryAccessStore implements AccessStore {
         if (keys.containsKey(key.id()) || accessKey(key.secretHash()).isPresent()) {
             throw new StoreException("That access key exists already.");
         }
-        keys.put(
+        if (key.parent() != null && !keys.containsKey(key.parent())) {
+            throw new StoreException("The access key that it is made from is not there.");
+        }
+        keys.put(key.id(), stored(key, key.secretHash(), key.lastUsedAt()));
+    }
+
+    @Override
+    public synchronized boolean replaceSecret(String owner, String id, String secretHash) {
+        AccessKey key = keys.get(id);
+        if (key == null || !key.owner().equals(owner)) {
+            return false;
+        }
+        keys.put(id, stored(key, secretHash, key.lastUsedAt()));
+        return true;
+    }
+
+    @Override
+    public synchronized void accessKeyUsed(String id, Instant at) {
+        AccessKey key = keys.get(id);
+        if (key != null && (key.lastUsedAt() == null || key.lastUsedAt().isBefore(at))) {
+            keys.put(id, stored(key, key.secretHash(), at));
+        }
+    }
+
+    private static AccessKey stored(AccessKey key, String secretHash, @Nullable Instant lastUsedAt) {
+        KeyRights rights = key.rights();
+        return new AccessKey(
                 key.id(),
-                new AccessKey(
-                        key.id(),
-                        key.label(),
-                        key.owner(),
-                        key.role(),
-                        key.secretHash(),
-                        StoredInstant.of(key.createdAt())));
+                key.label(),
+                key.owner(),
+                key.parent(),
+                new KeyRights(rights.role(), rights.scope(), storedOrNull(rights.expiresAt())),
+                secretHash,
+                StoredInstant.of(key.createdAt()),
+                storedOrNull(lastUsedAt));
+    }
+
+    private static @Nullable Instant storedOrNull(@Nullable Instant time) {
+        return time == null ? null : StoredInstant.of(time);
     }
 
     @Override
     public synchronized boolean deleteAccessKey(String owner, String id) {
         AccessKey key = keys.get(id);
-        return key != null && key.owner().equals(owner) && keys.remove(id, key);
+        if (key == null || !key.owner().equals(owner)) {
+            return false;
+        }
+        Deque<String> going = new ArrayDeque<>(List.of(id));
+        while (!going.isEmpty()) {
+            String next = going.remove();
+            keys.remove(next);
+            keys.values().stream().filter(child -> next.equals(child.parent())).forEach(child -> going.add(child.id()));
+        }
+        return true;
     }
 
     @Override

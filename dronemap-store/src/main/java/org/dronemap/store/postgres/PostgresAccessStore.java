@@ -9,6 +9,7 @@ import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Invitation;
+import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
@@ -105,9 +106,42 @@ public final class PostgresAccessStore implements AccessStore {
 
     @Override
     public void addAccessKey(AccessKey key) {
-        sql.update("""
-                INSERT INTO access_key (id, label, account_name, role, secret_hash, created_at)
-                VALUES (?, ?, ?, ?, ?, ?)""", key.id(), key.label(), key.owner(), key.role(), key.secretHash(), key.createdAt());
+        KeyRights rights = key.rights();
+        sql.update(
+                """
+                INSERT INTO access_key (id, label, account_name, parent, role, drones, permissions, expires_at,
+                    secret_hash, created_at, last_used_at)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)""",
+                key.id(),
+                key.label(),
+                key.owner(),
+                key.parent(),
+                rights.role(),
+                KeyScopeText.drones(rights.scope()),
+                KeyScopeText.permissions(rights.scope()),
+                rights.expiresAt(),
+                key.secretHash(),
+                key.createdAt(),
+                key.lastUsedAt());
+    }
+
+    @Override
+    public boolean replaceSecret(String owner, String id, String secretHash) {
+        return sql.update(
+                        "UPDATE access_key SET secret_hash = ? WHERE account_name = ? AND id = ?",
+                        secretHash,
+                        owner,
+                        id)
+                > 0;
+    }
+
+    @Override
+    public void accessKeyUsed(String id, Instant at) {
+        sql.update(
+                "UPDATE access_key SET last_used_at = ? WHERE id = ? AND (last_used_at IS NULL OR last_used_at < ?)",
+                at,
+                id,
+                at);
     }
 
     @Override
@@ -197,8 +231,13 @@ public final class PostgresAccessStore implements AccessStore {
                 row.text("id"),
                 row.text("label"),
                 row.text("account_name"),
-                row.name("role", Role.class),
+                row.textOrNull("parent"),
+                new KeyRights(
+                        row.name("role", Role.class),
+                        KeyScopeText.scope(row.textOrNull("drones"), row.text("permissions")),
+                        row.timeOrNull("expires_at")),
                 row.text("secret_hash"),
-                row.time("created_at"));
+                row.time("created_at"),
+                row.timeOrNull("last_used_at"));
     }
 }

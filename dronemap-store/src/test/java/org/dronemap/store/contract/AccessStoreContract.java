@@ -4,15 +4,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Instant;
+import java.util.Set;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Invitation;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.store.SignInLimit;
 import org.dronemap.store.StoreException;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -147,6 +153,62 @@ public abstract class AccessStoreContract {
     }
 
     @Test
+    void keepsHowFarAKeyReachesAndUntilWhen() {
+        store.addUser(ALICE);
+        KeyScope one = new KeyScope(Set.of(new DroneId("d1"), new DroneId("d2")), Set.of(Permission.PLAN));
+        KeyScope none = new KeyScope(Set.of(), Set.of(Permission.values()));
+        AccessKey root = key("k1", "alice", null, new KeyRights(Role.PLANNER, one, NOW.plusSeconds(60)), "s1");
+        AccessKey child = key("k2", "alice", "k1", new KeyRights(Role.VIEWER, none, null), "s2");
+        store.addAccessKey(root);
+        store.addAccessKey(child);
+
+        assertThat(store.accessKey("s1")).contains(root);
+        assertThat(store.accessKey("s2")).contains(child);
+        assertThatThrownBy(() -> store.addAccessKey(key("k3", "alice", "gone", child.rights(), "s3")))
+                .isInstanceOf(StoreException.class);
+    }
+
+    @Test
+    void givesAKeyAnotherSecret() {
+        store.addUser(ALICE);
+        store.addUser(BOB);
+        store.addAccessKey(key("k1", "alice", "old"));
+
+        assertThat(store.replaceSecret("bob", "k1", "stolen")).isFalse();
+        assertThat(store.replaceSecret("alice", "k1", "new")).isTrue();
+
+        assertThat(store.accessKey("old")).isEmpty();
+        assertThat(store.accessKey("stolen")).isEmpty();
+        assertThat(store.accessKey("new")).contains(key("k1", "alice", "new"));
+    }
+
+    @Test
+    void remembersTheLastUseOfAKey() {
+        store.addUser(ALICE);
+        store.addAccessKey(key("k1", "alice", "secret"));
+
+        store.accessKeyUsed("k1", NOW.plusSeconds(60));
+        store.accessKeyUsed("k1", NOW);
+        store.accessKeyUsed("gone", NOW);
+
+        assertThat(store.accessKey("secret").orElseThrow().lastUsedAt()).isEqualTo(NOW.plusSeconds(60));
+    }
+
+    @Test
+    void removesAKeyWithAllThatWereMadeFromIt() {
+        store.addUser(ALICE);
+        KeyRights rights = new KeyRights(Role.VIEWER, KeyScope.ALL, null);
+        store.addAccessKey(key("k1", "alice", "one"));
+        store.addAccessKey(key("k2", "alice", "k1", rights, "two"));
+        store.addAccessKey(key("k3", "alice", "k2", rights, "three"));
+        store.addAccessKey(key("k4", "alice", "four"));
+
+        assertThat(store.deleteAccessKey("alice", "k1")).isTrue();
+
+        assertThat(store.accessKeys("alice")).extracting(AccessKey::id).containsExactly("k4");
+    }
+
+    @Test
     void takesEveryRoleAndState() {
         for (Role role : Role.values()) {
             User user = new User("u-" + role, role, AccountState.WAITING, "h", false);
@@ -195,6 +257,11 @@ public abstract class AccessStoreContract {
     }
 
     private static AccessKey key(String id, String owner, String secretHash) {
-        return new AccessKey(id, "script of " + owner, owner, Role.OPERATOR, secretHash, NOW);
+        return key(id, owner, null, new KeyRights(Role.OPERATOR, KeyScope.ALL, null), secretHash);
+    }
+
+    private static AccessKey key(
+            String id, String owner, @Nullable String parent, KeyRights rights, String secretHash) {
+        return new AccessKey(id, "script of " + owner, owner, parent, rights, secretHash, NOW, null);
     }
 }

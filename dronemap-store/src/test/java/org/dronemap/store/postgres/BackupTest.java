@@ -14,11 +14,15 @@ import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import java.util.zip.ZipOutputStream;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
@@ -69,7 +73,15 @@ class BackupTest {
             AT,
             17L);
     private static final User ALICE = new User("alice", Role.ADMINISTRATOR, AccountState.ACTIVE, "salt$hash", false);
-    private static final AccessKey KEY = new AccessKey("k1", "script", "alice", Role.OPERATOR, "secret", AT);
+    private static final AccessKey KEY = new AccessKey(
+            "k1",
+            "script",
+            "alice",
+            null,
+            new KeyRights(Role.OPERATOR, new KeyScope(Set.of(DRONE.id()), Set.of(Permission.COMMAND)), AT),
+            "secret",
+            AT,
+            AT);
 
     @TempDir
     private Path temporary;

@@ -6,6 +6,8 @@ import java.net.URI;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.AccessKeyService;
+import org.dronemap.ws.service.KeyRequest;
+import org.dronemap.ws.service.KeyView;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -26,7 +28,7 @@ public class AccessKeyController {
     private final CurrentPrincipal current;
 
     /** All keys of the caller. */
-    public record Keys(List<AccessKeyService.KeyView> accessKeys) {}
+    public record Keys(List<KeyView> accessKeys) {}
 
     public AccessKeyController(AccessKeyService keys, CurrentPrincipal current) {
         this.keys = keys;
@@ -40,16 +42,29 @@ public class AccessKeyController {
     }
 
     @PostMapping
-    @Operation(summary = "Make an access key", description = "The key itself is in this answer and never shown again.")
-    public ResponseEntity<AccessKeyService.KeyView> addKey(@RequestBody AccessKeyService.KeyRequest request) {
-        AccessKeyService.KeyView key = keys.addKey(current.principal(), request);
+    @Operation(
+            summary = "Make an access key",
+            description =
+                    "The key itself is in this answer and never shown again. What is left out is as wide as you are;"
+                            + " made with a key, it stays within that key and goes with it.")
+    public ResponseEntity<KeyView> addKey(@RequestBody KeyRequest request) {
+        KeyView key = keys.addKey(current.principal(), request);
         return ResponseEntity.created(URI.create("/api/v1/access-keys/" + key.id()))
                 .body(key);
     }
 
+    @PostMapping("/{id}/renew")
+    @Operation(
+            summary = "Renew an access key",
+            description = "The same key with a new secret, which is in this answer and never shown again; the old one"
+                    + " is void at once. Keys made from it stay.")
+    public KeyView renew(@PathVariable String id) {
+        return keys.renew(current.principal(), id);
+    }
+
     @DeleteMapping("/{id}")
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "Remove one of one's own access keys")
+    @Operation(summary = "Remove one of one's own access keys, with those made from it")
     public void deleteKey(@PathVariable String id) {
         keys.deleteKey(current.principal(), id);
     }

@@ -34,8 +34,7 @@ public class FenceController {
     @GetMapping("/fence")
     @Operation(summary = "Look at the fence", description = "As last read from the vehicle; null until it first was.")
     public FenceView fence(@PathVariable String id) {
-        current.requireSignedIn();
-        return fences.fence(id);
+        return fences.fence(current.principal(), id);
     }
 
     @PostMapping("/fence/refresh")
@@ -59,8 +58,7 @@ public class FenceController {
     @GetMapping("/rally-points")
     @Operation(summary = "Look at the rally points", description = "As last read; null until they first were.")
     public FenceView.RallyView rallyPoints(@PathVariable String id) {
-        current.requireSignedIn();
-        return fences.rallyPoints(id);
+        return fences.rallyPoints(current.principal(), id);
     }
 
     @PostMapping("/rally-points/refresh")

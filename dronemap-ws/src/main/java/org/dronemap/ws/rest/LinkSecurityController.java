@@ -35,7 +35,7 @@ public class LinkSecurityController {
     @GetMapping("/link-security")
     @Operation(summary = "Look at how a drone's link is secured, and what was refused")
     public LinkSecurityView look(@PathVariable String id) {
-        return links.look(id);
+        return links.look(current.principal(), id);
     }
 
     @PutMapping("/link-security")

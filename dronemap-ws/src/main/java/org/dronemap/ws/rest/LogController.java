@@ -38,8 +38,7 @@ public class LogController {
     @GetMapping
     @Operation(summary = "List the logs on board", description = "As last listed; null until they first were.")
     public LogsView logs(@PathVariable String id) {
-        current.requireSignedIn();
-        return logs.logs(id);
+        return logs.logs(current.principal(), id);
     }
 
     @PostMapping("/refresh")
@@ -60,8 +59,7 @@ public class LogController {
     @GetMapping("/{number}/file")
     @Operation(summary = "Save a log that was fetched")
     public ResponseEntity<Resource> file(@PathVariable String id, @PathVariable int number) {
-        current.requireSignedIn();
-        Path file = logs.file(id, number);
+        Path file = logs.file(current.principal(), id, number);
         return ResponseEntity.ok()
                 .contentType(MediaType.APPLICATION_OCTET_STREAM)
                 .header(

@@ -6,12 +6,14 @@ import io.swagger.v3.oas.annotations.Hidden;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import org.dronemap.core.access.Role;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.Roles;
 import org.dronemap.ws.service.ServerMetrics;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RestController;
 
-/** Metrics as Prometheus reads them; any access key will do, a viewer's is enough. */
+/** Metrics as Prometheus reads them; a viewer's access key for all drones is enough. */
 @RestController
 @Hidden
 public class MetricsController {
@@ -27,7 +29,7 @@ public class MetricsController {
 
     @GetMapping("/metrics")
     public void metrics(HttpServletResponse response) throws IOException {
-        current.requireSignedIn();
+        Roles.requireForAll(current.principal(), Role.VIEWER);
         MetricSnapshots now = metrics.now();
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         WRITER.write(text, now);

@@ -50,8 +50,7 @@ public class ParameterController {
             @PathVariable String id,
             @Parameter(description = "Words that the name has in it") @RequestParam(required = false) @Nullable
                     String search) {
-        current.requireSignedIn();
-        return parameters.parameters(id, search);
+        return parameters.parameters(current.principal(), id, search);
     }
 
     @PostMapping("/refresh")
@@ -80,8 +79,7 @@ public class ParameterController {
             summary = "Save the parameters as a file",
             description = "form: list (the default; Mission Planner, MAVProxy) or table (QGroundControl).")
     public ResponseEntity<String> file(@PathVariable String id, @RequestParam(required = false) @Nullable String form) {
-        current.requireSignedIn();
-        String text = parameters.file(id, form);
+        String text = parameters.file(current.principal(), id, form);
         String name = id + ("table".equals(form) ? ".params" : ".param");
         return ResponseEntity.ok()
                 .contentType(new MediaType(MediaType.TEXT_PLAIN, StandardCharsets.UTF_8))

@@ -42,15 +42,13 @@ public class RecordingController {
     public RecordingView.Page recordings(
             @Parameter(description = "only those of this drone") @RequestParam(required = false) @Nullable
                     String drone) {
-        current.requireSignedIn();
-        return recordings.recordings(drone);
+        return recordings.recordings(current.principal(), drone);
     }
 
     @GetMapping("/{id}")
     @Operation(summary = "Look at one recording")
     public RecordingView recording(@PathVariable String id) {
-        current.requireSignedIn();
-        return recordings.recording(id);
+        return recordings.recording(current.principal(), id);
     }
 
     @GetMapping("/{id}/file")
@@ -60,8 +58,7 @@ public class RecordingController {
                     + " read it.")
     public void file(@PathVariable String id, @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        current.requireSignedIn();
-        RecordingService.Download download = recordings.download(id);
+        RecordingService.Download download = recordings.download(current.principal(), id);
         try (InputStream in = Files.newInputStream(download.file())) {
             // The length of now: a flight that goes on makes the file longer while it is sent.
             long length = Files.size(download.file());

@@ -56,15 +56,13 @@ public class ReplayController {
     @GetMapping
     @Operation(summary = "List the replays")
     public Replays replays() {
-        current.requireSignedIn();
-        return new Replays(replays.replays());
+        return new Replays(replays.replays(current.principal()));
     }
 
     @GetMapping("/{id}")
     @Operation(summary = "Look at one replay")
     public ReplayView replay(@PathVariable String id) {
-        current.requireSignedIn();
-        return replays.replay(id);
+        return replays.replay(current.principal(), id);
     }
 
     @DeleteMapping("/{id}")

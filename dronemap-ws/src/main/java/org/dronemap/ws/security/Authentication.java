@@ -5,7 +5,9 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Comparator;
 import java.util.Optional;
+import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
@@ -27,7 +29,8 @@ public final class Authentication {
     private static final String WRONG = "The name or the password is not right.";
     private static final String PASSWORD_SEEN =
             "Somebody else has seen your password; take one of your own first, then everything works.";
-    private static final String WRONG_KEY = "The access key is not valid; it may have been removed.";
+    private static final String WRONG_KEY =
+            "The access key is not valid; it may have been removed, renewed or expired.";
 
     private final AccessStore store;
     private final PasswordHashing passwords;
@@ -35,6 +38,7 @@ public final class Authentication {
     private final Clock clock;
     private final SignInThrottle throttle;
     private final FirstPassword firstPassword;
+    private final KeyUses keyUses;
     private final String localKeyHash;
     private final String nobodysHash;
 
@@ -59,6 +63,7 @@ public final class Authentication {
         this.firstPassword = firstPassword;
         this.clock = clock;
         this.throttle = new SignInThrottle(clock);
+        this.keyUses = new KeyUses(store, clock);
         this.nobodysHash = passwords.hash(secrets.token());
     }
 
@@ -92,7 +97,12 @@ public final class Authentication {
 
     /** A key never does more than its owner may now. */
     public SignedIn byKey(String key) {
-        return byKeyHash(Secrets.hash(key)).orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+        SignedIn caller = byKeyHash(Secrets.hash(key)).orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+        String id = caller.principal().key();
+        if (id != null) {
+            keyUses.used(id);
+        }
+        return caller;
     }
 
     /** The same caller as things are now, for what stays open; empty when the proof is good no longer. */
@@ -101,7 +111,7 @@ public final class Authentication {
         if (hash == null) {
             return store.user(caller.principal().name())
                     .filter(User::isActive)
-                    .map(user -> signedIn(user, user.role(), SignedIn.Proof.PASSWORD, null, null));
+                    .map(user -> signedIn(user, SignedIn.Proof.PASSWORD, null, null));
         }
         return caller.proof() == SignedIn.Proof.SESSION ? bySessionHash(hash) : byKeyHash(hash);
     }
@@ -110,7 +120,7 @@ public final class Authentication {
         return store.signIn(hash, clock.instant())
                 .flatMap(signIn -> store.user(signIn.user())
                         .filter(User::isActive)
-                        .map(user -> signedIn(user, user.role(), SignedIn.Proof.SESSION, hash, signIn.expiresAt())));
+                        .map(user -> signedIn(user, SignedIn.Proof.SESSION, hash, signIn.expiresAt())));
     }
 
     private Optional<SignedIn> byKeyHash(String hash) {
@@ -119,20 +129,19 @@ public final class Authentication {
             return Optional.of(new SignedIn(owner, SignedIn.Proof.KEY, hash, null, false));
         }
         return store.accessKey(hash)
-                .flatMap(found -> store.user(found.owner())
-                        .filter(User::isActive)
-                        .map(owner -> signedIn(
-                                owner,
-                                owner.role().includes(found.role()) ? found.role() : owner.role(),
-                                SignedIn.Proof.KEY,
-                                hash,
-                                null)));
+                .filter(key -> !key.rights().isOver(clock.instant()))
+                .flatMap(key -> store.user(key.owner()).filter(User::isActive).map(owner -> byKey(key, owner)));
     }
 
-    private static SignedIn signedIn(
-            User user, Role role, SignedIn.Proof proof, @Nullable String hash, @Nullable Instant until) {
-        boolean passwordSeen = user.mustChangePassword() && proof != SignedIn.Proof.KEY;
-        return new SignedIn(new Principal(user.name(), role), proof, hash, until, passwordSeen);
+    private static SignedIn byKey(AccessKey key, User owner) {
+        KeyRights rights = key.rights();
+        Role role = owner.role().includes(rights.role()) ? rights.role() : owner.role();
+        Principal principal = new Principal(owner.name(), role, rights.scope(), key.id());
+        return new SignedIn(principal, SignedIn.Proof.KEY, key.secretHash(), rights.expiresAt(), false);
+    }
+
+    private static SignedIn signedIn(User user, SignedIn.Proof proof, @Nullable String hash, @Nullable Instant until) {
+        return new SignedIn(new Principal(user.name(), user.role()), proof, hash, until, user.mustChangePassword());
     }
 
     /** Whoever owns the machine acts as its first administrator. */
@@ -146,7 +155,7 @@ public final class Authentication {
 
     public SignedIn byPassword(String name, String password, String address) {
         User user = check(new Credentials(name, password), address);
-        return signedIn(user, user.role(), SignedIn.Proof.PASSWORD, null, null);
+        return signedIn(user, SignedIn.Proof.PASSWORD, null, null);
     }
 
     /**

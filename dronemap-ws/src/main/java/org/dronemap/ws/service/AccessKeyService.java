@@ -2,33 +2,31 @@ package org.dronemap.ws.service;
 
 import java.time.Clock;
 import java.time.Instant;
-import java.time.temporal.ChronoUnit;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.UUID;
+import java.util.stream.Collectors;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** Access keys of users, for programs. Any thread. */
+/**
+ * Access keys of users, for programs. Who comes by a key sees, makes, renews and removes only what was made from it.
+ * Any thread.
+ */
 public final class AccessKeyService {
+    private static final int MOST_OF_ONE_OWNER = 200;
+
     private final AccessStore store;
     private final Accounts accounts;
     private final Secrets secrets;
     private final Clock clock;
-
-    /** A new access key as its owner asks for it; the role is the owner's own unless a lesser one is named. */
-    public record KeyRequest(
-            @Nullable String label, @Nullable String role) {}
-
-    /** An access key as its owner sees it; the key itself is there once, in the answer that made it. */
-    public record KeyView(
-            String id,
-            String label,
-            String role,
-            Instant createdAt,
-            @Nullable String key) {}
 
     public AccessKeyService(AccessStore store, Accounts accounts, Secrets secrets, Clock clock) {
         this.store = store;
@@ -38,45 +36,117 @@ public final class AccessKeyService {
     }
 
     public List<KeyView> keys(Principal principal) {
+        Set<String> within = within(principal);
         return store.accessKeys(principal.name()).stream()
-                .map(key -> view(key, null))
+                .filter(key -> within.contains(key.id()))
+                .map(key -> KeyView.of(key, null))
                 .toList();
     }
 
+    /** A key made with a key stays within it, and goes with it. */
     public KeyView addKey(Principal principal, KeyRequest request) {
         if (store.user(principal.name()).isEmpty()) {
             throw Rejection.forbidden("Only a user can own access keys; sign in as one.");
         }
-        Role role = request.role() == null ? principal.role() : Roles.named(request.role());
-        if (!principal.role().includes(role)) {
-            throw Rejection.forbidden(
-                    "A key cannot do more than its owner, who is " + WireNames.camel(principal.role()) + ".");
+        if (store.accessKeys(principal.name()).size() >= MOST_OF_ONE_OWNER) {
+            throw Rejection.conflict("You have " + MOST_OF_ONE_OWNER + " access keys; remove some first.");
         }
+        Instant now = clock.instant();
+        KeyRights widest = widest(principal);
+        KeyRights rights = request.rights(widest, now);
+        rights.beyond(widest).ifPresent(excess -> {
+            throw Rejection.forbidden(sentence(excess, principal));
+        });
         String secret = secrets.token();
         AccessKey key = new AccessKey(
                 UUID.randomUUID().toString(),
                 Names.checked("label", request.label(), 60),
                 principal.name(),
-                role,
+                principal.key(),
+                rights,
                 Secrets.hash(secret),
-                clock.instant());
+                now,
+                null);
         store.addAccessKey(key);
-        return view(key, secret);
+        return KeyView.of(key, secret);
     }
 
+    /** The same key with a new secret; the old one is void at once, keys made from it stay. */
+    public KeyView renew(Principal principal, String id) {
+        AccessKey key = find(principal, id);
+        String secret = secrets.token();
+        if (!store.replaceSecret(principal.name(), id, Secrets.hash(secret))) {
+            throw Rejection.unknown("access key", id);
+        }
+        accounts.tell(principal.name());
+        return KeyView.of(key, secret);
+    }
+
+    /** With all keys that were made from it. */
     public void deleteKey(Principal principal, String id) {
+        find(principal, id);
         if (!store.deleteAccessKey(principal.name(), id)) {
             throw Rejection.unknown("access key", id);
         }
         accounts.tell(principal.name());
     }
 
-    private static KeyView view(AccessKey key, @Nullable String secret) {
-        return new KeyView(
-                key.id(),
-                key.label(),
-                WireNames.camel(key.role()),
-                key.createdAt().truncatedTo(ChronoUnit.MILLIS),
-                secret);
+    private AccessKey find(Principal principal, String id) {
+        Set<String> within = within(principal);
+        return store.accessKeys(principal.name()).stream()
+                .filter(key -> key.id().equals(id) && within.contains(id))
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown("access key", id));
+    }
+
+    /** The key that was shown and all made from it; without one, all of the user's. */
+    private Set<String> within(Principal principal) {
+        List<AccessKey> all = store.accessKeys(principal.name());
+        Set<String> within = new LinkedHashSet<>();
+        String shown = principal.key();
+        if (shown == null) {
+            all.forEach(key -> within.add(key.id()));
+            return within;
+        }
+        Deque<String> next = new ArrayDeque<>(List.of(shown));
+        while (!next.isEmpty()) {
+            String parent = next.remove();
+            if (within.add(parent)) {
+                all.stream().filter(key -> parent.equals(key.parent())).forEach(key -> next.add(key.id()));
+            }
+        }
+        return within;
+    }
+
+    private KeyRights widest(Principal principal) {
+        return new KeyRights(principal.role(), principal.scope(), expiry(principal));
+    }
+
+    private @Nullable Instant expiry(Principal principal) {
+        return store.accessKeys(principal.name()).stream()
+                .filter(key -> key.id().equals(principal.key()))
+                .findFirst()
+                .map(key -> key.rights().expiresAt())
+                .orElse(null);
+    }
+
+    private static String sentence(KeyRights.Excess excess, Principal principal) {
+        return switch (excess) {
+            case ROLE -> "A key cannot do more than its owner, who is " + WireNames.camel(principal.role()) + ".";
+            case DRONES -> "A key made with this one cannot reach drones other than " + drones(principal) + ".";
+            case PERMISSIONS -> "A key made with this one can do no more than " + operations(principal) + ".";
+            case EXPIRY -> "A key made with this one cannot last longer than it.";
+        };
+    }
+
+    private static String drones(Principal principal) {
+        Set<DroneId> drones = principal.scope().drones();
+        return drones == null
+                ? "all"
+                : drones.stream().map(DroneId::value).sorted().collect(Collectors.joining(", "));
+    }
+
+    private static String operations(Principal principal) {
+        return principal.scope().permissions().stream().map(WireNames::camel).collect(Collectors.joining(", "));
     }
 }

@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.User;
 import org.jspecify.annotations.Nullable;
@@ -47,6 +48,9 @@ public final class AccountService {
 
     /** Ends every session of the user, this one, too, with their open streams; access keys stay. */
     public void signOutEverywhere(Principal principal) {
+        if (!principal.scope().equals(KeyScope.ALL)) {
+            throw Rejection.forbidden("A limited access key ends no sessions; sign in to do this.");
+        }
         store.deleteOtherSignIns(principal.name(), "");
         accounts.tell(principal.name());
     }

@@ -40,8 +40,8 @@ public final class BroadcastService {
             throw new InvalidInput("command.id", "left out", "The id of a command for several stands beside it.");
         }
         String id = id(request.id());
-        List<String> targets = targets(request.drones());
-        checkForAll(targets, command);
+        List<String> targets = targets(principal, request.drones());
+        checkForAll(principal, targets, command);
         List<BroadcastView.Result> results = new ArrayList<>();
         for (String drone : targets) {
             results.add(one(principal, face, drone, command.withId(idFor(id, drone))));
@@ -50,21 +50,21 @@ public final class BroadcastService {
     }
 
     private BroadcastView.Result one(Principal principal, String face, String drone, CommandRequest command) {
-        String name = commands.nameOf(drone);
+        String name = commands.nameOf(principal, drone);
         try {
             return new BroadcastView.Result(drone, name, commands.submit(principal, face, drone, command), null);
         } catch (Rejection rejection) {
             String refused = rejection.commandId();
             return refused == null
                     ? new BroadcastView.Result(drone, name, null, rejection.sentence())
-                    : new BroadcastView.Result(drone, name, commands.command(refused), null);
+                    : new BroadcastView.Result(drone, name, commands.command(principal, refused), null);
         }
     }
 
     /** A value that no drone can take is refused before anything is sent to any. */
-    private void checkForAll(List<String> targets, CommandRequest command) {
+    private void checkForAll(Principal principal, List<String> targets, CommandRequest command) {
         targets.stream()
-                .flatMap(drone -> commands.known(drone).stream())
+                .flatMap(drone -> commands.known(principal, drone).stream())
                 .findFirst()
                 .ifPresent(drone -> {
                     try {
@@ -76,13 +76,13 @@ public final class BroadcastService {
                 });
     }
 
-    private List<String> targets(@Nullable List<@Nullable String> asked) {
+    private List<String> targets(Principal principal, @Nullable List<@Nullable String> asked) {
         if (asked == null || asked.isEmpty()) {
             throw InvalidInput.missing("drones", DRONES_FORM);
         }
         if (asked.size() == 1 && ALL.equals(asked.get(0))) {
             return cloud.drones().stream()
-                    .filter(drone -> !drone.replay())
+                    .filter(drone -> !drone.replay() && principal.sees(drone.id()))
                     .map(DroneState::id)
                     .map(id -> id.value())
                     .toList();

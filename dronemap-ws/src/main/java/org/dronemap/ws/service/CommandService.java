@@ -37,8 +37,10 @@ public final class CommandService {
 
     /** Checks everything, then asks the gate; the answer is under way, or ended when the id is an old one. */
     public CommandView submit(Principal principal, String face, String droneId, CommandRequest request) {
-        Roles.require(principal, Role.PLANNER);
-        DroneState drone = drones.state(droneId);
+        if (!principal.may(Role.OPERATOR)) {
+            Roles.require(principal, Role.PLANNER);
+        }
+        DroneState drone = drones.state(principal, droneId);
         Command command =
                 CommandReader.read(request, drone, cloud.onBoard(drone.id()).parameters());
         return give(new CommandGate.Source(principal, face, request.epoch()), drone, request.id(), command)
@@ -65,8 +67,8 @@ public final class CommandService {
         CommandRecord record = ask(source, drone, id, command);
         if (!record.drone().equals(drone.id())
                 || !record.type().equals(command.getClass().getSimpleName())) {
-            throw Rejection.conflict(
-                    "The id " + id + " belongs to another command already (" + record.summary() + "); take a new one.");
+            String which = principal.sees(record.drone()) ? " (" + record.summary() + ")" : "";
+            throw Rejection.conflict("The id " + id + " belongs to another command already" + which + "; take a new one.");
         }
         if (record.outcome() instanceof Outcome.Refused refused && refused.by().equals("gate")) {
             Control control = cloud.controls().control(drone.id());
@@ -97,28 +99,29 @@ public final class CommandService {
                         .orElse(command));
     }
 
-    public CommandView command(String id) {
+    public CommandView command(Principal principal, String id) {
         return Optional.of(id)
                 .filter(CommandService::isId)
                 .flatMap(text -> cloud.gate().find(new CommandId(text)))
+                .filter(record -> principal.sees(record.drone()))
                 .map(CommandView::of)
                 .orElseThrow(() -> Rejection.unknown("command", id));
     }
 
     /** Newest first. */
-    public List<CommandView> commandsOf(String droneId) {
-        return cloud.gate().commandsOf(drones.state(droneId).id(), MOST_SHOWN).stream()
+    public List<CommandView> commandsOf(Principal principal, String droneId) {
+        return cloud.gate().commandsOf(drones.state(principal, droneId).id(), MOST_SHOWN).stream()
                 .map(CommandView::of)
                 .toList();
     }
 
-    Optional<DroneState> known(String droneId) {
-        return drones.find(droneId);
+    Optional<DroneState> known(Principal principal, String droneId) {
+        return drones.find(principal, droneId);
     }
 
     @Nullable
-    String nameOf(String droneId) {
-        return drones.find(droneId).map(DroneState::name).orElse(null);
+    String nameOf(Principal principal, String droneId) {
+        return drones.find(principal, droneId).map(DroneState::name).orElse(null);
     }
 
     private static CommandId id(@Nullable String given) {

@@ -22,17 +22,18 @@ public final class DroneService {
 
     public List<DroneView> drones(Principal principal) {
         return cloud.drones().stream()
-                .map(state -> views.view(state, principal.role()))
+                .filter(state -> principal.sees(state.id()))
+                .map(state -> views.view(state, principal))
                 .toList();
     }
 
     public DroneView drone(Principal principal, String id) {
-        return views.view(state(id), principal.role());
+        return views.view(state(principal, id), principal);
     }
 
     public DroneView rename(Principal principal, String id, RenameRequest request) {
         Roles.require(principal, Role.OPERATOR);
-        DroneId drone = state(id).id();
+        DroneId drone = state(principal, id).id();
         cloud.rename(drone, Names.checked("name", request.name(), LONGEST_NAME));
         return drone(principal, id);
     }
@@ -40,18 +41,19 @@ public final class DroneService {
     /** Only a lost drone goes: one in contact would come back at once. */
     public void remove(Principal principal, String id) {
         Roles.require(principal, Role.ADMINISTRATOR);
-        Optional<String> why = cloud.forget(state(id).id());
+        Optional<String> why = cloud.forget(state(principal, id).id());
         if (why.isPresent()) {
             throw Rejection.conflict(why.get());
         }
     }
 
-    DroneState state(String id) {
-        return find(id).orElseThrow(() -> Rejection.unknown("drone", id));
+    /** What the asker may not see is told from what is not there by nothing. */
+    DroneState state(Principal principal, String id) {
+        return find(principal, id).orElseThrow(() -> Rejection.unknown("drone", id));
     }
 
-    Optional<DroneState> find(String id) {
-        return parse(id).flatMap(cloud::drone);
+    Optional<DroneState> find(Principal principal, String id) {
+        return parse(id).filter(principal::sees).flatMap(cloud::drone);
     }
 
     private static Optional<DroneId> parse(String id) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
-import org.dronemap.core.access.Role;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.drone.Capability;
@@ -39,7 +39,7 @@ public final class DroneViews {
         this.controls = controls;
     }
 
-    public DroneView view(DroneState state, Role role) {
+    public DroneView view(DroneState state, Principal principal) {
         return new DroneView(
                 state.id().value(),
                 state.name(),
@@ -64,7 +64,7 @@ public final class DroneViews {
                 home(state),
                 mission(state),
                 messages(state),
-                actions(state, role),
+                actions(state, principal),
                 ControlView.of(controls.apply(state.id())),
                 millis(state.lastUpdate()),
                 state.version());
@@ -177,12 +177,12 @@ public final class DroneViews {
                 .toList();
     }
 
-    /** For every kind of command: whether this role may give it now, with the gate's own sentence when not. */
-    private static Map<String, DroneView.ActionView> actions(DroneState state, Role role) {
+    /** For every kind of command: whether the asker may give it now, with the gate's own sentence when not. */
+    private static Map<String, DroneView.ActionView> actions(DroneState state, Principal principal) {
         Map<String, DroneView.ActionView> actions = new LinkedHashMap<>();
         for (Capability capability : Capability.values()) {
             Optional<String> why =
-                    RoleRules.whyNot(role, state, capability).or(() -> CommandRules.whyNot(state, capability));
+                    RoleRules.whyNot(principal, state, capability).or(() -> CommandRules.whyNot(state, capability));
             actions.put(WireNames.camel(capability), new DroneView.ActionView(why.isEmpty(), why.orElse(null)));
         }
         return actions;

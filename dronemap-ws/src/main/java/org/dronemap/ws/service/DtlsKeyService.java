@@ -55,7 +55,7 @@ public final class DtlsKeyService {
     }
 
     public List<DtlsKeyView> keys(Principal principal) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         Set<String> connected = links.all().stream()
                 .flatMap(status -> status.peers().stream())
                 .flatMap(peer -> Stream.ofNullable(peer.identity()))
@@ -66,7 +66,7 @@ public final class DtlsKeyService {
     }
 
     public DtlsKeyView make(Principal principal, DtlsKeyRequest request) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String drone = request.drone();
         DroneState known = drone == null ? null : known(drone);
         String identity = known == null ? fresh() : known.id().value();
@@ -93,7 +93,7 @@ public final class DtlsKeyService {
 
     /** The vehicle's links end at once. */
     public void revoke(Principal principal, String identity) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         if (!ring.remove(identity)) {
             throw Rejection.unknown("DTLS key", identity);
         }

@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import java.util.List;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
@@ -19,13 +20,14 @@ public final class FenceService {
     }
 
     /** As last read. */
-    public FenceView fence(String droneId) {
-        return FenceView.of(cloud.onBoard(drones.state(droneId).id()).fence());
+    public FenceView fence(Principal principal, String droneId) {
+        return FenceView.of(cloud.onBoard(drones.state(principal, droneId).id()).fence());
     }
 
     /** As last read. */
-    public FenceView.RallyView rallyPoints(String droneId) {
-        return FenceView.RallyView.of(cloud.onBoard(drones.state(droneId).id()).rallyPoints());
+    public FenceView.RallyView rallyPoints(Principal principal, String droneId) {
+        return FenceView.RallyView.of(
+                cloud.onBoard(drones.state(principal, droneId).id()).rallyPoints());
     }
 
     public CommandView readFence(Caller caller, String droneId) {
@@ -56,7 +58,7 @@ public final class FenceService {
 
     private CommandView give(Caller caller, String droneId, Command command) {
         Roles.require(caller.principal(), Role.PLANNER);
-        DroneState drone = drones.state(droneId);
+        DroneState drone = drones.state(caller.principal(), droneId);
         return commands.give(caller.principal(), caller.face(), drone, null, command);
     }
 }

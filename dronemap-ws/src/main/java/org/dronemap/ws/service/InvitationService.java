@@ -49,14 +49,14 @@ public final class InvitationService {
     }
 
     public List<InvitationView> invitations(Principal principal) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         return store.invitations(clock.instant()).stream()
                 .map(invitation -> view(invitation, null))
                 .toList();
     }
 
     public InvitationView invite(Principal principal, NewInvitation request) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String label = Names.checked("label", request.label(), LONGEST_LABEL);
         Role role = Roles.named(request.role());
         Integer asked = request.days();
@@ -81,7 +81,7 @@ public final class InvitationService {
     }
 
     public void withdraw(Principal principal, String id) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         if (!store.deleteInvitation(id)) {
             throw Rejection.unknown("invitation", id);
         }

@@ -59,8 +59,8 @@ public final class LinkSecurityService {
         this.drones = drones;
     }
 
-    public LinkSecurityView look(String id) {
-        return links.view(drones.state(id).id());
+    public LinkSecurityView look(Principal principal, String id) {
+        return links.view(drones.state(principal, id).id());
     }
 
     public LinkSecurityView setPolicy(Principal principal, String id, PolicyRequest request) {
@@ -146,7 +146,7 @@ public final class LinkSecurityService {
 
     private DroneId securable(Principal principal, String id) {
         Roles.require(principal, Role.ADMINISTRATOR);
-        DroneState state = drones.state(id);
+        DroneState state = drones.state(principal, id);
         if (state.replay()) {
             throw Rejection.conflict("This drone comes from a recording; it has no link to secure.");
         }

@@ -33,7 +33,7 @@ public final class LinkService {
     }
 
     public List<EndpointView> endpoints(Principal principal) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         Map<String, SavedLink> saved =
                 store.links().stream().collect(Collectors.toMap(SavedLink::id, Function.identity()));
         return links.all().stream()
@@ -50,7 +50,7 @@ public final class LinkService {
 
     /** Kept from now on, also over restarts; listed as failed, with the reason, while it cannot open. */
     public EndpointView add(Principal principal, EndpointRequest request) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String url = checked(request.url());
         String id = "e" + UUID.randomUUID().toString().replace("-", "").substring(0, ID_LETTERS);
         if (!store.addLink(new SavedLink(id, url, principal.name(), clock.instant()))) {
@@ -86,7 +86,7 @@ public final class LinkService {
 
     /** What went over the link of each vehicle. */
     public List<TrafficView> traffic(Principal principal) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         return links.traffic();
     }
 

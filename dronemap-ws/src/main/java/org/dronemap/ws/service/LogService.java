@@ -3,6 +3,7 @@ package org.dronemap.ws.service;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
@@ -24,8 +25,8 @@ public final class LogService {
     }
 
     /** As last listed. */
-    public LogsView logs(String droneId) {
-        DroneState drone = drones.state(droneId);
+    public LogsView logs(Principal principal, String droneId) {
+        DroneState drone = drones.state(principal, droneId);
         return new LogsView(Optional.ofNullable(cloud.onBoard(drone.id()).logs())
                 .map(logs -> logs.stream().map(log -> view(drone, log)).toList())
                 .orElse(null));
@@ -41,13 +42,18 @@ public final class LogService {
 
     public CommandView refresh(Caller caller, String droneId) {
         Roles.require(caller.principal(), Role.OPERATOR);
-        return commands.give(caller.principal(), caller.face(), drones.state(droneId), null, new Command.ReadLogs());
+        return commands.give(
+                caller.principal(),
+                caller.face(),
+                drones.state(caller.principal(), droneId),
+                null,
+                new Command.ReadLogs());
     }
 
     /** Goes on where an earlier attempt ended. */
     public CommandView download(Caller caller, String droneId, int number) {
         Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(droneId);
+        DroneState drone = drones.state(caller.principal(), droneId);
         VehicleLog log = log(drone, number);
         if (shelf.find(drone.id(), log).isPresent()) {
             throw Rejection.conflict("The server has this log already; save the file, or remove it to fetch it anew.");
@@ -60,8 +66,8 @@ public final class LogService {
                 new Command.DownloadLog(log, shelf.open(drone.id(), log)));
     }
 
-    public Path file(String droneId, int number) {
-        DroneState drone = drones.state(droneId);
+    public Path file(Principal principal, String droneId, int number) {
+        DroneState drone = drones.state(principal, droneId);
         return shelf.find(drone.id(), log(drone, number))
                 .orElseThrow(() -> Rejection.conflict("This log has not been fetched from the vehicle yet."));
     }
@@ -69,7 +75,7 @@ public final class LogService {
     /** Removes the server's copy; the vehicle keeps its own. */
     public void remove(Caller caller, String droneId, int number) {
         Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(droneId);
+        DroneState drone = drones.state(caller.principal(), droneId);
         if (!shelf.remove(drone.id(), log(drone, number))) {
             throw Rejection.conflict("The server has no copy of this log.");
         }

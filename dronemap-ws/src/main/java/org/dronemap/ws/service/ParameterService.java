@@ -2,6 +2,7 @@ package org.dronemap.ws.service;
 
 import java.time.temporal.ChronoUnit;
 import java.util.List;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
@@ -31,8 +32,8 @@ public final class ParameterService {
     }
 
     /** As last heard; those whose name has all the words in it, all when there are none. */
-    public ParametersView parameters(String droneId, @Nullable String search) {
-        ParameterSet all = held(drones.state(droneId));
+    public ParametersView parameters(Principal principal, String droneId, @Nullable String search) {
+        ParameterSet all = held(drones.state(principal, droneId));
         List<Parameter> found = search == null ? all.all() : all.search(search);
         return new ParametersView(
                 all.readAt() == null ? null : all.readAt().truncatedTo(ChronoUnit.MILLIS),
@@ -43,20 +44,24 @@ public final class ParameterService {
     public CommandView refresh(Caller caller, String droneId) {
         Roles.require(caller.principal(), Role.OPERATOR);
         return commands.give(
-                caller.principal(), caller.face(), drones.state(droneId), null, new Command.ReadParameters());
+                caller.principal(),
+                caller.face(),
+                drones.state(caller.principal(), droneId),
+                null,
+                new Command.ReadParameters());
     }
 
     public CommandView set(Caller caller, String droneId, String name, ValueRequest request) {
         Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(droneId);
+        DroneState drone = drones.state(caller.principal(), droneId);
         Command change = new Command.SetParameters(
                 List.of(ParameterReader.checked("name", name, "value", request.value(), held(drone))));
         return commands.give(caller.principal(), caller.face(), drone, request.id(), change);
     }
 
     /** A file for ground stations. */
-    public String file(String droneId, @Nullable String form) {
-        DroneState drone = drones.state(droneId);
+    public String file(Principal principal, String droneId, @Nullable String form) {
+        DroneState drone = drones.state(principal, droneId);
         return ParameterFile.write(
                 whole(drone).all(), form(form), drone.link().key().systemId());
     }
@@ -72,13 +77,13 @@ public final class ParameterService {
     /** What a file would change; nothing is sent. */
     public ParametersView.FileView compare(Caller caller, String droneId, String text) {
         Roles.require(caller.principal(), Role.OPERATOR);
-        return ParametersView.FileView.of(comparison(drones.state(droneId), text), null);
+        return ParametersView.FileView.of(comparison(drones.state(caller.principal(), droneId), text), null);
     }
 
     /** Changes what is otherwise in the file. */
     public ParametersView.FileView load(Caller caller, String droneId, String text) {
         Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(droneId);
+        DroneState drone = drones.state(caller.principal(), droneId);
         ParameterComparison comparison = comparison(drone, text);
         CommandView command = comparison.different().isEmpty()
                 ? null

@@ -24,20 +24,21 @@ public final class RecordingService {
     }
 
     /** Newest first; {@code drone} null: of all drones. */
-    public RecordingView.Page recordings(@Nullable String drone) {
+    public RecordingView.Page recordings(Principal principal, @Nullable String drone) {
         List<RecordingView> views = archive.recordings().stream()
+                .filter(recording -> principal.sees(recording.drone()))
                 .filter(recording -> drone == null || recording.drone().value().equals(drone))
                 .map(RecordingView::of)
                 .toList();
         return new RecordingView.Page(views, RecordingView.RoomView.of(archive.room()));
     }
 
-    public RecordingView recording(String id) {
-        return RecordingView.of(find(id));
+    public RecordingView recording(Principal principal, String id) {
+        return RecordingView.of(find(principal, id));
     }
 
-    public Download download(String id) throws IOException {
-        Recording recording = find(id);
+    public Download download(Principal principal, String id) throws IOException {
+        Recording recording = find(principal, id);
         return new Download(
                 file(id), recording.droneName().replaceAll("[^A-Za-z0-9-]+", "-") + "_" + recording.id() + ".tlog");
     }
@@ -45,7 +46,7 @@ public final class RecordingService {
     /** Deleting is for ever, so it wants to be said twice. */
     public void delete(Principal principal, String id, boolean confirmed) throws IOException {
         Roles.require(principal, Role.OPERATOR);
-        find(id);
+        find(principal, id);
         if (!confirmed) {
             throw new InvalidInput(
                     "confirm",
@@ -60,11 +61,13 @@ public final class RecordingService {
 
     public ReplayView replay(Principal principal, String id, @Nullable Double speed) throws IOException {
         Roles.require(principal, Role.OPERATOR);
-        return replays.play(principal, find(id).id() + ".tlog", speed, file(id));
+        return replays.play(principal, find(principal, id).id() + ".tlog", speed, file(id));
     }
 
-    private Recording find(String id) {
-        return archive.recording(id).orElseThrow(() -> Rejection.unknown("recording", id));
+    private Recording find(Principal principal, String id) {
+        return archive.recording(id)
+                .filter(recording -> principal.sees(recording.drone()))
+                .orElseThrow(() -> Rejection.unknown("recording", id));
     }
 
     private Path file(String id) throws IOException {

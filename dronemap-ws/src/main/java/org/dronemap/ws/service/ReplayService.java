@@ -27,7 +27,7 @@ public final class ReplayService {
     /** Keeps the whole recording in a file first, so that a slow upload does not slow the playing. */
     public ReplayView start(Principal principal, @Nullable String name, @Nullable Double speed, InputStream recording)
             throws IOException {
-        Roles.require(principal, Role.OPERATOR);
+        Roles.requireForAll(principal, Role.OPERATOR);
         String checked = Names.checked("name", name == null ? "recording.tlog" : name, 120);
         double times = Ranges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
         Path file = Files.createTempFile(temporaryDirectory, "replay", ".tlog");
@@ -48,7 +48,7 @@ public final class ReplayService {
 
     /** Plays a file that stays where it is. */
     ReplayView play(Principal principal, String name, @Nullable Double speed, Path file) throws IOException {
-        Roles.require(principal, Role.OPERATOR);
+        Roles.requireForAll(principal, Role.OPERATOR);
         double times = Ranges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
         return play(name, Files.newInputStream(file), Files.size(file), times);
     }
@@ -62,16 +62,18 @@ public final class ReplayService {
         }
     }
 
-    public List<ReplayView> replays() {
+    public List<ReplayView> replays(Principal principal) {
+        Roles.requireForAll(principal, Role.VIEWER);
         return recordings.all();
     }
 
-    public ReplayView replay(String id) {
+    public ReplayView replay(Principal principal, String id) {
+        Roles.requireForAll(principal, Role.VIEWER);
         return recordings.find(id).orElseThrow(() -> Rejection.unknown("replay", id));
     }
 
     public void remove(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
+        Roles.requireForAll(principal, Role.OPERATOR);
         if (!recordings.remove(id)) {
             throw Rejection.unknown("replay", id);
         }

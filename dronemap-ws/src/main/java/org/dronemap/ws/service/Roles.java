@@ -18,11 +18,28 @@ public final class Roles {
 
     public static void require(Principal principal, Role needed) {
         if (!principal.may(needed)) {
+            if (principal.role().includes(needed)) {
+                throw Rejection.forbidden("This access key may only " + verbs(principal) + "; make one that may more.");
+            }
             throw Rejection.forbidden(REFUSALS.getOrDefault(
                     needed,
                     "Only " + article(needed) + " may do this; you are signed in as "
                             + WireNames.camel(principal.role()) + "."));
         }
+    }
+
+    /** For what concerns no drone by itself, or all of them. */
+    public static void requireForAll(Principal principal, Role needed) {
+        require(principal, needed);
+        if (!principal.scope().coversAllDrones()) {
+            throw Rejection.forbidden("This access key is for certain drones only, and this concerns all of them.");
+        }
+    }
+
+    private static String verbs(Principal principal) {
+        return String.join(
+                " and ",
+                principal.scope().permissions().stream().map(WireNames::camel).toList());
     }
 
     static Role named(@Nullable String text) {

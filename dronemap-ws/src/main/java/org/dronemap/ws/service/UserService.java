@@ -37,12 +37,12 @@ public final class UserService {
     }
 
     public List<UserView> users(Principal principal) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         return store.users().stream().map(UserView::of).toList();
     }
 
     public UserView add(Principal principal, NewUser request) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String name = UserNames.checked(request.name());
         Role role = Roles.named(request.role());
         String password = PasswordRule.acceptable("password", request.password());
@@ -54,7 +54,7 @@ public final class UserService {
     }
 
     public UserView change(Principal principal, String name, Change change) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String roleName = change.role();
         String stateName = change.state();
         if (roleName == null && stateName == null) {
@@ -72,7 +72,7 @@ public final class UserService {
 
     /** Also ends the user's sessions; access keys stay, remove them or disable the user for that. */
     public OneTimePassword resetPassword(Principal principal, String name) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String password = secrets.password();
         String hash = passwords.hash(password);
         accounts.changeOtherAndSignOut(principal, name, user -> user.withPassword(hash, true));
@@ -80,14 +80,14 @@ public final class UserService {
     }
 
     public void signOut(Principal principal, String name) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         accounts.find(name);
         store.deleteOtherSignIns(name, "");
         accounts.tell(name);
     }
 
     public void delete(Principal principal, String name) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         accounts.delete(principal, name);
     }
 

@@ -23,22 +23,22 @@ public final class WaitingService {
 
     /** Who waits, longest first. */
     public List<WaitingView> waiting(Principal principal) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         return cloud.waiting().stream().map(WaitingView::of).toList();
     }
 
     /** Makes a drone of it; one that was quarantined becomes a drone of its own. */
     public DroneView enrol(Principal principal, String id, EnrolRequest request) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String name = request.name() == null ? null : Names.checked("name", request.name(), LONGEST_NAME);
         return cloud.letIn(id, name)
-                .map(state -> views.view(state, principal.role()))
+                .map(state -> views.view(state, principal))
                 .orElseThrow(() -> Rejection.unknown("waiting vehicle", id));
     }
 
     /** Takes it off the list; it comes again when it is heard again. */
     public void dismiss(Principal principal, String id) {
-        Roles.require(principal, Role.ADMINISTRATOR);
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
         if (!cloud.dismiss(id)) {
             throw Rejection.unknown("waiting vehicle", id);
         }

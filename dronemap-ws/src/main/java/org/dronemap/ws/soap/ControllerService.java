@@ -170,8 +170,7 @@ public class ControllerService implements MAVLinkController {
     @Override
     public List<SoapParameter> getParameters(String droneId, @Nullable String search) throws DronemapFault {
         return answer(() -> {
-            caller.principal();
-            return parameters.parameters(droneId, search).parameters().stream()
+            return parameters.parameters(caller.principal(), droneId, search).parameters().stream()
                     .map(SoapParameter::of)
                     .toList();
         });
@@ -221,8 +220,7 @@ public class ControllerService implements MAVLinkController {
     @Override
     public SoapOutcome getCommand(String commandId) throws DronemapFault {
         return answer(() -> {
-            caller.principal();
-            return SoapOutcome.of(commands.command(commandId));
+            return SoapOutcome.of(commands.command(caller.principal(), commandId));
         });
     }
 

@@ -2,12 +2,13 @@ package org.dronemap.ws.stream;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
@@ -16,7 +17,7 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
 
 /**
- * The newest picture of each drone that changed, written once for all clients of a role that want it equally often.
+ * The newest picture of each drone that changed, written once for all clients of equal rights that want it equally often.
  * {@link #changed} and {@link #removed} from any thread, the rest from the pump alone.
  */
 final class DroneFeed {
@@ -29,6 +30,9 @@ final class DroneFeed {
     private final ConcurrentHashMap<DroneId, DroneState> changed = new ConcurrentHashMap<>();
     // Owned by the pump: by how many pictures a second clients want at most.
     private final Map<Integer, Turns<DroneState>> turns = new HashMap<>();
+
+    /** Those to whom a drone that they may see looks alike. */
+    private record Rights(Role role, Set<Permission> permissions) {}
 
     DroneFeed(DroneViews views, JsonReader json) {
         this.views = views;
@@ -81,16 +85,18 @@ final class DroneFeed {
     }
 
     private void hand(DroneState state, Collection<StreamClient> clients) {
-        Map<Role, String> written = new EnumMap<>(Role.class);
+        Map<Rights, String> written = new HashMap<>();
         for (StreamClient client : clients) {
             Principal principal = client.principal().orElse(null);
-            if (principal != null && client.wants(state.id())) {
+            if (principal != null && principal.sees(state.id()) && client.wants(state.id())) {
                 client.outbox()
                         .offer(
                                 state.id(),
                                 written.computeIfAbsent(
-                                        principal.role(),
-                                        role -> json.write(new StreamMessage.Drone(views.view(state, role)))));
+                                        new Rights(
+                                                principal.role(),
+                                                principal.scope().permissions()),
+                                        unused -> json.write(new StreamMessage.Drone(views.view(state, principal)))));
             }
         }
     }

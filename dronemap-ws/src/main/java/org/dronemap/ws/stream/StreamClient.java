@@ -68,6 +68,10 @@ final class StreamClient {
         return perSecond;
     }
 
+    boolean sees(DroneId drone) {
+        return principal().map(who -> who.sees(drone)).orElse(false);
+    }
+
     boolean wants(DroneId drone) {
         Set<String> only = wanted;
         return only == null || only.contains(drone.value());

@@ -146,7 +146,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         String message = services.json().write(new StreamMessage.DroneRemoved(id.value()));
         for (StreamClient client : server.clients()) {
             client.outbox().forget(id);
-            if (client.principal().isPresent()) {
+            if (client.sees(id)) {
                 client.outbox().add(message);
             }
         }
@@ -166,7 +166,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private void tell(DroneId drone, Object news) {
         String message = services.json().write(news);
         for (StreamClient client : server.clients()) {
-            if (client.principal().isPresent() && client.wants(drone)) {
+            if (client.sees(drone) && client.wants(drone)) {
                 client.outbox().add(message);
             }
         }

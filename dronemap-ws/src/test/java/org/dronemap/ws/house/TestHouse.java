@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.cloud.CloudManager;
@@ -148,18 +150,25 @@ public final class TestHouse implements AutoCloseable {
 
     /** An access key of a new user with this role. */
     public String key(Role role) {
+        return key(new KeyRights(role, KeyScope.ALL, null));
+    }
+
+    /** An access key with these rights, of a new user with their role. */
+    public String key(KeyRights rights) {
         String name = "user" + ids.incrementAndGet();
         String secret = new Secrets().token();
-        if (!access.addUser(new User(name, role, AccountState.ACTIVE, "none", false))) {
+        if (!access.addUser(new User(name, rights.role(), AccountState.ACTIVE, "none", false))) {
             throw new IllegalStateException("the user " + name + " was there already");
         }
         access.addAccessKey(new AccessKey(
                 "key-" + name,
                 "test",
                 name,
-                role,
+                null,
+                rights,
                 Secrets.hash(secret),
-                Clock.systemUTC().instant()));
+                Clock.systemUTC().instant(),
+                null));
         return secret;
     }
 

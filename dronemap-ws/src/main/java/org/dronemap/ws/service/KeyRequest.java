@@ -1,0 +1,77 @@
+package org.dronemap.ws.service;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A new access key as its owner asks for it. What is left out is as wide as who asks: the role, all operations, all
+ * drones, no end.
+ *
+ * @param operations of view, plan, command, administer; view always is among them
+ * @param days until it ends
+ */
+public record KeyRequest(
+        @Nullable String label,
+        @Nullable String role,
+        @Nullable List<@Nullable String> operations,
+        @Nullable List<@Nullable String> drones,
+        @Nullable Integer days) {
+    private static final String OPERATIONS = "a list of view, plan, command and administer";
+    private static final int MOST_DRONES = 500;
+    private static final int MOST_DAYS = 3650;
+
+    /** Within {@code widest}, from which comes what was left out. */
+    KeyRights rights(KeyRights widest, Instant now) {
+        KeyScope scope = new KeyScope(
+                drones == null ? widest.scope().drones() : ids(drones),
+                operations == null ? widest.scope().permissions() : permissions(operations));
+        Role asked = role == null ? widest.role() : Roles.named(role);
+        return new KeyRights(
+                asked, scope, days == null ? widest.expiresAt() : now.plus(Duration.ofDays(checked(days))));
+    }
+
+    private static int checked(int days) {
+        if (days < 1 || days > MOST_DAYS) {
+            throw InvalidInput.outside("days", "1 to " + MOST_DAYS, days);
+        }
+        return days;
+    }
+
+    private static Set<DroneId> ids(List<@Nullable String> drones) {
+        String allowed = "1 to " + MOST_DRONES + " ids of drones";
+        if (drones.isEmpty() || drones.size() > MOST_DRONES) {
+            throw InvalidInput.outside("drones", allowed, drones.size() + " ids");
+        }
+        Set<DroneId> ids = new LinkedHashSet<>();
+        for (String drone : drones) {
+            try {
+                ids.add(new DroneId(String.valueOf(drone)));
+            } catch (IllegalArgumentException notAnId) {
+                throw InvalidInput.outside("drones", allowed, "\"" + drone + "\"");
+            }
+        }
+        return ids;
+    }
+
+    private static Set<Permission> permissions(List<@Nullable String> operations) {
+        EnumSet<Permission> permissions = EnumSet.noneOf(Permission.class);
+        for (String operation : operations) {
+            permissions.add(Arrays.stream(Permission.values())
+                    .filter(permission -> WireNames.camel(permission).equals(operation))
+                    .findFirst()
+                    .orElseThrow(() -> InvalidInput.outside("operations", OPERATIONS, "\"" + operation + "\"")));
+        }
+        return permissions;
+    }
+}

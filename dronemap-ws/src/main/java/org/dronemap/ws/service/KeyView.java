@@ -1,0 +1,61 @@
+package org.dronemap.ws.service;
+
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An access key as its owner sees it.
+ *
+ * @param operations what it may be used for: view, plan, command, administer
+ * @param drones null: all
+ * @param expiresAt null: it does not end by itself
+ * @param parent the key that it was made with; null: none
+ * @param lastUsedAt to about a minute; null: not used yet
+ * @param key the key itself, there once, in the answer that made it
+ */
+public record KeyView(
+        String id,
+        String label,
+        String role,
+        List<String> operations,
+        @Nullable List<String> drones,
+        @Nullable Instant expiresAt,
+        @Nullable String parent,
+        Instant createdAt,
+        @Nullable Instant lastUsedAt,
+        @Nullable String key) {
+
+    static KeyView of(AccessKey key, @Nullable String secret) {
+        KeyScope scope = key.rights().scope();
+        Set<DroneId> drones = scope.drones();
+        return new KeyView(
+                key.id(),
+                key.label(),
+                WireNames.camel(key.rights().role()),
+                scope.permissions().stream().map(WireNames::camel).toList(),
+                drones == null
+                        ? null
+                        : drones.stream().map(DroneId::value).sorted().toList(),
+                millis(key.rights().expiresAt()),
+                key.parent(),
+                key.createdAt().truncatedTo(ChronoUnit.MILLIS),
+                millis(key.lastUsedAt()),
+                secret);
+    }
+
+    private static @Nullable Instant millis(@Nullable Instant time) {
+        return time == null ? null : time.truncatedTo(ChronoUnit.MILLIS);
+    }
+
+    /** It may hold the key itself. */
+    @Override
+    public String toString() {
+        return "KeyView[" + id + "]";
+    }
+}

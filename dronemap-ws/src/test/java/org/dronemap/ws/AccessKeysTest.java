@@ -1,0 +1,282 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.soap.DronemapFault;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+
+/** How far keys reach, through every face. */
+class AccessKeysTest {
+    private static final String MISSION =
+            "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]}";
+
+    @TempDir
+    private Path data;
+
+    private TestHouse house;
+    private ScriptedVehicle mine;
+    private ScriptedVehicle other;
+
+    @BeforeEach
+    void open() {
+        house = new TestHouse(data, false);
+        mine = ScriptedVehicle.connect(house.cloud(), 15701);
+        other = ScriptedVehicle.connect(house.cloud(), 15702);
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void showOnlyTheirDronesInListsBroadcastsAndStreams() throws DronemapFault {
+        String key = house.key(operatorOf(mine));
+        Http http = new Http(house, key);
+
+        assertThat(http.get("/api/v1/drones").json().path("drones").findValuesAsString("id"))
+                .contains(mine.id())
+                .doesNotContain(other.id());
+        assertThat(SoapClient.withKey(house, key).getDronesList()).hasSize(1);
+        Http.Answer sent = http.post(
+                "/api/v1/commands",
+                "{\"drones\":[\"" + mine.id() + "\",\"" + other.id() + "\"],\"command\":{\"type\":\"land\"}}");
+        assertThat(sent.json().path("results").get(1).path("problem").asString())
+                .isEqualTo("There is no drone " + other.id() + ".");
+        assertThat(sent.json().path("results").get(1).path("name").isNull()).isTrue();
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            JsonNode list =
+                    stream.await(message -> message.path("type").asString().equals("drones"));
+            assertThat(list.path("drones").size()).isEqualTo(1);
+            Http all = new Http(house, house.key(Role.OPERATOR));
+            all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"land\"}");
+            all.post("/api/v1/drones/" + mine.id() + "/commands?wait=10", "{\"type\":\"hold\"}");
+            stream.await(
+                    message -> message.path("command").path("type").asString().equals("hold")
+                            && message.path("command").path("phase").asString().equals("done"));
+            assertThat(stream.heard()).noneMatch(message -> message.toString().contains(other.id()));
+        }
+        assertThat(other.performed()).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                "/commands",
+                "/fence",
+                "/rally-points",
+                "/parameters",
+                "/parameters/file",
+                "/logs",
+                "/logs/1/file",
+                "/link-security"
+            })
+    void answerForOtherDronesAsForThoseThatAreNotThere(String below) {
+        Http http = new Http(house, house.key(operatorOf(mine)));
+
+        Http.Answer foreign = http.get("/api/v1/drones/" + other.id() + below);
+        Http.Answer absent = http.get("/api/v1/drones/nosuchdrone" + below);
+
+        assertThat(foreign.status()).isEqualTo(404);
+        assertThat(foreign.raw().body().replace(other.id(), "nosuchdrone"))
+                .isEqualTo(absent.raw().body());
+    }
+
+    @Test
+    void sendNothingToOtherDrones() {
+        String key = house.key(operatorOf(mine));
+
+        Http.Answer foreign =
+                new Http(house, key).post("/api/v1/drones/" + other.id() + "/commands", "{\"type\":\"arm\"}");
+
+        assertThat(foreign.status()).isEqualTo(404);
+        assertThatThrownBy(() -> SoapClient.withKey(house, key).arm(other.id()))
+                .hasMessage("There is no drone " + other.id() + ".");
+        assertThat(other.performed()).isEmpty();
+    }
+
+    @Test
+    void doNotTellOfCommandsToOtherDrones() {
+        Http all = new Http(house, house.key(Role.OPERATOR));
+        String command = all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"land\"}")
+                .text("id");
+
+        assertThat(all.get("/api/v1/commands/" + command).status()).isEqualTo(200);
+        assertThat(new Http(house, house.key(operatorOf(mine)))
+                        .get("/api/v1/commands/" + command)
+                        .text("detail"))
+                .isEqualTo("There is no command " + command + ".");
+    }
+
+    @Test
+    void doNothingThatConcernsAllDronesWhenTheyAreForSome() {
+        KeyScope scope = new KeyScope(Set.of(new DroneId(mine.id())), EnumSet.allOf(Permission.class));
+        Http http = new Http(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
+
+        for (String path :
+                List.of("/api/v1/users", "/api/v1/endpoints", "/api/v1/traffic", "/api/v1/replays", "/metrics")) {
+            assertThat(http.get(path).text("detail"))
+                    .as(path)
+                    .isEqualTo("This access key is for certain drones only, and this concerns all of them.");
+        }
+        assertThat(http.get("/api/v1/drones/" + mine.id() + "/link-security").status())
+                .isEqualTo(200);
+    }
+
+    @Test
+    void doOnlyTheOperationsThatTheyAreFor() {
+        String path = "/api/v1/drones/" + mine.id() + "/commands?wait=10";
+        Http viewing = new Http(house, house.key(operator(Permission.VIEW)));
+        Http planning = new Http(house, house.key(operator(Permission.PLAN)));
+        Http commanding = new Http(house, house.key(operator(Permission.COMMAND)));
+
+        assertThat(viewing.get("/api/v1/drones").status()).isEqualTo(200);
+        assertThat(viewing.post(path, "{\"type\":\"arm\"}").text("detail"))
+                .isEqualTo("This access key may only view; make one that may more.");
+        assertThat(planning.post(path, MISSION).status()).isEqualTo(200);
+        assertThat(planning.post(path, "{\"type\":\"arm\"}").text("detail"))
+                .isEqualTo("This access key may not command.");
+        assertThat(commanding.post(path, "{\"type\":\"arm\"}").status()).isEqualTo(200);
+        assertThat(commanding.post(path, MISSION).text("detail"))
+                .isEqualTo("This access key may not change missions, fences or rally points.");
+        assertThat(commanding.post("/api/v1/missions", "{}").status()).isEqualTo(403);
+    }
+
+    @Test
+    void endByThemselvesOnOpenStreamsToo() {
+        KeyRights over = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().minusSeconds(1));
+        assertThat(new Http(house, house.key(over)).get("/api/v1/drones").status())
+                .isEqualTo(401);
+
+        KeyRights soon = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().plusSeconds(3));
+        try (StreamListener stream = StreamListener.withKey(house, house.key(soon))) {
+            assertThat(stream.awaitClose()).startsWith("This session has ended");
+        }
+    }
+
+    @Test
+    void makeOthersThatStayWithinThemAndGoWithThem() {
+        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http.Answer parent = user.post(
+                "/api/v1/access-keys",
+                "{\"label\":\"parent\",\"operations\":[\"command\"],\"drones\":[\"" + mine.id() + "\"],\"days\":2}");
+        Http byParent = new Http(house, parent.text("key"));
+
+        assertThat(refusal(byParent, "\"role\":\"administrator\"")).contains("who is operator");
+        assertThat(refusal(byParent, "\"drones\":[\"" + other.id() + "\"]")).contains("drones other than " + mine.id());
+        assertThat(refusal(byParent, "\"operations\":[\"plan\"]")).contains("no more than view, command");
+        assertThat(refusal(byParent, "\"days\":3")).contains("cannot last longer");
+        Http.Answer child =
+                byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"operations\":[\"view\"],\"days\":1}");
+        assertThat(child.json().path("drones").get(0).asString()).isEqualTo(mine.id());
+        assertThat(child.text("parent")).isEqualTo(parent.text("id"));
+        Http byChild = new Http(house, child.text("key"));
+        assertThat(byChild.get("/api/v1/drones/" + mine.id()).status()).isEqualTo(200);
+        assertThat(byChild.get("/api/v1/drones/" + other.id()).status()).isEqualTo(404);
+        assertThat(byChild.get("/api/v1/access-keys").json().path("accessKeys").size())
+                .isEqualTo(1);
+        assertThat(remove(byChild, parent.text("id")).status()).isEqualTo(404);
+
+        assertThat(remove(user, parent.text("id")).status()).isEqualTo(204);
+        assertThat(byParent.get("/api/v1/drones").status()).isEqualTo(401);
+        assertThat(byChild.get("/api/v1/drones").status()).isEqualTo(401);
+    }
+
+    @Test
+    void areRenewedWithTheSameRights() {
+        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\",\"operations\":[\"view\"]}");
+        try (StreamListener stream = StreamListener.withKey(house, made.text("key"))) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+
+            Http.Answer renewed = user.post("/api/v1/access-keys/" + made.text("id") + "/renew", "");
+
+            assertThat(stream.awaitClose()).startsWith("This session has ended");
+            assertThat(renewed.text("id")).isEqualTo(made.text("id"));
+            assertThat(new Http(house, made.text("key")).get("/api/v1/drones").status())
+                    .isEqualTo(401);
+            Http byNew = new Http(house, renewed.text("key"));
+            assertThat(byNew.get("/api/v1/drones").status()).isEqualTo(200);
+            assertThat(byNew.post("/api/v1/missions", "{}").status()).isEqualTo(403);
+        }
+    }
+
+    @Test
+    void sayWhenTheyWereLastUsed() {
+        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\"}");
+        assertThat(made.json().path("lastUsedAt").isNull()).isTrue();
+
+        Http script = new Http(house, made.text("key"));
+        script.get("/api/v1/drones");
+
+        assertThat(script.get("/api/v1/access-keys")
+                        .json()
+                        .path("accessKeys")
+                        .get(0)
+                        .path("lastUsedAt")
+                        .asString())
+                .startsWith("20");
+    }
+
+    @Test
+    void areAskedForInWordsThatAreChecked() {
+        Http user = new Http(house, house.key(Role.OPERATOR));
+
+        assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"operations\":[\"fly\"]}")
+                        .text("allowed"))
+                .isEqualTo("a list of view, plan, command and administer");
+        assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"drones\":[]}")
+                        .text("field"))
+                .isEqualTo("drones");
+        assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"drones\":[null]}")
+                        .text("field"))
+                .isEqualTo("drones");
+        assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"days\":0}")
+                        .text("field"))
+                .isEqualTo("days");
+    }
+
+    private static KeyRights operatorOf(ScriptedVehicle vehicle) {
+        KeyScope scope = new KeyScope(Set.of(new DroneId(vehicle.id())), EnumSet.allOf(Permission.class));
+        return new KeyRights(Role.OPERATOR, scope, null);
+    }
+
+    private static KeyRights operator(Permission permission) {
+        return new KeyRights(Role.OPERATOR, new KeyScope(null, Set.of(permission)), null);
+    }
+
+    private static String refusal(Http http, String members) {
+        Http.Answer answer = http.post("/api/v1/access-keys", "{\"label\":\"child\"," + members + "}");
+        assertThat(answer.status()).isEqualTo(403);
+        return answer.text("detail");
+    }
+
+    private static Http.Answer remove(Http http, String id) {
+        return http.send("/api/v1/access-keys/" + id, HttpRequest.Builder::DELETE);
+    }
+}

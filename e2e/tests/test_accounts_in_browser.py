@@ -1,0 +1,232 @@
+"""People come in, are given rights and lose them, each on a page of their own; at desk and phone."""
+
+import os
+import re
+import secrets
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.server import Server
+from dronemap_e2e.station import Hands, Pointer, Station, Touch, launch
+
+PATIENCE = 30_000
+Open = Callable[[], Station]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        started = launch(playwright)
+        yield started
+        started.close()
+
+
+@pytest.fixture
+def open_page(request: pytest.FixtureRequest, browser: Browser) -> Iterator[Open]:
+    """Pages that share nothing, as those of several people."""
+    (width, height), touch, dark = request.param
+    contexts = []
+
+    def opened() -> Station:
+        context = browser.new_context(
+            viewport={"width": width, "height": height},
+            has_touch=touch,
+            is_mobile=touch,
+            color_scheme="dark" if dark else "light",
+        )
+        contexts.append(context)
+        hands: Hands = Touch() if touch else Pointer()
+        return Station(context.new_page(), hands)
+
+    yield opened
+    for context in contexts:
+        context.close()
+
+
+DESK_LIGHT = pytest.param(((1440, 900), False, False), id="desk-light")
+PHONE_DARK = pytest.param(((390, 844), True, True), id="phone-dark")
+
+
+def picture(page: Page, name: str) -> None:
+    """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+    folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
+    if folder:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        page.screenshot(path=Path(folder) / f"{name}.png")
+
+
+def new_name(kind: str) -> str:
+    return f"{kind}-{secrets.token_hex(4)}"
+
+
+def administrator(server: Server, api: Api, station: Station) -> Station:
+    """Signed in and at the page of users."""
+    name, password = new_name("chief"), secrets.token_hex(10)
+    answer = api.call("POST", "/users", {"name": name, "password": password, "role": "administrator"})
+    assert answer.status_code == 201, answer.text
+    station.sign_in(server.address, name, password, secrets.token_hex(10))
+    station.hands.press(station.page, station.page.get_by_role("button", name=f"Account of {name}"))
+    station.press("Administration")
+    return station
+
+
+def card(station: Station, name: str) -> Locator:
+    return station.page.get_by_role("region", name=name)
+
+
+def row(station: Station, user: str) -> Locator:
+    return card(station, "Users").get_by_role("listitem").filter(has_text=user)
+
+
+def press_in(station: Station, where: Locator, label: str | re.Pattern[str]) -> None:
+    station.hands.press(station.page, where.get_by_role("button", name=label))
+
+
+def reload_users(station: Station) -> None:
+    press_in(station, station.page.get_by_role("main"), "Back to the map")
+    station.hands.press(
+        station.page, station.page.get_by_role("button", name=re.compile("^Account of chief-"))
+    )
+    station.press("Administration")
+
+
+@pytest.mark.parametrize("open_page", [DESK_LIGHT, PHONE_DARK], indirect=True)
+def test_an_invited_viewer_watches_until_disabled(
+    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
+) -> None:
+    look = request.node.callspec.id
+    chief = administrator(server, api, open_page())
+    invitations = card(chief, "Invitations")
+    invitations.get_by_label("Whom you invite").fill("Ann of the fire brigade")
+    invitations.get_by_label("Role of the invited").select_option("viewer")
+    press_in(chief, invitations, "Make a link")
+    expect(invitations.get_by_role("status")).to_contain_text("shown this once")
+    picture(chief.page, f"accounts-{look}-1-invited")
+    link = invitations.get_by_role("status").locator("code").inner_text()
+    assert link.startswith(server.address + "/#invitation=")
+
+    ann, password = new_name("ann"), secrets.token_hex(10)
+    guest = open_page()
+    guest.page.goto(link)
+    expect(guest.page.get_by_role("heading", name="You are invited")).to_be_visible()
+    guest.page.get_by_label("User name").fill(ann)
+    guest.page.get_by_label("Password", exact=True).fill(password)
+    picture(guest.page, f"accounts-{look}-2-invitation")
+    guest.press("Make my account")
+    guest.choose(copter["name"])
+    expect(guest.button("Arm")).to_have_attribute("aria-disabled", "true")
+    guest.shows("Your role may look, not command")
+    expect(guest.page.get_by_role("button", name=f"Rename {copter['name']}")).to_have_count(0)
+    picture(guest.page, f"accounts-{look}-3-viewer")
+
+    again = open_page()
+    again.page.goto(link)
+    again.page.get_by_label("User name").fill(new_name("bob"))
+    again.page.get_by_label("Password", exact=True).fill(password)
+    again.press("Make my account")
+    again.shows("This invitation was used already, has expired or was withdrawn")
+
+    reload_users(chief)
+    press_in(chief, row(chief, ann), f"More for {ann}")
+    picture(chief.page, f"accounts-{look}-4-more")
+    chief.hold(f"Disable {ann}")
+    expect(row(chief, ann)).to_contain_text("disabled", timeout=PATIENCE)
+    guest.shows("You were signed out.")
+    expect(guest.page.get_by_text(copter["name"])).to_have_count(0)
+    picture(guest.page, f"accounts-{look}-5-signed-out")
+    guest.page.get_by_label("User name").fill(ann)
+    guest.page.get_by_label("Password", exact=True).fill(password)
+    guest.press("Sign in")
+    guest.shows("Your account has been disabled; ask an administrator.")
+
+
+@pytest.mark.parametrize("open_page", [DESK_LIGHT, PHONE_DARK], indirect=True)
+def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_password(
+    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
+) -> None:
+    look = request.node.callspec.id
+    carol, password = new_name("carol"), secrets.token_hex(10)
+    guest = open_page()
+    guest.page.goto(server.address)
+    guest.press("No account yet? Ask for one")
+    guest.page.get_by_label("User name").fill(carol)
+    guest.page.get_by_label("Password", exact=True).fill(password)
+    picture(guest.page, f"accounts-{look}-6-asks")
+    guest.press("Ask for an account")
+    guest.shows("An administrator has to let you in")
+    picture(guest.page, f"accounts-{look}-7-waits")
+    guest.press("Back to the sign-in")
+    guest.page.get_by_label("User name").fill(carol)
+    guest.page.get_by_label("Password", exact=True).fill(password)
+    guest.press("Sign in")
+    guest.shows("Your account waits until an administrator lets you in")
+
+    chief = administrator(server, api, open_page())
+    expect(row(chief, carol)).to_contain_text("waits to be let in")
+    picture(chief.page, f"accounts-{look}-8-users")
+    press_in(chief, row(chief, carol), re.compile("^Let in"))
+    expect(row(chief, carol)).not_to_contain_text("waits", timeout=PATIENCE)
+    guest.press("Sign in")
+    guest.choose(copter["name"])
+    expect(guest.button("Arm")).to_have_attribute("aria-disabled", "true")
+
+    # The open page follows the new role by itself.
+    row(chief, carol).get_by_label(f"Role of {carol}").select_option("operator")
+    expect(guest.button("Arm")).to_have_attribute("aria-disabled", "false", timeout=PATIENCE)
+
+    press_in(chief, row(chief, carol), f"More for {carol}")
+    press_in(chief, row(chief, carol), "New one-time password")
+    shown = card(chief, "Users").get_by_role("status").locator("code")
+    expect(shown).to_be_visible()
+    one_time = shown.inner_text()
+    guest.shows("You were signed out.")
+    guest.page.get_by_label("User name").fill(carol)
+    guest.page.get_by_label("Password", exact=True).fill(one_time)
+    guest.press("Sign in")
+    expect(guest.page.get_by_label("New password")).to_be_visible()
+    picture(guest.page, f"accounts-{look}-9-own-password")
+    guest.page.get_by_label("New password").fill(secrets.token_hex(10))
+    guest.press("Save and continue")
+    guest.choose(copter["name"])
+
+    row(chief, carol).get_by_label(f"Role of {carol}").select_option("reporter")
+    expect(guest.page.get_by_role("heading", name="You are signed in")).to_be_visible(timeout=PATIENCE)
+    expect(guest.page.get_by_text(copter["name"])).to_have_count(0)
+    picture(guest.page, f"accounts-{look}-10-reporter")
+
+
+@pytest.mark.parametrize("open_page", [DESK_LIGHT, PHONE_DARK], indirect=True)
+def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
+    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
+) -> None:
+    look = request.node.callspec.id
+    station = administrator(server, api, open_page())
+    keys = card(station, "Access keys")
+    keys.get_by_label("What the key is for").fill("survey script")
+    keys.get_by_label("What it may do").select_option("only look")
+    keys.get_by_label("For which drones").select_option("only some")
+    keys.get_by_label(copter["name"], exact=True).check()
+    picture(station.page, f"accounts-{look}-11-key")
+    press_in(station, keys, "Create key")
+    made = keys.get_by_role("status").locator("code")
+    expect(made).to_be_visible()
+    program = Api(server.address, made.inner_text())
+    assert [drone["id"] for drone in program.drones()] == [copter["id"]]
+    refused = program.call("POST", f"/drones/{copter['id']}/commands", {"type": "arm"})
+    assert refused.status_code == 403, refused.text
+
+    line = keys.get_by_role("listitem").filter(has_text="survey script")
+    expect(line).to_contain_text(copter["name"])
+    station.hands.hold(station.page, line.get_by_role("button", name=re.compile("^Renew")))
+    expect(made).not_to_have_text(program.key, timeout=PATIENCE)
+    assert program.call("GET", "/drones").status_code == 401
+    renewed = Api(server.address, made.inner_text())
+    assert renewed.call("GET", "/drones").status_code == 200
+
+    station.hands.hold(station.page, line.get_by_role("button", name=re.compile("^Revoke")))
+    expect(line).to_have_count(0, timeout=PATIENCE)
+    assert renewed.call("GET", "/drones").status_code == 401

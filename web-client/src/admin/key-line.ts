@@ -1,0 +1,37 @@
+import type { AccessKey, KeyOperation } from '../api/access-keys';
+import { mayAct, type Role } from '../api/accounts';
+import { age, counted } from '../ui/format';
+
+/** What a key can be made for, least first; each needs a role of its owner. */
+export const REACHES: readonly { label: string; operations: KeyOperation[]; needs: Role }[] = [
+  { label: 'only look', operations: ['view'], needs: 'viewer' },
+  { label: 'look and plan', operations: ['view', 'plan'], needs: 'planner' },
+  { label: 'look, plan and command', operations: ['view', 'plan', 'command'], needs: 'operator' },
+  { label: 'all that I may', operations: ['view', 'plan', 'command', 'administer'], needs: 'administrator' },
+];
+
+export function reachesOf(role: Role | undefined): typeof REACHES {
+  return REACHES.filter((reach) => mayAct(role, reach.needs));
+}
+
+/** How far a key reaches, in one line. */
+export function reachLine(key: AccessKey, nameOf: (drone: string) => string): string {
+  const drones =
+    key.drones === null
+      ? 'all drones'
+      : key.drones.length > 3
+        ? counted(key.drones.length, 'drone')
+        : key.drones.map(nameOf).join(', ');
+  return `${key.role}: ${key.operations.join(', ')} · ${drones}`;
+}
+
+/** Until when it serves, and when it last did. */
+export function useLine(key: AccessKey, now: number): string {
+  const used = key.lastUsedAt === null ? 'not used yet' : `used ${age(now - Date.parse(key.lastUsedAt))}`;
+  if (key.expiresAt === null) {
+    return used;
+  }
+  const ends = Date.parse(key.expiresAt);
+  const day = new Date(ends).toLocaleDateString();
+  return `${ends <= now ? `ended ${day}` : `until ${day}`} · ${used}`;
+}
