@@ -82,7 +82,12 @@ final class ControlWatch implements Lane.Ticker {
     /** In the air and waiting for somebody: what flies by itself goes on. */
     private boolean isLeftAlone() {
         DroneState state = drone.drone().state();
-        return Boolean.TRUE.equals(state.armed()) && state.airborne() && steering(state) != null;
+        return Boolean.TRUE.equals(state.armed())
+                && state.airborne()
+                && state.capabilities()
+                        .steering(state.mode())
+                        .filter(Steering::waitsForSomebody)
+                        .isPresent();
     }
 
     @Override

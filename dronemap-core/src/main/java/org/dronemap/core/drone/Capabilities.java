@@ -28,7 +28,12 @@ public record Capabilities(
         /** The mission on board. */
         MISSION,
         /** Its own way home or down. */
-        SAFETY
+        SAFETY;
+
+        /** Without anybody who steers, nothing goes on. */
+        public boolean waitsForSomebody() {
+            return this == STICKS || this == ORDERS;
+        }
     }
 
     public Capabilities {
