@@ -13,7 +13,7 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.peer import OBEDIENT, Peer, with_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import SigningPeer
-from dronemap_e2e.waiting import wait_for
+from dronemap_e2e.waiting import throughout, wait_for
 
 from .conftest import SYSTEM_IDS
 
@@ -265,8 +265,7 @@ def test_a_stranger_waits_until_an_administrator_lets_it_in(tmp_path: Path, make
 
         waiting = wait_for("it waits", lambda: api.get("/waiting")["waiting"], 10)[0]
         assert (waiting["reason"], waiting["port"]) == ("unknown", stranger.port)
-        time.sleep(3)
-        assert api.drones() == []
+        throughout("it is no drone", lambda: api.drones() == [], 3)
         assert stranger.received("COMMAND_LONG") and not told_to_act(stranger.state.received)
         viewer = Api(server.address, api.new_key("eyes", "viewer"))
         assert viewer.call("GET", "/waiting").status_code == 403
