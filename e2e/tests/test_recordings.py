@@ -58,6 +58,25 @@ def download(api: Api, recording: str) -> bytes:
     return answer.content
 
 
+def told(api: Api, drone: str, recording: str, kept: list[tuple[int, bytes]]) -> set[str]:
+    """Types of the commands for which something was sent, as noted beside the recording for each such frame."""
+    answer = api.call("GET", f"/recordings/{recording}/sent")
+    assert answer.ok, answer.text
+    header, *lines = answer.text.splitlines()
+    assert header.split("\t") == ["offset", "command", "epoch", "by"]
+    noted = [line.split("\t") for line in lines]
+    offsets = [0]
+    for _, frame in kept:
+        offsets.append(offsets[-1] + TIME_BYTES + len(frame))
+    down = [at for at, (_, frame) in zip(offsets, kept, strict=False) if sender(frame) == CLOUD]
+    assert [int(offset) for offset, *_ in noted] == down
+    commands = {c["id"]: c for c in api.get(f"/drones/{drone}/commands")["commands"]}
+    for _, command, epoch, by in noted:
+        if command != "-":
+            assert (epoch, by) == (str(commands[command]["epoch"]), commands[command]["by"])
+    return {commands[command]["type"] for _, command, *_ in noted if command != "-"}
+
+
 def fly(api: Api, drone: str) -> None:
     api.do(drone, type="arm")
     api.do(drone, type="takeOff", altitude=8)
@@ -86,6 +105,7 @@ def test_a_flight_is_recorded_byte_for_byte_in_both_directions(
     }
     assert len(up) > 100 and is_part(up, on_wire[True]), "what the vehicle said"
     assert len(down) > 10 and is_part(down, on_wire[False]), "what the vehicle was told"
+    assert told(api, drone, done["id"], kept) == {"arm", "takeOff", "land"}
     first = kept[0][0] / 1e6
     armed = next(m for m in read(tlog, tmp_path) if m.get_type() == "HEARTBEAT" and m.base_mode & 0x80)
     assert armed._timestamp - first > 3, "the seconds before arming are missing"

@@ -166,6 +166,11 @@ export class RestClient {
     return `${this.#base}/recordings/${encodeURIComponent(id)}/file`;
   }
 
+  /** Where the browser downloads from who sent what in it. */
+  sentAddress(id: string): string {
+    return `${this.#base}/recordings/${encodeURIComponent(id)}/sent`;
+  }
+
   replayRecording(id: string, speed: number): Promise<unknown> {
     return this.#call('POST', `/recordings/${encodeURIComponent(id)}/replays?speed=${speed}`);
   }

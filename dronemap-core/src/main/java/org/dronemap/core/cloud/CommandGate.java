@@ -64,6 +64,10 @@ public final class CommandGate {
             return !passage.fence().isOpen();
         }
 
+        Mandate mandate() {
+            return new Mandate(open.record().id(), passage.epoch(), open.record().by(), passage.fence());
+        }
+
         /** Given under the control of now. */
         boolean isUnderControl() {
             return passage.fence() != Fence.NONE && passage.fence().isOpen();
@@ -276,11 +280,7 @@ public final class CommandGate {
         Lane.Ticker guard = new Overdue(entry, channel.get());
         entry.drone().lane().addTicker(guard);
         channel.get()
-                .perform(
-                        entry.open().record().id(),
-                        entry.open().command(),
-                        entry.passage().fence(),
-                        new Reporter(entry, guard));
+                .perform(entry.mandate(), entry.open().command(), new Reporter(entry, guard));
     }
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */

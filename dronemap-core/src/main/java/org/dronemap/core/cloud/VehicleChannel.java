@@ -8,9 +8,9 @@ import org.dronemap.core.command.Outcome;
 public interface VehicleChannel {
     /**
      * Starts to carry a command out; {@code report} hears of it until it ended, exactly once. All that is sent for it
-     * passes the fence.
+     * passes the mandate's fence.
      */
-    void perform(CommandId id, Command command, Fence fence, Report report);
+    void perform(Mandate mandate, Command command, Report report);
 
     /** Stops retrying a command; nothing more of it goes out and nothing is reported. No-op when it has ended. */
     void cancel(CommandId id);

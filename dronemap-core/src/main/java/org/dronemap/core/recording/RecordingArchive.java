@@ -16,6 +16,12 @@ public interface RecordingArchive {
     /** The file as it is now, all that was heard so far in it; empty when there is none. */
     Optional<Path> file(String id) throws IOException;
 
+    /**
+     * By what right each frame in it went out, as tab-separated lines: place in the file (bytes), command, epoch of
+     * control, user. Empty when there is none.
+     */
+    Optional<Path> sent(String id) throws IOException;
+
     /** Refused with a sentence while it goes on or when there is none; empty when it is gone. */
     Optional<String> delete(String id) throws IOException;
 

@@ -126,10 +126,10 @@ class ControlRaceTest {
         private final List<Runnable> repeated = new ArrayList<>();
 
         @Override
-        public void perform(CommandId id, Command command, Fence fence, Report report) {
-            CommandRecord record = store.records.get(id);
+        public void perform(Mandate mandate, Command command, Report report) {
+            CommandRecord record = store.records.get(mandate.command());
             Sent sent = new Sent(record.by(), record.epoch() == null ? -1 : record.epoch());
-            Runnable send = () -> fence.pass(() -> {
+            Runnable send = () -> mandate.fence().pass(() -> {
                 synchronized (wire) {
                     wire.add(sent);
                 }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
@@ -51,10 +52,10 @@ final class Fixtures {
         final ConcurrentHashMap<Report, Fence> fences = new ConcurrentHashMap<>();
 
         @Override
-        public void perform(CommandId id, Command command, Fence fence, Report report) {
+        public void perform(Mandate mandate, Command command, Report report) {
             performed.add(command);
-            fences.put(report, fence);
-            reports.put(id, report);
+            fences.put(report, mandate.fence());
+            reports.put(Objects.requireNonNull(mandate.command()), report);
         }
 
         @Override

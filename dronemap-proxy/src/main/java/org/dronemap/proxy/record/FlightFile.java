@@ -20,6 +20,7 @@ final class FlightFile {
 
     private final Path file;
     private @Nullable FileChannel channel;
+    private @Nullable SentIndex sent;
     private long lastMicros;
     private @Nullable String failure;
     private volatile Recording recording;
@@ -39,6 +40,7 @@ final class FlightFile {
                     new Recording(id, drone, droneName, start, null, 0, 0, 0, Recording.State.RUNNING, null));
             try {
                 opened.channel = FileChannel.open(opened.file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+                opened.sent = SentIndex.open(files.sentPath(id));
                 return opened;
             } catch (FileAlreadyExistsException e) {
                 LOG.debug("{} is there already", opened.file);
@@ -53,14 +55,17 @@ final class FlightFile {
         return recording;
     }
 
-    void append(TlogBuffer records) {
+    void append(Stretch stretch) {
+        TlogBuffer records = stretch.records();
         FileChannel to = channel;
-        if (to == null) {
+        SentIndex index = sent;
+        if (to == null || index == null) {
             count(0, 0, records.frames());
             return;
         }
         try {
             records.writeTo(to);
+            index.append(recording.bytes(), stretch.sent());
             lastMicros = Math.max(lastMicros, records.lastMicros());
             count(records.length(), records.frames(), 0);
         } catch (IOException e) {
@@ -140,10 +145,14 @@ final class FlightFile {
                 channel.force(false);
                 channel.close();
             }
+            if (sent != null) {
+                sent.close();
+            }
         } catch (IOException e) {
             LOG.warn("{} was not closed cleanly", file, e);
         }
         channel = null;
+        sent = null;
     }
 
     static Instant instant(long micros) {

@@ -22,7 +22,6 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.recording.RecordingStore;
-import org.dronemap.mavlink.tlog.TlogBuffer;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -61,7 +60,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     // Owned by the writer.
     private final Map<DroneId, FlightFile> open = new HashMap<>();
     private final Map<DroneId, Tape> newest = new HashMap<>();
-    private TlogBuffer spare = Tape.emptyBuffer();
+    private Stretch spare = Tape.empty();
     private int rounds;
 
     /** Where what is known of recordings is kept, the thread that writes it, and what drones are called. */
@@ -165,18 +164,18 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (drone == null || !newest.containsKey(drone)) {
             return;
         }
-        TlogBuffer full = tape.take(spare, all);
+        Stretch full = tape.take(spare, all);
         long drops = tape.takeDrops();
         FlightFile file = open.get(drone);
         // What still goes to an old address begins no new recording of the drone that came back from another.
         if (file == null && (full != null || drops > 0) && mayBegin(drone, tape)) {
-            file = begin(drone, full == null ? tape.heardMicros() : full.firstMicros());
+            file = begin(drone, full == null ? tape.heardMicros() : full.records().firstMicros());
         }
         if (file != null) {
             file.dropped(drops);
         }
         if (full != null) {
-            int length = full.length();
+            int length = full.records().length();
             if (file != null) {
                 long before = file.recording().bytes();
                 file.append(full);

@@ -21,6 +21,7 @@ import org.dronemap.mavlink.tlog.TlogScan;
 /** The folder of recordings: names that say when and which drone, and what a file of a dead server still holds. */
 record RecordingFiles(Path directory) {
     private static final String ENDING = ".tlog";
+    private static final String SENT_ENDING = ".sent.tsv";
     private static final DateTimeFormatter TIME =
             DateTimeFormatter.ofPattern("yyyyMMdd'T'HHmmss'Z'").withZone(ZoneOffset.UTC);
     private static final Pattern ID = Pattern.compile("\\d{8}T\\d{6}Z_([a-z0-9-]{1,40})(_\\d+)?");
@@ -32,6 +33,11 @@ record RecordingFiles(Path directory) {
 
     Path path(String id) {
         return directory.resolve(id + ENDING);
+    }
+
+    /** By what right each frame of it went out. */
+    Path sentPath(String id) {
+        return directory.resolve(id + SENT_ENDING);
     }
 
     /** Ids of all files here that bear the name of a recording. */
@@ -62,6 +68,7 @@ record RecordingFiles(Path directory) {
                 channel.truncate(scan.wholeBytes());
             }
         }
+        SentIndex.repair(sentPath(known.id()), scan.wholeBytes());
         Instant start = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.firstMicros());
         Instant end = scan.frames() == 0 ? known.start() : FlightFile.instant(scan.lastMicros());
         return new Recording(

@@ -19,6 +19,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
 import org.dronemap.core.recording.RecordingPolicy;
@@ -74,6 +75,15 @@ public final class Shelf implements RecordingArchive {
 
     @Override
     public Optional<Path> file(String id) throws IOException {
+        return written(id, files::path);
+    }
+
+    @Override
+    public Optional<Path> sent(String id) throws IOException {
+        return written(id, files::sentPath);
+    }
+
+    private Optional<Path> written(String id, Function<String, Path> path) throws IOException {
         Optional<Recording> found = recording(id);
         if (found.isEmpty()) {
             return Optional.empty();
@@ -81,7 +91,7 @@ public final class Shelf implements RecordingArchive {
         if (found.get().state() == Recording.State.RUNNING) {
             recorder.flush();
         }
-        return Optional.of(files.path(found.get().id())).filter(Files::isReadable);
+        return Optional.of(path.apply(found.get().id())).filter(Files::isReadable);
     }
 
     @Override
@@ -165,6 +175,7 @@ public final class Shelf implements RecordingArchive {
     private void remove(Recording recording) {
         try {
             Files.deleteIfExists(files.path(recording.id()));
+            Files.deleteIfExists(files.sentPath(recording.id()));
         } catch (IOException e) {
             notice = "Recording " + recording.id() + " cannot be removed: " + e.getMessage() + ".";
             throw new UncheckedIOException(e);

@@ -2,10 +2,10 @@ package org.dronemap.proxy.record;
 
 import java.time.Clock;
 import java.time.Instant;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.mavlink.tlog.TlogBuffer;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 
@@ -29,9 +29,9 @@ final class Tape implements FrameTap {
     private final int autopilot;
     private final boolean always;
     // What came before, in two halves: when the newer one is full or long enough, the older one is forgotten.
-    private TlogBuffer older = new TlogBuffer(BEFORE_BYTES);
-    private TlogBuffer newer = new TlogBuffer(BEFORE_BYTES);
-    private TlogBuffer waiting = new TlogBuffer(MOST_WAITING_BYTES);
+    private Stretch older = new Stretch(BEFORE_BYTES);
+    private Stretch newer = new Stretch(BEFORE_BYTES);
+    private Stretch waiting = new Stretch(MOST_WAITING_BYTES);
     private @Nullable DroneId drone;
     private boolean armed;
     private boolean recording;
@@ -56,22 +56,22 @@ final class Tape implements FrameTap {
         }
         stopWhenOver(now);
         if (!recording) {
-            before(now).add(now, frame);
+            before(now).heard(now, frame);
         } else {
-            int before = waiting.length();
-            settle(TIME_BYTES + frame.length(), before, admit(frame.length()) && waiting.add(now, frame));
+            int before = waiting.records().length();
+            settle(TIME_BYTES + frame.length(), before, admit(frame.length()) && waiting.heard(now, frame));
         }
     }
 
     @Override
-    public synchronized void said(byte[] frame) {
+    public synchronized void said(byte[] frame, Mandate mandate) {
         long now = now();
         stopWhenOver(now);
         if (!recording) {
-            before(now).add(now, frame);
+            before(now).said(now, frame, mandate);
         } else {
-            int before = waiting.length();
-            settle(TIME_BYTES + frame.length, before, admit(frame.length) && waiting.add(now, frame));
+            int before = waiting.records().length();
+            settle(TIME_BYTES + frame.length, before, admit(frame.length) && waiting.said(now, frame, mandate));
         }
     }
 
@@ -107,7 +107,7 @@ final class Tape implements FrameTap {
 
     /** Nothing more is recorded, and nothing that was waits for the writer: only then may its file be ended. */
     synchronized boolean isOver() {
-        return !isRecording() && waiting.frames() == 0;
+        return !isRecording() && waiting.records().frames() == 0;
     }
 
     /** The vehicle said that it is armed and has not taken it back. */
@@ -123,25 +123,25 @@ final class Tape implements FrameTap {
     }
 
     /**
-     * What waits, for an empty buffer in exchange; null when it may wait for more. Give the bytes back to the room when
+     * What waits, for an empty stretch in exchange; null when it may wait for more. Give the bytes back to the room when
      * they are written.
      */
-    synchronized @Nullable TlogBuffer take(TlogBuffer empty, boolean all) {
-        boolean worthIt = waiting.length() >= WORTH_WRITING_BYTES
-                || now() - waiting.firstMicros() >= LONGEST_WAIT_MICROS
+    synchronized @Nullable Stretch take(Stretch empty, boolean all) {
+        boolean worthIt = waiting.records().length() >= WORTH_WRITING_BYTES
+                || now() - waiting.records().firstMicros() >= LONGEST_WAIT_MICROS
                 || !recording
                 || ended
                 || all;
-        if (waiting.frames() == 0 || !worthIt) {
+        if (waiting.records().frames() == 0 || !worthIt) {
             return null;
         }
-        TlogBuffer full = waiting;
+        Stretch full = waiting;
         waiting = empty;
         return full;
     }
 
-    static TlogBuffer emptyBuffer() {
-        return new TlogBuffer(MOST_WAITING_BYTES);
+    static Stretch empty() {
+        return new Stretch(MOST_WAITING_BYTES);
     }
 
     private long now() {
@@ -166,9 +166,9 @@ final class Tape implements FrameTap {
         keepBefore(newer);
     }
 
-    private void keepBefore(TlogBuffer half) {
-        int frames = half.frames();
-        if (!room.take(half.length()) || !waiting.addAll(half)) {
+    private void keepBefore(Stretch half) {
+        int frames = half.records().frames();
+        if (!room.take(half.records().length()) || !waiting.addAll(half)) {
             drops += frames;
         }
         half.clear();
@@ -180,10 +180,10 @@ final class Tape implements FrameTap {
         }
     }
 
-    private TlogBuffer before(long now) {
-        boolean full = newer.length() > BEFORE_BYTES - 512;
-        if (newer.frames() > 0 && (full || now - newer.firstMicros() > BEFORE_MICROS)) {
-            TlogBuffer forgotten = older;
+    private Stretch before(long now) {
+        boolean full = newer.records().length() > BEFORE_BYTES - 512;
+        if (newer.records().frames() > 0 && (full || now - newer.records().firstMicros() > BEFORE_MICROS)) {
+            Stretch forgotten = older;
             older = newer;
             newer = forgotten;
             newer.clear();
@@ -192,13 +192,13 @@ final class Tape implements FrameTap {
     }
 
     private boolean admit(int frameBytes) {
-        return waiting.length() + TIME_BYTES + frameBytes <= MOST_WAITING_BYTES && room.take(TIME_BYTES + frameBytes);
+        return waiting.records().length() + TIME_BYTES + frameBytes <= MOST_WAITING_BYTES && room.take(TIME_BYTES + frameBytes);
     }
 
     /** A frame may take less than was set aside for it: its signature is not kept, and some frames are not at all. */
     private void settle(int setAside, int lengthBefore, boolean kept) {
         if (kept) {
-            room.giveBack(setAside - (waiting.length() - lengthBefore));
+            room.giveBack(setAside - (waiting.records().length() - lengthBefore));
         } else {
             drops++;
         }

@@ -1,8 +1,9 @@
 package org.dronemap.proxy.session;
 
+import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -133,11 +134,12 @@ final class Conversation {
         return errands.isEmpty();
     }
 
-    /** All that goes out for it passes the fence. */
-    void perform(CommandId id, Command command, Fence fence, VehicleChannel.Report report) {
+    /** All that goes out for it goes by its mandate. */
+    void perform(Mandate mandate, Command command, VehicleChannel.Report report) {
+        CommandId id = Objects.requireNonNull(mandate.command());
         long now = nanoTime.getAsLong();
         ReportingObserver observer = new ReportingObserver(report);
-        Target fenced = target.through(message -> links.send(message, fence));
+        Target fenced = target.through(message -> links.send(message, mandate));
         Cockpit cockpit = new Cockpit(
                 status, parameters, fenced, observer, this::tell, missions::changedByCloud, telemetry::remark);
         errands.begin(id, command, autopilot.plan(command, cockpit), report, now);

@@ -1,7 +1,7 @@
 package org.dronemap.proxy.session;
 
 import java.util.ArrayDeque;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
@@ -28,7 +28,7 @@ final class Downlink {
     private volatile long sent;
 
     /** A message that waits; whether it may still go is judged when it goes. */
-    private record Held(Message message, Fence fence) {}
+    private record Held(Message message, Mandate mandate) {}
 
     Downlink(Peer peer) {
         this.peer = peer;
@@ -58,16 +58,16 @@ final class Downlink {
     }
 
     /** Sends, or keeps in order what must wait for a change of keys; the oldest falls out of a full queue. */
-    void send(Message message, Fence fence, long nowNanos) {
+    void send(Message message, Mandate mandate, long nowNanos) {
         if (guard != null && guard.holds(nowNanos)) {
             if (held.size() == MOST_HELD) {
                 held.removeFirst();
             }
-            held.addLast(new Held(message, fence));
+            held.addLast(new Held(message, mandate));
             return;
         }
         release();
-        transmit(message, fence);
+        transmit(message, mandate);
     }
 
     /** Lets go what was held when the wait is over. */
@@ -80,12 +80,12 @@ final class Downlink {
     private void release() {
         while (!held.isEmpty()) {
             Held next = held.removeFirst();
-            transmit(next.message(), next.fence());
+            transmit(next.message(), next.mandate());
         }
     }
 
-    private void transmit(Message message, Fence fence) {
-        fence.pass(() -> tap.said(put(message)));
+    private void transmit(Message message, Mandate mandate) {
+        mandate.fence().pass(() -> tap.said(put(message), mandate));
     }
 
     /** Sends at once what nobody but the vehicle may see: no tap, no log. */

@@ -1,5 +1,6 @@
 package org.dronemap.proxy.session;
 
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 
@@ -11,7 +12,7 @@ public interface FrameTap {
         public void heard(Frame frame) {}
 
         @Override
-        public void said(byte[] frame) {}
+        public void said(byte[] frame, Mandate mandate) {}
 
         @Override
         public void bound(DroneId drone) {}
@@ -23,8 +24,8 @@ public interface FrameTap {
     /** A frame came from the vehicle. */
     void heard(Frame frame);
 
-    /** A frame went to the vehicle; belongs to the caller. */
-    void said(byte[] frame);
+    /** A frame, which belongs to the caller, went to the vehicle by that mandate. */
+    void said(byte[] frame, Mandate mandate);
 
     /** From now on the session speaks for this drone. */
     void bound(DroneId drone);

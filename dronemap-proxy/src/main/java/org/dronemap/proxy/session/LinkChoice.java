@@ -2,7 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkReport;
@@ -65,12 +65,12 @@ final class LinkChoice {
     }
 
     void send(Message message) {
-        best.send(message, Fence.NONE);
+        best.send(message, Mandate.HOUSEKEEPING);
     }
 
-    /** Sends what still passes the fence when its turn on the wire comes. */
-    void send(Message message, Fence fence) {
-        best.send(message, fence);
+    /** Sends what its mandate still lets pass when its turn on the wire comes. */
+    void send(Message message, Mandate mandate) {
+        best.send(message, mandate);
     }
 
     /** Sends at once what nobody but the vehicle may see, on a link where nobody can listen if there is one. */

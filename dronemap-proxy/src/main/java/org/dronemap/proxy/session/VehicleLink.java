@@ -2,7 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongSupplier;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.Proof;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -36,7 +36,7 @@ final class VehicleLink {
         this.nanoTime = nanoTime;
         lastHeardNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
-        Target target = new Target(first.systemId(), first.componentId(), message -> send(message, Fence.NONE));
+        Target target = new Target(first.systemId(), first.componentId(), message -> send(message, Mandate.HOUSEKEEPING));
         meter = new LinkMeter(new RoundTripProbe(target, new RoundTrip()), lastHeardNanos);
     }
 
@@ -85,9 +85,9 @@ final class VehicleLink {
         return cut || owner == null || owner.isOver();
     }
 
-    void send(Message message, Fence fence) {
+    void send(Message message, Mandate mandate) {
         if (!label.replay() && !cut) {
-            downlink.send(message, fence, nanoTime.getAsLong());
+            downlink.send(message, mandate, nanoTime.getAsLong());
         }
     }
 

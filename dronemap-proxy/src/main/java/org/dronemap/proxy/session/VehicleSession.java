@@ -3,7 +3,7 @@ package org.dronemap.proxy.session;
 import java.util.Optional;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.cloud.DroneLink;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.Lane;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
@@ -362,8 +362,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     }
 
     @Override
-    public void perform(CommandId id, Command command, Fence fence, Report report) {
-        conversation.perform(id, command, fence, report);
+    public void perform(Mandate mandate, Command command, Report report) {
+        conversation.perform(mandate, command, report);
     }
 
     @Override

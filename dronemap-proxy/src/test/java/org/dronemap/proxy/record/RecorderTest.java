@@ -11,9 +11,13 @@ import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
@@ -286,10 +290,41 @@ class RecorderTest {
         clock.pass(10);
         Recording done = awaitEnd();
         assertThat(recorder.shelf().delete(id)).isEmpty();
-        assertThat(file(done)).doesNotExist();
+        assertThat(directory).isEmptyDirectory();
         assertThat(recorder.shelf().recordings()).isEmpty();
         assertThat(recorder.shelf().delete(id))
                 .hasValueSatisfying(why -> assertThat(why).contains("There is no recording"));
+    }
+
+    @Test
+    void notesForEachFrameThatWentOutWhichCommandEpochAndUserItWasFor() throws IOException {
+        recorder.start();
+        FrameTap tap = recorder.open(1);
+        tap.bound(DRONE);
+        says(tap, new Heartbeat(6, 8, 0, 0, 4, 3), true);
+        hears(tap, heartbeat(true), true);
+        byte[] arm = cloud.frame(new CommandLong(1, 1, 400, 0, 1f, 0f, 0f, 0f, 0f, 0f, 0f));
+        tap.said(arm, new Mandate(new CommandId("arm-it-now"), 7L, "ann", Fence.NONE));
+        recorder.flush();
+
+        String id = recorder.shelf().recordings().get(0).id();
+        byte[] tlog = Files.readAllBytes(recorder.shelf().file(id).orElseThrow());
+        List<String> lines = Files.readAllLines(recorder.shelf().sent(id).orElseThrow());
+        assertThat(lines).startsWith("offset\tcommand\tepoch\tby", "0\t-\t-\tdronemap").hasSize(3);
+        String[] armed = lines.get(2).split("\t", -1);
+        assertThat(armed).endsWith("arm-it-now", "7", "ann");
+        int offset = Integer.parseInt(armed[0]) + Long.BYTES;
+        assertThat(Arrays.copyOfRange(tlog, offset, offset + arm.length)).isEqualTo(arm);
+    }
+
+    @Test
+    void forgetsNotesOfWhatTheRecordingDoesNotHoldAnyMore() throws IOException {
+        Path notes = directory.resolve("notes");
+        Files.writeString(notes, SentIndex.HEADER + "0\t-\t-\tdronemap\n200\tc\t7\tann\n12");
+
+        SentIndex.repair(notes, 200);
+
+        assertThat(notes).hasContent(SentIndex.HEADER + "0\t-\t-\tdronemap\n");
     }
 
     private FrameTap armed() {
@@ -313,7 +348,7 @@ class RecorderTest {
 
     private void says(FrameTap tap, Message message, boolean kept) {
         byte[] raw = cloud.frame(message);
-        tap.said(raw);
+        tap.said(raw, Mandate.HOUSEKEEPING);
         if (kept) {
             expected.add(raw);
         }

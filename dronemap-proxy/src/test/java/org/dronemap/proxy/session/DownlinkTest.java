@@ -10,6 +10,7 @@ import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
@@ -58,7 +59,7 @@ class DownlinkTest {
 
     private void send(int from, int to) {
         for (int i = from; i < to; i++) {
-            downlink.send(new Attitude(i, 0f, 0f, 0f, 0f, 0f, 0f), Fence.NONE, now);
+            downlink.send(new Attitude(i, 0f, 0f, 0f, 0f, 0f, 0f), Mandate.HOUSEKEEPING, now);
         }
     }
 
@@ -101,7 +102,7 @@ class DownlinkTest {
             }
             return open.get();
         };
-        downlink.send(new Attitude(1, 0f, 0f, 0f, 0f, 0f, 0f), fence, now);
+        downlink.send(new Attitude(1, 0f, 0f, 0f, 0f, 0f, 0f), new Mandate(null, null, "ann", fence), now);
         send(2, 3);
         open.set(false);
 

@@ -3,7 +3,7 @@ package org.dronemap.proxy.session;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
@@ -114,7 +114,7 @@ class LinkChoiceTest {
         assertThat(choice.best()).isSameAs(joined);
         assertThat(choice.isRedundant()).isFalse();
         choice.send(BEAT);
-        left.send(BEAT, Fence.NONE);
+        left.send(BEAT, Mandate.HOUSEKEEPING);
         assertThat(udp.heard()).isEmpty();
     }
 }

@@ -58,11 +58,25 @@ public class RecordingController {
                     + " read it.")
     public void file(@PathVariable String id, @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        RecordingService.Download download = recordings.download(current.principal(), id);
+        send(recordings.download(current.principal(), id), "application/octet-stream", response);
+    }
+
+    @GetMapping("/{id}/sent")
+    @Operation(
+            summary = "Download who sent what in a recording (tab-separated)",
+            description = "A line for each frame that went to the vehicle: its place in the file of the recording"
+                    + " (bytes), the command that it was sent for, the epoch of control, and the user.")
+    public void sent(@PathVariable String id, @Parameter(hidden = true) HttpServletResponse response)
+            throws IOException {
+        send(recordings.sent(current.principal(), id), "text/tab-separated-values;charset=UTF-8", response);
+    }
+
+    private static void send(RecordingService.Download download, String type, HttpServletResponse response)
+            throws IOException {
         try (InputStream in = Files.newInputStream(download.file())) {
             // The length of now: a flight that goes on makes the file longer while it is sent.
             long length = Files.size(download.file());
-            response.setContentType("application/octet-stream");
+            response.setContentType(type);
             response.setHeader("Content-Disposition", "attachment; filename=\"" + download.name() + "\"");
             response.setContentLengthLong(length);
             copy(in, response, length);

@@ -38,9 +38,21 @@ public final class RecordingService {
     }
 
     public Download download(Principal principal, String id) throws IOException {
-        Recording recording = find(principal, id);
+        return new Download(file(id), name(find(principal, id)) + ".tlog");
+    }
+
+    /** Who sent what: a line for each frame that went out. */
+    public Download sent(Principal principal, String id) throws IOException {
+        String name = name(find(principal, id)) + ".sent.tsv";
         return new Download(
-                file(id), recording.droneName().replaceAll("[^A-Za-z0-9-]+", "-") + "_" + recording.id() + ".tlog");
+                archive.sent(id)
+                        .orElseThrow(() -> Rejection.conflict(
+                                "Recording " + id + " was made before it was noted who sent what.")),
+                name);
+    }
+
+    private static String name(Recording recording) {
+        return recording.droneName().replaceAll("[^A-Za-z0-9-]+", "-") + "_" + recording.id();
     }
 
     /** Deleting is for ever, so it wants to be said twice. */

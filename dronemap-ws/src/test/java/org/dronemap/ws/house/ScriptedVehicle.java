@@ -8,7 +8,7 @@ import org.dronemap.core.cloud.Admission;
 import org.dronemap.core.cloud.Claim;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.DroneLink;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.LinkSession;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
@@ -74,7 +74,7 @@ public final class ScriptedVehicle implements VehicleChannel {
     }
 
     @Override
-    public void perform(CommandId id, Command command, Fence fence, Report report) {
+    public void perform(Mandate mandate, Command command, Report report) {
         performed.add(command);
         report.accepted();
         report.ended(script.apply(command));

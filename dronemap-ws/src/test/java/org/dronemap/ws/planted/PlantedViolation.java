@@ -1,9 +1,8 @@
 package org.dronemap.ws.planted;
 
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.CommandId;
 import org.dronemap.store.memory.MemoryMissionStore;
 
 /** Commands a vehicle past the gate, and reaches into a store. */
@@ -12,7 +11,7 @@ public final class PlantedViolation {
 
     public void violate(VehicleChannel channel, VehicleChannel.Report report) {
         if (store.missions().isEmpty()) {
-            channel.perform(new CommandId("planted-violation"), new Command.Arm(), Fence.NONE, report);
+            channel.perform(Mandate.HOUSEKEEPING, new Command.Arm(), report);
         }
     }
 }
