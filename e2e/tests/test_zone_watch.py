@@ -1,0 +1,139 @@
+"""The watch over zones in flight, with wind and many drones at once: judged on the wire. By `./dronemap soak` only."""
+
+import math
+import random
+import time
+from collections.abc import Iterator
+from datetime import datetime
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import wait_for
+
+METERS_PER_DEGREE = 111_195.0
+DRONES, ROUNDS = 20, 10
+FIRST_SYSTEM_ID = 100
+RADIUS, AHEAD = 25.0, 120.0
+WITHIN_SECONDS = 1.0
+
+
+class Place(NamedTuple):
+    latitude: float
+    longitude: float
+
+    def shifted(self, meters: float, bearing: float) -> "Place":
+        narrow = math.cos(math.radians(self.latitude))
+        return Place(
+            self.latitude + meters * math.cos(bearing) / METERS_PER_DEGREE,
+            self.longitude + meters * math.sin(bearing) / METERS_PER_DEGREE / narrow,
+        )
+
+    def meters_to(self, other: "Place") -> float:
+        narrow = math.cos(math.radians(self.latitude))
+        north = (other.latitude - self.latitude) * METERS_PER_DEGREE
+        east = (other.longitude - self.longitude) * METERS_PER_DEGREE * narrow
+        return math.hypot(north, east)
+
+
+class Breach(NamedTuple):
+    """One zone put in the way of one drone that flies."""
+
+    drone: Json
+    zone: str
+    middle: Place
+    put: float
+
+
+def where(api: Api, drone: Json) -> Place:
+    position = api.drone(drone["id"])["position"]
+    return Place(position["latitude"], position["longitude"])
+
+
+def send_off(api: Api, drone: Json, chance: random.Random) -> Breach:
+    """Lets it fly somewhere, and puts a zone in its way once it does."""
+    start = where(api, drone)
+    bearing = chance.random() * 2 * math.pi
+    target = start.shifted(500, bearing)
+    body = {"type": "goTo", "latitude": target.latitude, "longitude": target.longitude, "altitude": 10}
+    api.do(drone["id"], **body)
+    wait_for("it flies there", lambda: where(api, drone).meters_to(start) > 5, 60)
+    middle = start.shifted(AHEAD, bearing)
+    zone = {
+        "type": "Feature",
+        "geometry": {"type": "Point", "coordinates": [middle.longitude, middle.latitude]},
+        "properties": {"name": "Sudden", "drone": drone["id"], "radius": RADIUS, "onBreach": "hold"},
+    }
+    answer = api.call("POST", "/zones", zone)
+    assert answer.status_code == 201, answer.text
+    return Breach(drone, answer.json()["id"], middle, time.monotonic())
+
+
+def acted_after(tap: Tap, breach: Breach) -> tuple[float, float]:
+    """When its own position first was inside (monotonic s), and how long until it was sent its new mode (s)."""
+    system_id = breach.drone["link"]["systemId"]
+    inside = next(
+        h.at
+        for h in tap.heard("GLOBAL_POSITION_INT", up=True, since=breach.put)
+        if h.message.get_srcSystem() == system_id
+        and Place(h.message.lat / 1e7, h.message.lon / 1e7).meters_to(breach.middle) < RADIUS
+    )
+    told = next(
+        h.at
+        for h in tap.heard("COMMAND_LONG", "SET_MODE", up=False, since=breach.put)
+        if h.message.target_system == system_id and (h.kind == "SET_MODE" or h.message.command == 176)
+    )
+    return inside, told - inside
+
+
+def said(api: Api, drone: Json, words: str, since: float) -> float | None:
+    """When it was said last (monotonic s)."""
+    offset = time.time() - time.monotonic()
+    times = [
+        datetime.fromisoformat(m["at"].replace("Z", "+00:00")).timestamp() - offset
+        for m in api.drone(drone["id"])["messages"]
+        if words in m["text"]
+    ]
+    return next((at for at in sorted(times) if at >= since - 0.1), None)
+
+
+@pytest.fixture
+def fleet(server: Server, api: Api, tap: Tap, tmp_path: Path) -> Iterator[list[Json]]:
+    options = ["--count", str(DRONES), "--sysid", str(FIRST_SYSTEM_ID), "--speedup", "2", "--wind", "6"]
+    simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", *options)
+    ids = range(FIRST_SYSTEM_ID, FIRST_SYSTEM_ID + DRONES)
+    drones = [wait_for("it is ready", lambda one=one: api.ready(one), 120) for one in ids]
+    for drone in drones:
+        api.do(drone["id"], type="setMode", mode="GUIDED")
+        api.do(drone["id"], type="arm")
+        api.do(drone["id"], type="takeOff", altitude=10)
+    yield drones
+    simulator.stop()
+
+
+@pytest.mark.soak
+def test_two_hundred_breaches_are_warned_of_before_and_acted_on_within_a_second(
+    api: Api, tap: Tap, fleet: list[Json]
+) -> None:
+    chance = random.Random(7)
+    delays = []
+    for _ in range(ROUNDS):
+        breaches = [send_off(api, drone, chance) for drone in fleet]
+        for breach in breaches:
+            words, put = "is told: hold", breach.put
+            wait_for("it is told to hold", lambda d=breach.drone, p=put: said(api, d, words, p), 120)
+        for breach in breaches:
+            inside, delay = acted_after(tap, breach)
+            warned = said(api, breach.drone, "If it goes on like this it enters", breach.put)
+            assert warned is not None and warned < inside, f"no warning before {breach}"
+            delays.append(delay)
+            assert api.call("DELETE", f"/zones/{breach.zone}").status_code == 204
+    late = [delay for delay in delays if delay > WITHIN_SECONDS]
+    print(f"{len(delays)} breaches, acted on after {sorted(delays)[len(delays) // 2]:.3f} s (median)")
+    print(f"latest: {max(delays):.3f} s")
+    assert len(delays) == DRONES * ROUNDS and not late, late
