@@ -59,7 +59,7 @@ def download(api: Api, recording: str) -> bytes:
 
 
 def told(api: Api, drone: str, recording: str, kept: list[tuple[int, bytes]]) -> set[str]:
-    """Types of the commands for which something was sent, as noted beside the recording for each such frame."""
+    """Types of the commands for which something was sent, as noted beside the recording."""
     answer = api.call("GET", f"/recordings/{recording}/sent")
     assert answer.ok, answer.text
     header, *lines = answer.text.splitlines()

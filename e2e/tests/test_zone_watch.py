@@ -1,4 +1,4 @@
-"""The watch over zones in flight, with wind and many drones at once: judged on the wire. By `./dronemap soak` only."""
+"""The watch over zones in flight, in wind and for many drones at once: judged on the wire, by long runs only."""
 
 import math
 import random
@@ -75,7 +75,7 @@ def send_off(api: Api, drone: Json, chance: random.Random) -> Breach:
 
 
 def acted_after(tap: Tap, breach: Breach) -> tuple[float, float]:
-    """When its own position first was inside (monotonic s), and how long until it was sent its new mode (s)."""
+    """When it first said that it is inside (monotonic s), and how long until it was told to hold (s)."""
     system_id = breach.drone["link"]["systemId"]
     inside = next(
         h.at
@@ -125,8 +125,7 @@ def test_two_hundred_breaches_are_warned_of_before_and_acted_on_within_a_second(
     for _ in range(ROUNDS):
         breaches = [send_off(api, drone, chance) for drone in fleet]
         for breach in breaches:
-            words, put = "is told: hold", breach.put
-            wait_for("it is told to hold", lambda d=breach.drone, p=put: said(api, d, words, p), 120)
+            wait_for("it is told to hold", lambda b=breach: said(api, b.drone, "is told: hold", b.put), 120)
         for breach in breaches:
             inside, delay = acted_after(tap, breach)
             warned = said(api, breach.drone, "If it goes on like this it enters", breach.put)
