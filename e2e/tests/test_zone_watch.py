@@ -1,4 +1,4 @@
-"""The watch over zones in flight, in wind and for many drones at once: judged on the wire, by long runs only."""
+"""The watch over zones in flight, in wind and for many drones at once, judged on the wire: a long run."""
 
 import math
 import random
