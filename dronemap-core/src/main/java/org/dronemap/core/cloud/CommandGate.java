@@ -65,7 +65,8 @@ public final class CommandGate {
         }
 
         Mandate mandate() {
-            return new Mandate(open.record().id(), passage.epoch(), open.record().by(), passage.fence());
+            return new Mandate(
+                    open.record().id(), passage.epoch(), open.record().by(), passage.fence());
         }
 
         /** Given under the control of now. */
@@ -279,8 +280,7 @@ public final class CommandGate {
         }
         Lane.Ticker guard = new Overdue(entry, channel.get());
         entry.drone().lane().addTicker(guard);
-        channel.get()
-                .perform(entry.mandate(), entry.open().command(), new Reporter(entry, guard));
+        channel.get().perform(entry.mandate(), entry.open().command(), new Reporter(entry, guard));
     }
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */

@@ -10,8 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param command null: the cloud's own housekeeping
  * @param epoch null where nobody has ever had control
  */
-public record Mandate(
-        @Nullable CommandId command, @Nullable Long epoch, String by, Fence fence) {
+public record Mandate(@Nullable CommandId command, @Nullable Long epoch, String by, Fence fence) {
     /** What keeps the link to a vehicle: heartbeats, questions, measurements. */
     public static final Mandate HOUSEKEEPING = new Mandate(null, null, "dronemap", Fence.NONE);
 }

@@ -60,7 +60,9 @@ class ZoneGuardTest {
         hear(new DroneEvent.Identified(
                 Fixtures.copter(null),
                 new Capabilities(
-                        Set.of(Capability.values()), List.of("GUIDED", "AUTO", "RTL"), Map.of("AUTO", Steering.MISSION, "RTL", Steering.SAFETY))));
+                        Set.of(Capability.values()),
+                        List.of("GUIDED", "AUTO", "RTL"),
+                        Map.of("AUTO", Steering.MISSION, "RTL", Steering.SAFETY))));
         hear(new DroneEvent.ModeHeard("GUIDED", true));
         hear(new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0)));
         hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));

@@ -76,7 +76,10 @@ final class ZoneFixtures {
                 new LinkStatus(key, "udp", LinkState.LIVE, NOW, LinkQuality.UNKNOWN, List.of()),
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", null),
                 Standing.UNPROVED,
-                new Capabilities(Set.of(Capability.values()), List.of("GUIDED", "AUTO"), Map.of("AUTO", Steering.MISSION, "RTL", Steering.SAFETY)),
+                new Capabilities(
+                        Set.of(Capability.values()),
+                        List.of("GUIDED", "AUTO"),
+                        Map.of("AUTO", Steering.MISSION, "RTL", Steering.SAFETY)),
                 "GUIDED",
                 phase != FlightPhase.ON_GROUND,
                 true,

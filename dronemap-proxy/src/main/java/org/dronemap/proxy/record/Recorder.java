@@ -169,7 +169,8 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         FlightFile file = open.get(drone);
         // What still goes to an old address begins no new recording of the drone that came back from another.
         if (file == null && (full != null || drops > 0) && mayBegin(drone, tape)) {
-            file = begin(drone, full == null ? tape.heardMicros() : full.records().firstMicros());
+            file = begin(
+                    drone, full == null ? tape.heardMicros() : full.records().firstMicros());
         }
         if (file != null) {
             file.dropped(drops);

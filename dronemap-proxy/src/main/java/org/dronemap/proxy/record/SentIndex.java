@@ -26,8 +26,7 @@ final class SentIndex implements AutoCloseable {
     }
 
     static SentIndex open(Path file) throws IOException {
-        SentIndex index = new SentIndex(
-                FileChannel.open(
+        SentIndex index = new SentIndex(FileChannel.open(
                 file, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.WRITE));
         index.write(HEADER);
         return index;

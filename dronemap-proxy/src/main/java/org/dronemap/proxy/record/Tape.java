@@ -192,7 +192,8 @@ final class Tape implements FrameTap {
     }
 
     private boolean admit(int frameBytes) {
-        return waiting.records().length() + TIME_BYTES + frameBytes <= MOST_WAITING_BYTES && room.take(TIME_BYTES + frameBytes);
+        return waiting.records().length() + TIME_BYTES + frameBytes <= MOST_WAITING_BYTES
+                && room.take(TIME_BYTES + frameBytes);
     }
 
     /** A frame may take less than was set aside for it: its signature is not kept, and some frames are not at all. */

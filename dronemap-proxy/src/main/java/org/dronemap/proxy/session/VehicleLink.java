@@ -36,7 +36,8 @@ final class VehicleLink {
         this.nanoTime = nanoTime;
         lastHeardNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new Proof.OfLink(label.identity());
-        Target target = new Target(first.systemId(), first.componentId(), message -> send(message, Mandate.HOUSEKEEPING));
+        Target target =
+                new Target(first.systemId(), first.componentId(), message -> send(message, Mandate.HOUSEKEEPING));
         meter = new LinkMeter(new RoundTripProbe(target, new RoundTrip()), lastHeardNanos);
     }
 

@@ -14,8 +14,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
-import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
@@ -310,7 +310,9 @@ class RecorderTest {
         String id = recorder.shelf().recordings().get(0).id();
         byte[] tlog = Files.readAllBytes(recorder.shelf().file(id).orElseThrow());
         List<String> lines = Files.readAllLines(recorder.shelf().sent(id).orElseThrow());
-        assertThat(lines).startsWith("offset\tcommand\tepoch\tby", "0\t-\t-\tdronemap").hasSize(3);
+        assertThat(lines)
+                .startsWith("offset\tcommand\tepoch\tby", "0\t-\t-\tdronemap")
+                .hasSize(3);
         String[] armed = lines.get(2).split("\t", -1);
         assertThat(armed).endsWith("arm-it-now", "7", "ann");
         int offset = Integer.parseInt(armed[0]) + Long.BYTES;

@@ -39,14 +39,14 @@ public class ZoneController {
     @Operation(summary = "List the zones", description = "A GeoJSON FeatureCollection.")
     public ZoneFeature.ZoneCollection zones() {
         current.requireSignedIn();
-        return zones.zones();
+        return zones.zones(current.principal());
     }
 
     @GetMapping("/{id}")
     @Operation(summary = "Look at one zone")
     public ZoneFeature zone(@PathVariable String id) {
         current.requireSignedIn();
-        return zones.zone(id);
+        return zones.zone(current.principal(), id);
     }
 
     @PostMapping

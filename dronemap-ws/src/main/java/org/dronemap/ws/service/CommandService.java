@@ -67,8 +67,9 @@ public final class CommandService {
         CommandRecord record = ask(source, drone, id, command);
         if (!record.drone().equals(drone.id())
                 || !record.type().equals(command.getClass().getSimpleName())) {
-            String which = principal.sees(record.drone()) ? " (" + record.summary() + ")" : "";
-            throw Rejection.conflict("The id " + id + " belongs to another command already" + which + "; take a new one.");
+            String which = source.principal().sees(record.drone()) ? " (" + record.summary() + ")" : "";
+            throw Rejection.conflict(
+                    "The id " + id + " belongs to another command already" + which + "; take a new one.");
         }
         if (record.outcome() instanceof Outcome.Refused refused && refused.by().equals("gate")) {
             Control control = cloud.controls().control(drone.id());

@@ -33,13 +33,14 @@ public final class ControlService {
 
     public ControlView control(Principal principal, String droneId) {
         Roles.require(principal, Role.VIEWER);
-        return ControlView.of(cloud.controls().control(drones.state(droneId).id()));
+        return ControlView.of(
+                cloud.controls().control(drones.state(principal, droneId).id()));
     }
 
     /** Does what is asked, or says who has control and since when. */
     public Answer act(Principal principal, String droneId, ControlAction action, ControlRequestView with) {
         Roles.require(principal, action == ControlAction.TAKE_OVER ? Role.SUPERVISOR : Role.OPERATOR);
-        DroneState drone = drones.state(droneId);
+        DroneState drone = drones.state(principal, droneId);
         if (drone.replay()) {
             throw Rejection.conflict("This is a recording; it cannot be commanded.");
         }

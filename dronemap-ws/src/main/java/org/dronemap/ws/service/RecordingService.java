@@ -46,8 +46,8 @@ public final class RecordingService {
         String name = name(find(principal, id)) + ".sent.tsv";
         return new Download(
                 archive.sent(id)
-                        .orElseThrow(() -> Rejection.conflict(
-                                "Recording " + id + " was made before it was noted who sent what.")),
+                        .orElseThrow(() ->
+                                Rejection.conflict("Recording " + id + " was made before it was noted who sent what.")),
                 name);
     }
 

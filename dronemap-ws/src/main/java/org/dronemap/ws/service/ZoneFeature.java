@@ -14,14 +14,20 @@ import org.jspecify.annotations.Nullable;
 @Schema(description = "A zone as a GeoJSON feature: a Polygon, or a Point with a radius.")
 public record ZoneFeature(
         @Schema(description = "Feature") @Nullable String type,
-        @Schema(description = "Given by the server") @Nullable String id,
+
+        @Schema(description = "Given by the server") @Nullable
+        String id,
+
         @Nullable ZoneGeometry geometry,
         @Nullable ZoneProperties properties) {
 
     /** Longitude comes before latitude. */
     public record ZoneGeometry(
-            @Schema(description = "Polygon (one ring) or Point, the middle of a circle") @Nullable String type,
-            @Schema(description = "Degrees, longitude first") @Nullable Object coordinates) {}
+            @Schema(description = "Polygon (one ring) or Point, the middle of a circle") @Nullable
+            String type,
+
+            @Schema(description = "Degrees, longitude first") @Nullable
+            Object coordinates) {}
 
     /** What GeoJSON has no word for. */
     public record ZoneProperties(
@@ -65,7 +71,10 @@ public record ZoneFeature(
 
     /** All zones, or those of an import. */
     public record ZoneCollection(
-            @Schema(description = "FeatureCollection") @Nullable String type, @Nullable List<ZoneFeature> features) {
+            @Schema(description = "FeatureCollection") @Nullable
+            String type,
+
+            @Nullable List<ZoneFeature> features) {
         static ZoneCollection of(List<Zone> zones) {
             return new ZoneCollection(
                     "FeatureCollection", zones.stream().map(ZoneFeature::of).toList());

@@ -29,23 +29,34 @@ public final class ZoneService {
         this.clock = clock;
     }
 
-    public ZoneFeature.ZoneCollection zones() {
-        return ZoneFeature.ZoneCollection.of(keeping.store().zones());
+    public ZoneFeature.ZoneCollection zones(Principal principal) {
+        return ZoneFeature.ZoneCollection.of(keeping.store().zones().stream()
+                .filter(zone -> isShownTo(principal, zone))
+                .toList());
     }
 
-    public ZoneFeature zone(String id) {
-        return ZoneFeature.of(find(id));
+    public ZoneFeature zone(Principal principal, String id) {
+        Zone zone = find(id);
+        if (!isShownTo(principal, zone)) {
+            throw Rejection.unknown("zone", id);
+        }
+        return ZoneFeature.of(zone);
+    }
+
+    /** Who must not know of a drone sees no zone that is for it alone. */
+    public static boolean isShownTo(Principal principal, Zone zone) {
+        return !(zone.binding() instanceof Binding.OfDrone drone) || principal.sees(drone.id());
     }
 
     public ZoneFeature add(Principal principal, ZoneFeature feature) {
-        Roles.require(principal, Role.SUPERVISOR);
+        Roles.requireForAll(principal, Role.SUPERVISOR);
         Zone zone = read("", newId(), feature, principal);
         keep(List.of(zone));
         return ZoneFeature.of(zone);
     }
 
     public ZoneFeature replace(Principal principal, String id, ZoneFeature feature) {
-        Roles.require(principal, Role.SUPERVISOR);
+        Roles.requireForAll(principal, Role.SUPERVISOR);
         Zone zone = read("", find(id).id(), feature, principal);
         keep(List.of(zone));
         return ZoneFeature.of(zone);
@@ -53,7 +64,7 @@ public final class ZoneService {
 
     /** GeoJSON of others; all of it, or nothing. */
     public ZoneFeature.ZoneCollection take(Principal principal, String text) {
-        Roles.require(principal, Role.SUPERVISOR);
+        Roles.requireForAll(principal, Role.SUPERVISOR);
         List<Zone> zones = ZoneImport.parts(text).stream()
                 .map(part -> read(part.at(), newId(), part.feature(), principal))
                 .toList();
@@ -62,7 +73,7 @@ public final class ZoneService {
     }
 
     public synchronized void delete(Principal principal, String id) {
-        Roles.require(principal, Role.SUPERVISOR);
+        Roles.requireForAll(principal, Role.SUPERVISOR);
         if (!keeping.store().delete(id)) {
             throw Rejection.unknown("zone", id);
         }
@@ -88,7 +99,7 @@ public final class ZoneService {
                 reader.name(),
                 reader.shape(),
                 reader.band(),
-                known(at, reader.binding()),
+                known(principal, at, reader.binding()),
                 reader.validity(),
                 reader.onBreach(),
                 principal.name(),
@@ -96,13 +107,13 @@ public final class ZoneService {
     }
 
     /** A slip of the pen must not make a zone that binds nobody. */
-    private Binding known(String at, Binding binding) {
+    private Binding known(Principal principal, String at, Binding binding) {
         if (binding instanceof Binding.OfUser user
                 && keeping.users().user(user.name()).isEmpty()) {
             throw InvalidInput.outside(at + "properties.user", "the name of a user", "\"" + user.name() + "\"");
         }
         if (binding instanceof Binding.OfDrone drone
-                && drones.find(drone.id().value()).isEmpty()) {
+                && drones.find(principal, drone.id().value()).isEmpty()) {
             throw InvalidInput.outside(at + "properties.drone", "the id of a drone", "\"" + drone.id() + "\"");
         }
         return binding;

@@ -8,7 +8,9 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Predicate;
 import javax.net.ssl.SSLContext;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CommandRecord;
@@ -31,6 +33,7 @@ import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.ZoneFeature;
+import org.dronemap.ws.service.ZoneService;
 import org.java_websocket.framing.CloseFrame;
 import org.java_websocket.server.DefaultSSLWebSocketServerFactory;
 import org.jspecify.annotations.Nullable;
@@ -174,15 +177,17 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     }
 
     private void zonesChanged(ZoneBook.Change change) {
-        change.put().forEach(zone -> tell(new StreamMessage.ZoneChanged(ZoneFeature.of(zone))));
-        change.removed().forEach(id -> tell(new StreamMessage.ZoneRemoved(id)));
+        change.put()
+                .forEach(zone -> tell(
+                        new StreamMessage.ZoneChanged(ZoneFeature.of(zone)), who -> ZoneService.isShownTo(who, zone)));
+        change.removed().forEach(id -> tell(new StreamMessage.ZoneRemoved(id), who -> true));
         wake();
     }
 
-    private void tell(Object news) {
+    private void tell(Object news, Predicate<Principal> whom) {
         String message = services.json().write(news);
         for (StreamClient client : server.clients()) {
-            if (client.principal().isPresent()) {
+            if (client.principal().filter(whom).isPresent()) {
                 client.outbox().add(message);
             }
         }
