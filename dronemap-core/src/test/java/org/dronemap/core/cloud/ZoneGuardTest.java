@@ -48,7 +48,11 @@ class ZoneGuardTest {
             lanes,
             Watchdog.DEFAULT,
             Clock.systemUTC(),
-            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), new Fixtures.HeapCommandStore(), journal),
+            new CloudManager.Keeping(
+                    new Fixtures.HeapDroneStore(),
+                    new Fixtures.HeapCommandStore(),
+                    new Fixtures.HeapLeaseStore(),
+                    journal),
             () -> new DroneId("drone-1"));
     private DroneLink link;
 
