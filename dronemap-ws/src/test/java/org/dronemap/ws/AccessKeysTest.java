@@ -72,10 +72,10 @@ class AccessKeysTest {
                     stream.await(message -> message.path("type").asString().equals("drones"));
             assertThat(list.path("drones").size()).isEqualTo(1);
             Http all = new Http(house, house.key(Role.OPERATOR));
-            all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"land\"}");
-            all.post("/api/v1/drones/" + mine.id() + "/commands?wait=10", "{\"type\":\"hold\"}");
+            all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"arm\"}");
+            all.post("/api/v1/drones/" + mine.id() + "/commands?wait=10", "{\"type\":\"arm\"}");
             stream.await(
-                    message -> message.path("command").path("type").asString().equals("hold")
+                    message -> message.path("command").path("type").asString().equals("arm")
                             && message.path("command").path("phase").asString().equals("done"));
             assertThat(stream.heard()).noneMatch(message -> message.toString().contains(other.id()));
         }
@@ -122,7 +122,7 @@ class AccessKeysTest {
     @Test
     void doNotTellOfCommandsToOtherDrones() {
         Http all = new Http(house, house.key(Role.OPERATOR));
-        String command = all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"land\"}")
+        String command = all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"arm\"}")
                 .text("id");
 
         assertThat(all.get("/api/v1/commands/" + command).status()).isEqualTo(200);
@@ -160,6 +160,9 @@ class AccessKeysTest {
         assertThat(planning.post(path, MISSION).status()).isEqualTo(200);
         assertThat(planning.post(path, "{\"type\":\"arm\"}").text("detail"))
                 .isEqualTo("This access key may not command.");
+        assertThat(planning.send("/api/v1/drones/" + mine.id() + "/control", HttpRequest.Builder::DELETE)
+                        .status())
+                .isEqualTo(200);
         assertThat(commanding.post(path, "{\"type\":\"arm\"}").status()).isEqualTo(200);
         assertThat(commanding.post(path, MISSION).text("detail"))
                 .isEqualTo("This access key may not change missions, fences or rally points.");

@@ -175,7 +175,8 @@ class BadInputTest {
         DronemapFault fault = fault(SoapClient.withKey(house, "wrong"), soap -> soap.arm(vehicle.id()));
 
         assertThat(rest.status()).isEqualTo(401);
-        assertThat(rest.text("detail")).isEqualTo("The access key is not valid; it may have been removed.");
+        assertThat(rest.text("detail"))
+                .isEqualTo("The access key is not valid; it may have been removed, renewed or expired.");
         assertThat(fault.getMessage()).isEqualTo(rest.text("detail"));
         try (StreamListener stream = StreamListener.withKey(house, "wrong")) {
             assertThat(stream.awaitClose()).isEqualTo(rest.text("detail"));

@@ -9,9 +9,11 @@ import java.nio.file.Path;
 import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.sql.Connection;
+import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.HexFormat;
+import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
@@ -103,6 +105,7 @@ final class Restore {
     private void fill(ZipFile zip, BackupManifest manifest) throws SQLException, IOException {
         try (Connection connection = dataSource.getConnection()) {
             connection.setAutoCommit(false);
+            empty(connection, manifest);
             for (BackupManifest.Table table : manifest.tables()) {
                 try (InputStream csv = open(zip, table.entry())) {
                     long rows = connection
@@ -122,12 +125,37 @@ final class Restore {
         }
     }
 
+    /** Of the rows that the migrations put in. */
+    private void empty(Connection connection, BackupManifest manifest) throws SQLException {
+        String tables = manifest.tables().stream()
+                .map(table -> staging + "." + table.name())
+                .collect(Collectors.joining(", "));
+        if (!tables.isEmpty()) {
+            try (Statement statement = connection.createStatement()) {
+                statement.execute("TRUNCATE " + tables + " CASCADE");
+            }
+        }
+    }
+
+    /** Epochs of control never come back: those given out since the backup count on. */
+    private void keepEpochsRising(Statement statement) throws SQLException {
+        try (ResultSet known = statement.executeQuery("SELECT to_regclass('" + schema + ".control_epoch')")) {
+            known.next();
+            if (known.getString(1) == null) {
+                return;
+            }
+        }
+        statement.execute("UPDATE " + staging + ".control_epoch SET reserved = greatest(reserved, (SELECT max(reserved)"
+                + " FROM " + schema + ".control_epoch))");
+    }
+
     private void changePlaces() throws SQLException {
         try (Connection connection = dataSource.getConnection();
                 Statement statement = connection.createStatement()) {
             connection.setAutoCommit(false);
             // Somebody else's long transaction must not hold this one up for ever.
             statement.execute("SET LOCAL lock_timeout = '30s'");
+            keepEpochsRising(statement);
             statement.execute("ALTER SCHEMA " + schema + " RENAME TO " + replaced);
             statement.execute("ALTER SCHEMA " + staging + " RENAME TO " + schema);
             statement.execute("DROP SCHEMA " + replaced + " CASCADE");

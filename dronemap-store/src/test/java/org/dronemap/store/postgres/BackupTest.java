@@ -110,7 +110,7 @@ class BackupTest {
 
         BackupSummary restored = database.backup().restore(zip);
 
-        assertThat(restored.rows()).isEqualTo(6);
+        assertThat(restored.rows()).isEqualTo(7);
         assertHoldsEverything();
         assertThat(database.access().signIn("token", AT.minusSeconds(1))).isEmpty();
         // Statements that the pool's connections had prepared before still find their tables.
@@ -126,6 +126,17 @@ class BackupTest {
         database.backup().restore(zip);
         database.backup().restore(zip);
         assertHoldsEverything();
+    }
+
+    @Test
+    void neverGivesOutAnEpochAgainThatWasGivenOutSinceTheBackup() throws IOException {
+        database.leases().reserve(10);
+        Path zip = backup();
+        long newest = database.leases().reserve(10);
+
+        database.backup().restore(zip);
+
+        assertThat(database.leases().reserve(1)).isEqualTo(newest + 1);
     }
 
     @Test

@@ -39,7 +39,7 @@ public final class ControlService {
 
     /** Does what is asked, or says who has control and since when. */
     public Answer act(Principal principal, String droneId, ControlAction action, ControlRequestView with) {
-        Roles.require(principal, action == ControlAction.TAKE_OVER ? Role.SUPERVISOR : Role.OPERATOR);
+        Roles.require(principal, needed(action));
         DroneState drone = drones.state(principal, droneId);
         if (drone.replay()) {
             throw Rejection.conflict("This is a recording; it cannot be commanded.");
@@ -49,6 +49,15 @@ public final class ControlService {
             throw Rejection.held(denied.why(), null, step.control());
         }
         return new Answer(ControlView.of(step.control()), step.answer() instanceof LeaseAnswer.Waiting);
+    }
+
+    /** Planners come to control by putting a mission on a drone, and must be able to give it back. */
+    private static Role needed(ControlAction action) {
+        return switch (action) {
+            case TAKE_OVER -> Role.SUPERVISOR;
+            case RELEASE -> Role.PLANNER;
+            default -> Role.OPERATOR;
+        };
     }
 
     private LeaseStep apply(DroneId drone, LeaseEvent event) {

@@ -55,8 +55,11 @@ public record KeyRequest(
         }
         Set<DroneId> ids = new LinkedHashSet<>();
         for (String drone : drones) {
+            if (drone == null) {
+                throw InvalidInput.outside("drones", allowed, "null");
+            }
             try {
-                ids.add(new DroneId(String.valueOf(drone)));
+                ids.add(new DroneId(drone));
             } catch (IllegalArgumentException notAnId) {
                 throw InvalidInput.outside("drones", allowed, "\"" + drone + "\"");
             }

@@ -38,7 +38,8 @@ public final class RecordingService {
     }
 
     public Download download(Principal principal, String id) throws IOException {
-        return new Download(file(id), name(find(principal, id)) + ".tlog");
+        String name = name(find(principal, id)) + ".tlog";
+        return new Download(file(id), name);
     }
 
     /** Who sent what: a line for each frame that went out. */

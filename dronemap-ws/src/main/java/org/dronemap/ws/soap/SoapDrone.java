@@ -4,6 +4,7 @@ import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlElement;
 import jakarta.xml.bind.annotation.XmlType;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import org.dronemap.ws.service.DroneView;
@@ -32,7 +33,7 @@ public class SoapDrone {
     private @Nullable String vehicle;
     private @Nullable String firmware;
     private @Nullable String mode;
-    private List<String> modes = List.of();
+    private List<String> modes = new ArrayList<>();
     private @Nullable Boolean armed;
     private @Nullable String flight;
     private @Nullable Double latitude;

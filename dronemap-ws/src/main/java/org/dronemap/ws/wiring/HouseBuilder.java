@@ -56,11 +56,7 @@ final class HouseBuilder {
         Clock clock = Clock.systemUTC();
         Database database = database();
         closing.add("the database", database);
-        int ended = database.commands()
-                .endUnfinished(new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
-        if (ended > 0) {
-            LOG.warn("{} commands were under way when the server stopped; their outcome is unknown", ended);
-        }
+        endUnfinished(database, clock);
         Journal journal = new Journal();
         closing.add("the journal", journal);
         closing.add("the lanes", lanes);
@@ -94,6 +90,14 @@ final class HouseBuilder {
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()));
+    }
+
+    private static void endUnfinished(Database database, Clock clock) {
+        int ended = database.commands()
+                .endUnfinished(new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
+        if (ended > 0) {
+            LOG.warn("{} commands were under way when the server stopped; their outcome is unknown", ended);
+        }
     }
 
     private Keyrings keyrings(CloudManager cloud, Database database, Journal journal, SecretBox box) {
