@@ -30,7 +30,11 @@ class Sky(NamedTuple):
     """A server that calls drones back soon after their holder is lost."""
 
     server: Server
-    api: Api
+
+    @property
+    def api(self) -> Api:
+        """As its own machine calls it; each start of the server makes another key for that."""
+        return Api(self.server.address, self.server.local_key())
 
     def user(self, role: str) -> User:
         user = User(f"{role}-{secrets.token_hex(4)}", secrets.token_hex(10))
@@ -55,7 +59,7 @@ class Sky(NamedTuple):
 def sky(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Sky]:
     server = Server(tmp_path_factory.mktemp("control") / "data", DRONEMAP_CONTROL_RETURN_SECONDS="2")
     server.start()
-    yield Sky(server, Api(server.address, server.local_key()))
+    yield Sky(server)
     server.stop()
 
 
