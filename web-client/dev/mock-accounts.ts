@@ -6,15 +6,21 @@ export type Handler = (body: never, id: string) => unknown;
 
 export class MockAccounts {
   #users: User[] = [
-    { name: 'admin', role: 'administrator', state: 'active', mustChangePassword: false },
-    { name: 'ann', role: 'viewer', state: 'waiting', mustChangePassword: false },
+    { name: 'admin', role: 'administrator', state: 'active', mustChangePassword: false, onlyGranted: false },
+    { name: 'ann', role: 'viewer', state: 'waiting', mustChangePassword: false, onlyGranted: false },
   ];
   #invitations: NewInvitation[] = [];
 
   readonly handlers: Record<string, Handler> = {
     'GET users': () => ({ users: this.#users }),
     'POST users': (body: { name: string; role: User['role'] }) =>
-      this.#add({ name: body.name, role: body.role, state: 'active', mustChangePassword: true }),
+      this.#add({
+        name: body.name,
+        role: body.role,
+        state: 'active',
+        mustChangePassword: true,
+        onlyGranted: false,
+      }),
     'PATCH users/*': (body: Partial<User>, name) => {
       this.#users = this.#users.map((user) => (user.name === name ? { ...user, ...body } : user));
       return this.#users.find((user) => user.name === name);
@@ -49,6 +55,12 @@ export class MockAccounts {
     const found = this.#invitations.find((one) => one.code === invitation);
     this.#invitations = this.#invitations.filter((one) => one !== found);
     const state = found === undefined ? 'waiting' : 'active';
-    return this.#add({ name, role: found?.role ?? 'viewer', state, mustChangePassword: false });
+    return this.#add({
+      name,
+      role: found?.role ?? 'viewer',
+      state,
+      mustChangePassword: false,
+      onlyGranted: false,
+    });
   }
 }

@@ -6,7 +6,7 @@ import { STATION, Station } from '../state/station.svelte';
 import Users from './Users.svelte';
 
 function user(name: string, more: Partial<User> = {}): User {
-  return { name, role: 'operator', state: 'active', mustChangePassword: false, ...more };
+  return { name, role: 'operator', state: 'active', mustChangePassword: false, onlyGranted: false, ...more };
 }
 
 function show(list: User[]): Station {

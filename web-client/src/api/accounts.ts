@@ -27,6 +27,8 @@ export interface Session {
   name: string;
   role: Role;
   mustChangePassword: boolean;
+  /** The name of the organisation; null: the one that runs the server. */
+  organisation?: string | null;
 }
 
 export interface User {
@@ -34,6 +36,8 @@ export interface User {
   role: Role;
   state: 'waiting' | 'active' | 'disabled';
   mustChangePassword: boolean;
+  /** Sees no drone by the role alone. */
+  onlyGranted: boolean;
 }
 
 export interface NewUser {
@@ -106,8 +110,9 @@ export class AccountCalls {
     return (await this.#call<{ invitations: Invitation[] }>('GET', '/invitations')).invitations;
   }
 
-  invite(label: string, role: Role): Promise<NewInvitation> {
-    return this.#call('POST', '/invitations', { label, role });
+  /** Into an organisation other than one's own only for those who run the server. */
+  invite(label: string, role: Role, organisation?: string): Promise<NewInvitation> {
+    return this.#call('POST', '/invitations', { label, role, ...(organisation ? { organisation } : {}) });
   }
 
   withdraw(id: string): Promise<void> {

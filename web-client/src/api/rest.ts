@@ -2,6 +2,7 @@ import { AccessKeyCalls } from './access-keys';
 import { AccountCalls, type Session } from './accounts';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint } from './endpoints';
+import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
 import type { ParameterFile, ParameterPage } from './parameters';
 import { Problem } from './problem';
@@ -30,6 +31,7 @@ export class RestClient {
   readonly accessKeys = new AccessKeyCalls((method, path, body) => this.#call(method, path, body));
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
+  readonly grants = new GrantCalls((method, path, body) => this.#call(method, path, body));
   readonly zones = new ZoneCalls((method, path, body) => this.#call(method, path, body));
 
   constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {

@@ -47,8 +47,8 @@ class RegistrationTest {
         assertThat(early.status()).isEqualTo(403);
         assertThat(early.text("detail")).startsWith("Your account waits until an administrator lets you in");
         assertThat(administrator.get("/api/v1/users").raw().body())
-                .contains(
-                        "{\"name\":\"carol\",\"role\":\"viewer\",\"state\":\"waiting\",\"mustChangePassword\":false}");
+                .contains("{\"name\":\"carol\",\"role\":\"viewer\",\"state\":\"waiting\",\"mustChangePassword\":false,"
+                        + "\"onlyGranted\":false}");
 
         administrator.send(
                 "/api/v1/users/carol",

@@ -2,21 +2,18 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.net.http.HttpRequest;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.BiPredicate;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.RightsTable;
 import org.dronemap.ws.house.RightsTable.Caller;
@@ -28,14 +25,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
-import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
 import tools.jackson.databind.JsonNode;
 
 /** Tries all that the running server exposes as everybody, and compares with what docs/security.md says. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class RightsTest {
-    private static final Pattern WSDL_OPERATION = Pattern.compile("<wsdl:operation name=\"(\\w+)\">");
-    private static final Pattern OWN = Pattern.compile("/api/v1/.*|/metrics");
 
     /** What the gate and the services say to roles that may not. */
     private static final Pattern ROLE_REFUSAL =
@@ -55,7 +49,7 @@ class RightsTest {
     private final Map<Caller, String> keys = new EnumMap<>(Caller.class);
     private TestHouse house;
     private ScriptedVehicle vehicle;
-    private JsonNode description;
+    private Faces faces;
 
     @BeforeAll
     void open(@TempDir Path data) {
@@ -66,7 +60,7 @@ class RightsTest {
             keys.put(caller, caller.key(house));
             callers.put(caller, new Http(house, keys.get(caller)));
         }
-        description = callers.get(Caller.NOBODY).get("/api/openapi.json").json();
+        faces = new Faces(house);
     }
 
     @AfterAll
@@ -76,12 +70,12 @@ class RightsTest {
 
     @Test
     void opensEachAddressOfRestToWhomTheTableSays() {
-        compare("REST", restOperations(), this::mayCall);
+        compare("REST", faces.rest(), this::mayCall);
     }
 
     @Test
     void opensEachOperationOfSoapToWhomTheTableSays() {
-        compare("SOAP", soapOperations(), this::mayCallSoap);
+        compare("SOAP", faces.soap(), this::mayCallSoap);
     }
 
     @Test
@@ -109,74 +103,20 @@ class RightsTest {
         assertThat(differences).as("otherwise than the table says").isEmpty();
     }
 
-    /** All that the web framework dispatches, also what the description leaves out. */
-    private Set<String> restOperations() {
-        Set<String> operations = new TreeSet<>();
-        house.bean(RequestMappingHandlerMapping.class)
-                .getHandlerMethods()
-                .keySet()
-                .forEach(mapping -> mapping.getPatternValues().stream()
-                        .filter(path -> OWN.matcher(path).matches())
-                        .forEach(path -> mapping.getMethodsCondition()
-                                .getMethods()
-                                .forEach(method -> operations.add(method.name() + " " + path))));
-        assertThat(operations).hasSizeGreaterThan(70);
-        return operations;
-    }
-
     /** Of things that do not exist: whoever may is told so, whoever may not is told that instead. */
     private boolean mayCall(String operation, Caller caller) {
-        String method = operation.substring(0, operation.indexOf(' '));
-        String path = operation.substring(operation.indexOf(' ') + 1);
-        Http.Answer answer = callers.get(caller)
-                .send(
-                        path.replaceAll("\\{number}", "1").replaceAll("\\{\\w+}", "nosuchthing"),
-                        request -> request.header("Content-Type", contentType(method, path))
-                                .method(method, HttpRequest.BodyPublishers.ofString(method.equals("GET") ? "" : "{}")));
+        Http.Answer answer = faces.rest(callers.get(caller), operation, Map.of());
         assertThat(answer.status()).as(operation + " for " + caller).isNotIn(400, 405, 415, 500);
         return answer.status() != 401 && answer.status() != 403;
     }
 
-    private String contentType(String method, String path) {
-        JsonNode content = description
-                .path("paths")
-                .path(path)
-                .path(method.toLowerCase(Locale.ROOT))
-                .path("requestBody")
-                .path("content");
-        return content.propertyNames().stream().findFirst().orElse("application/json");
-    }
-
-    private Set<String> soapOperations() {
-        String wsdl = callers.get(Caller.NOBODY)
-                .get("/services/MAVLinkControllerService?wsdl")
-                .raw()
-                .body();
-        Set<String> operations = new TreeSet<>();
-        Matcher found = WSDL_OPERATION.matcher(wsdl);
-        while (found.find()) {
-            operations.add(found.group(1));
-        }
-        assertThat(operations).hasSizeGreaterThan(20);
-        return operations;
-    }
-
     private boolean mayCallSoap(String operation, Caller caller) {
-        String of = switch (operation) {
-            case "getDronesList" -> "";
-            case "getCommand" -> "<commandId>nosuchcommand</commandId>";
-            default -> "<droneId>nosuchdrone</droneId>";
+        Map<String, String> of = switch (operation) {
+            case "getDronesList" -> Map.of();
+            case "getCommand" -> Map.of("commandId", "nosuchcommand");
+            default -> Map.of("droneId", "nosuchdrone");
         };
-        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
-                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + of + "</w:" + operation
-                + "></s:Body></s:Envelope>";
-        String answer = callers.get(caller)
-                .send(
-                        "/services/MAVLinkControllerService",
-                        request -> request.header("Content-Type", "text/xml")
-                                .POST(HttpRequest.BodyPublishers.ofString(envelope)))
-                .raw()
-                .body();
+        String answer = faces.soap(callers.get(caller), operation, of);
         boolean refused = answer.contains("<code>not-signed-in</code>") || answer.contains("<code>forbidden</code>");
         assertThat(refused || answer.contains("<code>unknown</code>") || answer.contains("getDronesListResponse"))
                 .as(operation + " for " + caller + ": " + answer)
@@ -238,13 +178,15 @@ class RightsTest {
     }
 
     private boolean mayCommand(String type, Caller caller) {
-        Http.Answer answer = callers.get(caller)
-                .post(
-                        "/api/v1/drones/" + vehicle.id() + "/commands",
-                        "{\"type\":\"" + type + "\"" + MEMBERS.getOrDefault(type, "") + "}");
+        Http.Answer answer = callers.get(caller).post("/api/v1/drones/" + vehicle.id() + "/commands", command(type));
         assertThat(answer.status()).as(type + " for " + caller).isNotIn(422, 500);
         return answer.status() != 401
                 && !ROLE_REFUSAL.matcher(answer.text("detail")).matches();
+    }
+
+    /** A command of that type that lacks nothing. */
+    static String command(String type) {
+        return "{\"type\":\"" + type + "\"" + MEMBERS.getOrDefault(type, "") + "}";
     }
 
     private static Set<String> words(String list) {

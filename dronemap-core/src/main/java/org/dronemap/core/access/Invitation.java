@@ -1,11 +1,25 @@
 package org.dronemap.core.access;
 
 import java.time.Instant;
+import org.dronemap.core.organisation.OrganisationId;
 
 /**
  * Lets one person make an active account without waiting; the code only as a SHA-256 hash (hexadecimal), since it is
  * 256 random bits.
  *
  * @param label for whom, in the inviting administrator's words
+ * @param organisation where whoever comes by it belongs
  */
-public record Invitation(String id, String label, Role role, String codeHash, String invitedBy, Instant expiresAt) {}
+public record Invitation(
+        String id,
+        String label,
+        Role role,
+        String codeHash,
+        String invitedBy,
+        Instant expiresAt,
+        OrganisationId organisation) {
+    /** Into the default organisation. */
+    public Invitation(String id, String label, Role role, String codeHash, String invitedBy, Instant expiresAt) {
+        this(id, label, role, codeHash, invitedBy, expiresAt, OrganisationId.HOME);
+    }
+}

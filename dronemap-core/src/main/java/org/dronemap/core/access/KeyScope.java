@@ -32,7 +32,7 @@ public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permission
     }
 
     boolean permits(Role needed) {
-        Permission permission = Permission.neededFor(needed);
+        Permission permission = needed.permission();
         return permission == null || permissions.contains(permission);
     }
 

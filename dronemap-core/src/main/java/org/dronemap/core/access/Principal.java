@@ -1,6 +1,9 @@
 package org.dronemap.core.access;
 
+import java.util.EnumSet;
+import java.util.Set;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -8,20 +11,54 @@ import org.jspecify.annotations.Nullable;
  *
  * @param scope how far the proof reaches
  * @param key the id of the access key that was shown; null: none, or the machine owner's
+ * @param reach how far the user's own rights go
  */
 public record Principal(
-        String name, Role role, KeyScope scope, @Nullable String key) {
-    /** A user in person. */
+        String name, Role role, KeyScope scope, @Nullable String key, Reach reach) {
+    /** A part of the server, which acts on all drones. */
     public Principal(String name, Role role) {
-        this(name, role, KeyScope.ALL, null);
+        this(name, role, KeyScope.ALL, null, Reach.EVERYWHERE);
     }
 
+    public OrganisationId organisation() {
+        return reach.organisation();
+    }
+
+    /** Whether this can be allowed at all; whether with a certain drone is another question. */
     public boolean may(Role needed) {
-        return role.includes(needed) && scope.permits(needed);
+        Permission permission = needed.permission();
+        return role.includes(needed)
+                && scope.permits(needed)
+                && (permission == null || reach.somewhere().contains(permission));
+    }
+
+    public boolean may(Role needed, DroneId drone) {
+        Permission permission = needed.permission();
+        return role.includes(needed)
+                && (permission == null || permissions(drone).contains(permission));
     }
 
     /** Other drones do not exist for this one. */
     public boolean sees(DroneId drone) {
-        return scope.covers(drone);
+        return scope.covers(drone) && !reach.of(drone).isEmpty();
+    }
+
+    /** What proof and grants leave of what the role allows with that drone; empty: it does not exist. */
+    public Set<Permission> permissions(DroneId drone) {
+        if (!scope.covers(drone)) {
+            return Set.of();
+        }
+        Set<Permission> granted = reach.of(drone);
+        if (granted.isEmpty() || scope.permissions().containsAll(granted)) {
+            return granted;
+        }
+        EnumSet<Permission> both = EnumSet.copyOf(granted);
+        both.retainAll(scope.permissions());
+        return both;
+    }
+
+    /** Nothing of the organisation is kept from this one. */
+    public boolean isWhole() {
+        return scope.coversAllDrones() && reach.isWhole();
     }
 }

@@ -1,5 +1,7 @@
 package org.dronemap.core.access;
 
+import org.jspecify.annotations.Nullable;
+
 /** What a user may do, least first; each role may do all that the ones before it may. */
 public enum Role {
     /** Of the public: sends reports, sees no drone. */
@@ -14,6 +16,17 @@ public enum Role {
     SUPERVISOR,
     /** Manages users, links and the server. */
     ADMINISTRATOR;
+
+    /** Which one a key or a grant must hold for what this role may and lesser ones may not; null: none. */
+    public @Nullable Permission permission() {
+        return switch (this) {
+            case REPORTER -> null;
+            case VIEWER -> Permission.VIEW;
+            case PLANNER -> Permission.PLAN;
+            case OPERATOR, SUPERVISOR -> Permission.COMMAND;
+            case ADMINISTRATOR -> Permission.ADMINISTER;
+        };
+    }
 
     public boolean includes(Role other) {
         return compareTo(other) >= 0;

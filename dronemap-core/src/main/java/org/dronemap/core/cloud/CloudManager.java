@@ -6,8 +6,9 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -22,8 +23,6 @@ import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.core.lease.Control;
-import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Epochs;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseRules;
@@ -51,6 +50,7 @@ public final class CloudManager {
     private final DroneControl.Keeping leases;
     private final LeaseMachine leaseMachine;
     private final ZoneBook zones = new ZoneBook();
+    private volatile BiConsumer<DroneId, LinkSession> registrar = (drone, session) -> {};
 
     /** Where the manager keeps things: the stores, and the thread that writes to them. */
     public record Keeping(DroneStore drones, CommandStore commands, LeaseStore leases, Journal journal) {}
@@ -102,6 +102,11 @@ public final class CloudManager {
         return zones;
     }
 
+    /** Hears of each drone that comes by itself before anybody can see it; set before the first one comes. */
+    public void registerBy(BiConsumer<DroneId, LinkSession> newcomers) {
+        registrar = newcomers;
+    }
+
     public void addListener(CloudListener listener) {
         listeners.add(listener);
     }
@@ -151,13 +156,20 @@ public final class CloudManager {
     }
 
     /** Lets a waiting vehicle in as a drone of its own; it is in contact as soon as it is next heard. */
-    public synchronized Optional<DroneState> letIn(String waitingId, @Nullable String name) {
+    public Optional<DroneState> letIn(String waitingId, @Nullable String name) {
+        return letIn(waitingId, name, drone -> {});
+    }
+
+    /** The same; {@code before} hears of the new drone before anybody can see it. */
+    public synchronized Optional<DroneState> letIn(String waitingId, @Nullable String name, Consumer<DroneId> before) {
         return reception.take(waitingId).map(waiting -> {
+            DroneId id = newIds.get();
+            before.accept(id);
             Identification said = waiting.identification();
             String label = name == null ? said.vehicle() + " " + waiting.key().systemId() : name;
             ManagedDrone drone = manage(
                     new DroneRecord(
-                            newIds.get(),
+                            id,
                             label,
                             waiting.key(),
                             waiting.transport(),
@@ -238,8 +250,10 @@ public final class CloudManager {
 
     private ManagedDrone enrol(Claim claim) {
         LinkSession session = claim.session();
+        DroneId id = newIds.get();
+        registrar.accept(id, session);
         DroneRecord record = new DroneRecord(
-                newIds.get(),
+                id,
                 session.label(),
                 session.key(),
                 session.transport(),
@@ -353,29 +367,6 @@ public final class CloudManager {
             if (session.replay()) {
                 drop(drone);
             }
-        }
-    }
-
-    /** Passes each change on to every listener. */
-    private record Everybody(List<CloudListener> listeners) implements CloudListener {
-        @Override
-        public void droneChanged(DroneState state) {
-            listeners.forEach(listener -> listener.droneChanged(state));
-        }
-
-        @Override
-        public void droneRemoved(DroneId id) {
-            listeners.forEach(listener -> listener.droneRemoved(id));
-        }
-
-        @Override
-        public void commandChanged(CommandRecord command) {
-            listeners.forEach(listener -> listener.commandChanged(command));
-        }
-
-        @Override
-        public void controlChanged(DroneId drone, Control now, ControlChange change) {
-            listeners.forEach(listener -> listener.controlChanged(drone, now, change));
         }
     }
 }

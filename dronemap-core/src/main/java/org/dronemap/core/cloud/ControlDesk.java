@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import java.util.concurrent.TimeUnit;
+import java.util.function.BiPredicate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.LeaseEvent;
@@ -33,8 +34,14 @@ public final class ControlDesk {
         return decision.step();
     }
 
-    /** This user may command no more, whatever it was that they commanded. */
-    public void expel(String user) {
-        registry.all().forEach(managed -> managed.control().apply(new LeaseEvent.Expel(user)));
+    /** Takes control, or the wish for it, from those who may no longer command: every drone is asked about. Does not wait. */
+    public void expelUnless(BiPredicate<String, DroneId> mayCommand) {
+        for (ManagedDrone managed : registry.all()) {
+            for (String user : managed.control().control().people()) {
+                if (!mayCommand.test(user, managed.id())) {
+                    managed.control().apply(new LeaseEvent.Expel(user));
+                }
+            }
+        }
     }
 }

@@ -3,6 +3,7 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
 
 /** Which commands need no control of the drone. */
 final class ControlRules {
@@ -26,7 +27,8 @@ final class ControlRules {
     }
 
     /** Whoever answers for safety stops, lands and calls back whatever others fly. */
-    static boolean isOpenTo(Principal principal, Command command) {
-        return principal.may(Role.SUPERVISOR) && (bringsToSafety(command) || command instanceof Command.PauseMission);
+    static boolean isOpenTo(Principal principal, DroneId drone, Command command) {
+        return principal.may(Role.SUPERVISOR, drone)
+                && (bringsToSafety(command) || command instanceof Command.PauseMission);
     }
 }

@@ -88,7 +88,7 @@ final class DroneControl {
         if (!(answer instanceof LeaseAnswer.Denied denied)) {
             return fenced();
         }
-        return ControlRules.isOpenTo(principal, command)
+        return ControlRules.isOpenTo(principal, drone, command)
                 ? new Passage.Open(epoch(), Fence.NONE)
                 : new Passage.Closed(denied.why());
     }

@@ -3,6 +3,7 @@ package org.dronemap.core.cloud;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Capability;
@@ -18,6 +19,10 @@ public final class RoleRules {
             "A planner may change what a drone carries only while it is known to be disarmed.";
 
     private static final String OTHER_DRONES = "This access key is for other drones.";
+    private static final String NOT_GRANTED_AT_ALL = "This drone is not among those that you were granted.";
+    private static final String MAY_NOT_PLAN_WITH_IT =
+            "You were not granted to change missions, fences or rally points of this drone.";
+    private static final String MAY_NOT_COMMAND_IT = "You were not granted to command this drone.";
     private static final String KEY_MAY_NOT_PLAN = "This access key may not change missions, fences or rally points.";
     private static final String KEY_MAY_NOT_COMMAND = "This access key may not command.";
 
@@ -30,20 +35,23 @@ public final class RoleRules {
     /** Why this one may not give a command of this kind to that drone now; empty when it may. */
     public static Optional<String> whyNot(Principal principal, DroneState drone, Capability capability) {
         if (!principal.sees(drone.id())) {
-            return Optional.of(OTHER_DRONES);
+            return Optional.of(principal.scope().covers(drone.id()) ? NOT_GRANTED_AT_ALL : OTHER_DRONES);
         }
         boolean planning = PLANNING.contains(capability);
-        if (!principal.may(planning ? Role.PLANNER : Role.OPERATOR)) {
+        if (!principal.may(planning ? Role.PLANNER : Role.OPERATOR, drone.id())) {
             return Optional.of(lacking(principal, planning));
         }
         // A drone in AUTO may be flying the very mission that is overwritten.
-        return principal.may(Role.OPERATOR) || Boolean.FALSE.equals(drone.armed())
+        return principal.may(Role.OPERATOR, drone.id()) || Boolean.FALSE.equals(drone.armed())
                 ? Optional.empty()
                 : Optional.of(ONLY_ON_THE_GROUND);
     }
 
     private static String lacking(Principal principal, boolean planning) {
         if (principal.role().includes(planning ? Role.PLANNER : Role.OPERATOR)) {
+            if (principal.scope().permissions().contains(planning ? Permission.PLAN : Permission.COMMAND)) {
+                return planning ? MAY_NOT_PLAN_WITH_IT : MAY_NOT_COMMAND_IT;
+            }
             return planning ? KEY_MAY_NOT_PLAN : KEY_MAY_NOT_COMMAND;
         }
         return principal.role().includes(Role.PLANNER) ? MAY_ONLY_PLAN : MAY_NOT_COMMAND;

@@ -2,8 +2,10 @@ package org.dronemap.core.lease;
 
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,6 +39,16 @@ public record Control(
 
     public boolean isHeldBy(String user) {
         return tenure != null && tenure.holder().is(user);
+    }
+
+    /** The users who have control or ask for it. */
+    public Set<String> people() {
+        Set<String> people = new LinkedHashSet<>();
+        if (tenure != null && tenure.holder() instanceof Holder.Person person) {
+            people.add(person.name());
+        }
+        requests.forEach(request -> people.add(request.by()));
+        return people;
     }
 
     /** Who has control, since when, and what can be done about it. */

@@ -2,6 +2,7 @@ package org.dronemap.core.zone;
 
 import java.time.Instant;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.organisation.OrganisationId;
 
 /**
  * An area that drones stay in ({@code shape.inside()}), or out of; kept and enforced by the cloud, whatever the vehicle
@@ -9,6 +10,7 @@ import org.dronemap.core.mission.FenceZone;
  *
  * @param name what people call it
  * @param changedBy who changed it last
+ * @param organisation whose it is: binds nobody else, unless it is the default organisation's and for everybody
  */
 public record Zone(
         String id,
@@ -19,11 +21,31 @@ public record Zone(
         Validity validity,
         BreachAction onBreach,
         String changedBy,
-        Instant changedAt) {
+        Instant changedAt,
+        OrganisationId organisation) {
+    /** Of the default organisation. */
+    public Zone(
+            String id,
+            String name,
+            FenceZone shape,
+            AltitudeBand band,
+            Binding binding,
+            Validity validity,
+            BreachAction onBreach,
+            String changedBy,
+            Instant changedAt) {
+        this(id, name, shape, band, binding, validity, onBreach, changedBy, changedAt, OrganisationId.HOME);
+    }
+
     public Zone {
         ShapeFaults.of(shape).ifPresent(fault -> {
             throw new IllegalArgumentException(fault);
         });
+    }
+
+    /** Binds whoever flies here, of whatever organisation. */
+    public boolean isGlobal() {
+        return organisation.isHome() && binding instanceof Binding.Everybody;
     }
 
     /** "the no-fly zone “Airport”". */

@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
@@ -84,7 +85,7 @@ class RoleRulesTest {
     }
 
     private static Principal byKey(@Nullable Set<DroneId> drones, Permission... permissions) {
-        return new Principal("ann", Role.OPERATOR, new KeyScope(drones, Set.of(permissions)), "key");
+        return new Principal("ann", Role.OPERATOR, new KeyScope(drones, Set.of(permissions)), "key", Reach.EVERYWHERE);
     }
 
     private Set<Capability> allowed(Role role, @Nullable Boolean armed) {

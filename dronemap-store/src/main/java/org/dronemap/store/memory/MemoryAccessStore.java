@@ -189,7 +189,8 @@ public final class MemoryAccessStore implements AccessStore {
                         invitation.role(),
                         invitation.codeHash(),
                         invitation.invitedBy(),
-                        StoredInstant.of(invitation.expiresAt())));
+                        StoredInstant.of(invitation.expiresAt()),
+                        invitation.organisation()));
     }
 
     @Override

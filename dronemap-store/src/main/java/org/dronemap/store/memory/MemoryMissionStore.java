@@ -32,7 +32,8 @@ public final class MemoryMissionStore implements MissionStore {
                         mission.name(),
                         mission.mission(),
                         mission.changedBy(),
-                        StoredInstant.of(mission.changedAt())));
+                        StoredInstant.of(mission.changedAt()),
+                        mission.organisation()));
     }
 
     @Override

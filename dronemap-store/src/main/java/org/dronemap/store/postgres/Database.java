@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.Properties;
 import javax.sql.DataSource;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
@@ -90,6 +91,10 @@ public final class Database implements AutoCloseable {
 
     public AccessStore access() {
         return new PostgresAccessStore(pool);
+    }
+
+    public GrantStore grants() {
+        return new PostgresGrantStore(pool);
     }
 
     /** Keys are sealed with {@code box} on their way in. */

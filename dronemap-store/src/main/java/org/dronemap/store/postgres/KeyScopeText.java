@@ -9,7 +9,7 @@ import org.dronemap.core.access.Permission;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
-/** The two columns that say how far an access key reaches: words separated by commas. */
+/** Columns that say how far rights reach: words separated by commas. */
 final class KeyScopeText {
     private static final String COMMA = ",";
 
@@ -17,22 +17,32 @@ final class KeyScopeText {
 
     static @Nullable String drones(KeyScope scope) {
         Set<DroneId> drones = scope.drones();
-        return drones == null
-                ? null
-                : drones.stream().map(DroneId::value).sorted().collect(Collectors.joining(COMMA));
+        return drones == null ? null : list(drones);
+    }
+
+    static String list(Set<DroneId> drones) {
+        return drones.stream().map(DroneId::value).sorted().collect(Collectors.joining(COMMA));
     }
 
     static String permissions(KeyScope scope) {
-        return scope.permissions().stream().map(Permission::name).collect(Collectors.joining(COMMA));
+        return words(scope.permissions());
+    }
+
+    static String words(Set<Permission> permissions) {
+        return permissions.stream().map(Permission::name).collect(Collectors.joining(COMMA));
     }
 
     static KeyScope scope(@Nullable String drones, String permissions) {
-        EnumSet<Permission> all = EnumSet.noneOf(Permission.class);
-        Arrays.stream(permissions.split(COMMA)).map(Permission::valueOf).forEach(all::add);
-        return new KeyScope(drones == null ? null : ids(drones), all);
+        return new KeyScope(drones == null ? null : ids(drones), permissions(permissions));
     }
 
-    private static Set<DroneId> ids(String drones) {
+    static Set<Permission> permissions(String words) {
+        EnumSet<Permission> all = EnumSet.noneOf(Permission.class);
+        Arrays.stream(words.split(COMMA)).map(Permission::valueOf).forEach(all::add);
+        return all;
+    }
+
+    static Set<DroneId> ids(String drones) {
         return Arrays.stream(drones.split(COMMA))
                 .filter(id -> !id.isEmpty())
                 .map(DroneId::new)

@@ -36,9 +36,16 @@ public final class PostgresAccessStore implements AccessStore {
 
     @Override
     public boolean addUser(User user) {
-        return sql.update("""
-                        INSERT INTO account (name, role, state, password_hash, must_change_password)
-                        VALUES (?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING""", user.name(), user.role(), user.state(), user.passwordHash(), user.mustChangePassword())
+        return sql.update(
+                        """
+                        INSERT INTO account (name, role, state, password_hash, must_change_password, organisation)
+                        VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (name) DO NOTHING""",
+                        user.name(),
+                        user.role(),
+                        user.state(),
+                        user.passwordHash(),
+                        user.mustChangePassword(),
+                        OrganisationColumn.stored(user.organisation()))
                 == 1;
     }
 
@@ -162,15 +169,16 @@ public final class PostgresAccessStore implements AccessStore {
         sql.update(
                 """
                 WITH expired AS (DELETE FROM invitation WHERE expires_at <= ?)
-                INSERT INTO invitation (id, label, role, code_hash, invited_by, expires_at)
-                VALUES (?, ?, ?, ?, ?, ?)""",
+                INSERT INTO invitation (id, label, role, code_hash, invited_by, expires_at, organisation)
+                VALUES (?, ?, ?, ?, ?, ?, ?)""",
                 now,
                 invitation.id(),
                 invitation.label(),
                 invitation.role(),
                 invitation.codeHash(),
                 invitation.invitedBy(),
-                invitation.expiresAt());
+                invitation.expiresAt(),
+                OrganisationColumn.stored(invitation.organisation()));
     }
 
     @Override
@@ -195,15 +203,16 @@ public final class PostgresAccessStore implements AccessStore {
                         WITH used AS (
                             DELETE FROM invitation WHERE id = ? AND NOT EXISTS (SELECT 1 FROM account WHERE name = ?)
                             RETURNING id)
-                        INSERT INTO account (name, role, state, password_hash, must_change_password)
-                        SELECT ?, ?, ?, ?, ? FROM used""",
+                        INSERT INTO account (name, role, state, password_hash, must_change_password, organisation)
+                        SELECT ?, ?, ?, ?, ?, ? FROM used""",
                         invitationId,
                         user.name(),
                         user.name(),
                         user.role(),
                         user.state(),
                         user.passwordHash(),
-                        user.mustChangePassword())
+                        user.mustChangePassword(),
+                        OrganisationColumn.stored(user.organisation()))
                 == 1;
     }
 
@@ -214,7 +223,8 @@ public final class PostgresAccessStore implements AccessStore {
                 row.name("role", Role.class),
                 row.text("code_hash"),
                 row.text("invited_by"),
-                row.time("expires_at"));
+                row.time("expires_at"),
+                OrganisationColumn.read(row));
     }
 
     private static User user(Row row) throws SQLException {
@@ -223,7 +233,8 @@ public final class PostgresAccessStore implements AccessStore {
                 row.name("role", Role.class),
                 row.name("state", AccountState.class),
                 row.text("password_hash"),
-                row.bool("must_change_password"));
+                row.bool("must_change_password"),
+                OrganisationColumn.read(row));
     }
 
     private static AccessKey accessKey(Row row) throws SQLException {

@@ -34,14 +34,16 @@ public final class PostgresMissionStore implements MissionStore {
     public void save(SavedMission mission) {
         sql.update(
                 """
-                INSERT INTO saved_mission (id, name, items, changed_by, changed_at) VALUES (?, ?, ?::json, ?, ?)
+                INSERT INTO saved_mission (id, name, items, changed_by, changed_at, organisation)
+                VALUES (?, ?, ?::json, ?, ?, ?)
                 ON CONFLICT (id) DO UPDATE SET name = excluded.name, items = excluded.items,
                     changed_by = excluded.changed_by, changed_at = excluded.changed_at""",
                 mission.id(),
                 mission.name(),
                 MissionItemJson.write(mission.mission().items()),
                 mission.changedBy(),
-                mission.changedAt());
+                mission.changedAt(),
+                OrganisationColumn.stored(mission.organisation()));
     }
 
     @Override
@@ -55,6 +57,7 @@ public final class PostgresMissionStore implements MissionStore {
                 row.text("name"),
                 new Mission(MissionItemJson.read(row.text("items"))),
                 row.text("changed_by"),
-                row.time("changed_at"));
+                row.time("changed_at"),
+                OrganisationColumn.read(row));
     }
 }

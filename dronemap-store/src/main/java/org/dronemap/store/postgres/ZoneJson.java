@@ -7,6 +7,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
@@ -64,6 +65,9 @@ final class ZoneJson {
         to.put("onBreach", zone.onBreach().name());
         to.put("changedBy", zone.changedBy());
         to.put("changedAt", zone.changedAt().toString());
+        if (!zone.organisation().isHome()) {
+            to.put("organisation", zone.organisation().value());
+        }
     }
 
     private static void point(Geodetic point, ObjectNode to) {
@@ -89,7 +93,10 @@ final class ZoneJson {
                 new Validity(moment(from, "from"), moment(from, "until")),
                 BreachAction.valueOf(from.required("onBreach").stringValue()),
                 from.required("changedBy").stringValue(),
-                Instant.parse(from.required("changedAt").stringValue()));
+                Instant.parse(from.required("changedAt").stringValue()),
+                from.has("organisation")
+                        ? new OrganisationId(from.required("organisation").stringValue())
+                        : OrganisationId.HOME);
     }
 
     private static FenceZone shape(JsonNode from) {

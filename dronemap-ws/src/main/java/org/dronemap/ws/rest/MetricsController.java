@@ -29,8 +29,8 @@ public class MetricsController {
 
     @GetMapping("/metrics")
     public void metrics(HttpServletResponse response) throws IOException {
-        Roles.requireForAll(current.principal(), Role.VIEWER);
-        MetricSnapshots now = metrics.now();
+        Roles.requireServer(current.principal(), Role.VIEWER);
+        MetricSnapshots now = metrics.now(current.principal());
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         WRITER.write(text, now);
         response.setContentType(PrometheusTextFormatWriter.CONTENT_TYPE);

@@ -37,15 +37,13 @@ public class MissionController {
     @GetMapping
     @Operation(summary = "List the saved missions")
     public Missions missions() {
-        current.requireSignedIn();
-        return new Missions(missions.missions());
+        return new Missions(missions.missions(current.principal()));
     }
 
     @GetMapping("/{id}")
     @Operation(summary = "Look at one saved mission")
     public MissionService.SavedMissionView mission(@PathVariable String id) {
-        current.requireSignedIn();
-        return missions.mission(id);
+        return missions.mission(current.principal(), id);
     }
 
     @PostMapping

@@ -46,8 +46,8 @@ public class WaitingController {
     @Operation(summary = "Let a vehicle in as a drone (administrator)")
     public ResponseEntity<DroneView> enrol(
             @PathVariable String id, @RequestBody(required = false) WaitingService.@Nullable EnrolRequest request) {
-        DroneView drone = waiting.enrol(
-                current.principal(), id, request == null ? new WaitingService.EnrolRequest(null) : request);
+        DroneView drone =
+                waiting.enrol(current.principal(), id, request == null ? WaitingService.EnrolRequest.PLAIN : request);
         return ResponseEntity.status(HttpStatus.CREATED)
                 .location(URI.create("/api/v1/drones/" + drone.id()))
                 .body(drone);

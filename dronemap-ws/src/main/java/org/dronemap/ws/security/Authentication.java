@@ -7,11 +7,16 @@ import java.util.Comparator;
 import java.util.Optional;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
+import org.dronemap.core.organisation.Organisation;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.PasswordHashing;
@@ -36,6 +41,7 @@ public final class Authentication {
     private final PasswordHashing passwords;
     private final Secrets secrets;
     private final Clock clock;
+    private final GrantBook grants;
     private final SignInThrottle throttle;
     private final FirstPassword firstPassword;
     private final KeyUses keyUses;
@@ -46,14 +52,18 @@ public final class Authentication {
     public record Credentials(
             @Nullable String name, @Nullable String password) {}
 
-    /** Who is signed in. */
-    public record SessionView(String name, String role, boolean mustChangePassword) {}
+    /** Who is signed in; {@code organisation}: its name, null for the default one. */
+    public record SessionView(
+            String name,
+            String role,
+            boolean mustChangePassword,
+            @Nullable String organisation) {}
 
     /** A new session with the token that goes into the cookie. */
     public record NewSession(String token, SessionView view) {}
 
-    /** What proof is judged by: the hashes, and the key of the machine's owner. */
-    public record Means(PasswordHashing passwords, Secrets secrets, String localKey) {}
+    /** What proof is judged by: the hashes, and the key of the machine's owner; and what was granted to whom. */
+    public record Means(PasswordHashing passwords, Secrets secrets, String localKey, GrantBook grants) {}
 
     public Authentication(AccessStore store, Means means, FirstPassword firstPassword, Clock clock) {
         this.store = store;
@@ -62,6 +72,7 @@ public final class Authentication {
         this.localKeyHash = Secrets.hash(means.localKey());
         this.firstPassword = firstPassword;
         this.clock = clock;
+        this.grants = means.grants();
         this.throttle = new SignInThrottle(clock);
         this.keyUses = new KeyUses(store, clock);
         this.nobodysHash = passwords.hash(secrets.token());
@@ -86,8 +97,9 @@ public final class Authentication {
         Principal principal = caller.principal();
         return store.user(principal.name())
                 .filter(user -> caller.proof() != SignedIn.Proof.KEY)
-                .map(Authentication::view)
-                .orElseGet(() -> new SessionView(principal.name(), WireNames.camel(principal.role()), false));
+                .map(this::view)
+                .orElseGet(() -> new SessionView(
+                        principal.name(), WireNames.camel(principal.role()), false, nameOf(principal.organisation())));
     }
 
     /** Empty when there is no such session any more. */
@@ -125,7 +137,8 @@ public final class Authentication {
 
     private Optional<SignedIn> byKeyHash(String hash) {
         if (hash.equals(localKeyHash)) {
-            Principal owner = new Principal(administrator(), Role.ADMINISTRATOR);
+            Principal owner = new Principal(
+                    administrator(), Role.ADMINISTRATOR, KeyScope.ALL, null, grants.reach(OrganisationId.HOME));
             return Optional.of(new SignedIn(owner, SignedIn.Proof.KEY, hash, null, false));
         }
         return store.accessKey(hash)
@@ -133,21 +146,28 @@ public final class Authentication {
                 .flatMap(key -> store.user(key.owner()).filter(User::isActive).map(owner -> byKey(key, owner)));
     }
 
-    private static SignedIn byKey(AccessKey key, User owner) {
+    private SignedIn byKey(AccessKey key, User owner) {
         KeyRights rights = key.rights();
         Role role = owner.role().includes(rights.role()) ? rights.role() : owner.role();
-        Principal principal = new Principal(owner.name(), role, rights.scope(), key.id());
+        Principal principal = new Principal(owner.name(), role, rights.scope(), key.id(), reach(owner));
         return new SignedIn(principal, SignedIn.Proof.KEY, key.secretHash(), rights.expiresAt(), false);
     }
 
-    private static SignedIn signedIn(User user, SignedIn.Proof proof, @Nullable String hash, @Nullable Instant until) {
-        return new SignedIn(new Principal(user.name(), user.role()), proof, hash, until, user.mustChangePassword());
+    private SignedIn signedIn(User user, SignedIn.Proof proof, @Nullable String hash, @Nullable Instant until) {
+        Principal principal = new Principal(user.name(), user.role(), KeyScope.ALL, null, reach(user));
+        return new SignedIn(principal, proof, hash, until, user.mustChangePassword());
+    }
+
+    private Reach reach(User user) {
+        return grants.reach(user.organisation(), user.name());
     }
 
     /** Whoever owns the machine acts as its first administrator. */
     private String administrator() {
         return store.users().stream()
-                .filter(user -> user.role() == Role.ADMINISTRATOR && user.isActive())
+                .filter(user -> user.role() == Role.ADMINISTRATOR
+                        && user.isActive()
+                        && user.organisation().isHome())
                 .map(User::name)
                 .min(Comparator.comparing(name -> name.equals(FirstStart.ADMIN) ? "" : name))
                 .orElse(FirstStart.ADMIN);
@@ -204,7 +224,18 @@ public final class Authentication {
         };
     }
 
-    private static SessionView view(User user) {
-        return new SessionView(user.name(), WireNames.camel(user.role()), user.mustChangePassword());
+    private SessionView view(User user) {
+        return new SessionView(
+                user.name(), WireNames.camel(user.role()), user.mustChangePassword(), nameOf(user.organisation()));
+    }
+
+    private @Nullable String nameOf(OrganisationId id) {
+        return id.isHome()
+                ? null
+                : grants.holdings().organisations().stream()
+                        .filter(organisation -> organisation.id().equals(id))
+                        .map(Organisation::name)
+                        .findFirst()
+                        .orElse(id.value());
     }
 }

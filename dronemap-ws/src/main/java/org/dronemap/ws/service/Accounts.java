@@ -28,20 +28,20 @@ public final class Accounts {
 
     /** What nobody may do to themself, so that an administrator is left. */
     void changeOther(Principal actor, String name, UnaryOperator<User> change) {
-        changeOther(actor, name, () -> store.updateUser(change.apply(find(name))));
+        changeOther(actor, name, () -> store.updateUser(change.apply(find(actor, name))));
     }
 
     /** Ends the user's sessions as well. */
     void changeOtherAndSignOut(Principal actor, String name, UnaryOperator<User> change) {
         changeOther(actor, name, () -> {
-            store.updateUser(change.apply(find(name)));
+            store.updateUser(change.apply(find(actor, name)));
             store.deleteOtherSignIns(name, "");
         });
     }
 
     void delete(Principal actor, String name) {
         changeOther(actor, name, () -> {
-            if (!store.deleteUser(name)) {
+            if (!store.deleteUser(find(actor, name).name())) {
                 throw Rejection.unknown("user", name);
             }
         });
@@ -50,7 +50,7 @@ public final class Accounts {
     /** A user's own change, which takes no rights from others. */
     void changeOwn(String name, UnaryOperator<User> change, String keepTokenHash) {
         synchronized (this) {
-            store.updateUser(change.apply(find(name)));
+            store.updateUser(change.apply(store.user(name).orElseThrow(() -> Rejection.unknown("user", name))));
             store.deleteOtherSignIns(name, keepTokenHash);
         }
         tell(name);
@@ -61,8 +61,11 @@ public final class Accounts {
         listeners.forEach(listener -> listener.accept(name));
     }
 
-    User find(String name) {
-        return store.user(name).orElseThrow(() -> Rejection.unknown("user", name));
+    /** Users of other organisations are not there. */
+    User find(Principal actor, String name) {
+        return store.user(name)
+                .filter(user -> user.organisation().equals(actor.organisation()))
+                .orElseThrow(() -> Rejection.unknown("user", name));
     }
 
     private void changeOther(Principal actor, String name, Runnable change) {

@@ -23,7 +23,7 @@ public final class BackupService {
 
     /** A file that belongs to the caller from now on; whole before its first byte is handed out. */
     public Path backup(Principal principal) throws IOException {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         Path file = Files.createTempFile(temporaryDirectory, "backup", ".zip");
         try {
             writer.write(file);

@@ -1,6 +1,8 @@
 package org.dronemap.ws.service;
 
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
@@ -20,31 +22,33 @@ public final class ControlService {
     private final CloudManager cloud;
     private final DroneService drones;
     private final AccessStore access;
+    private final GrantBook grants;
 
     /** How it is now; {@code waiting}: the holder was asked, and decides. */
     public record Answer(ControlView control, boolean waiting) {}
 
-    public ControlService(CloudManager cloud, DroneService drones, AccessStore access, Accounts accounts) {
+    public ControlService(
+            CloudManager cloud, DroneService drones, AccessStore access, Accounts accounts, GrantBook grants) {
         this.cloud = cloud;
         this.drones = drones;
         this.access = access;
-        accounts.onChange(this::judgeAnew);
+        this.grants = grants;
+        accounts.onChange(user -> judgeAnew());
+        grants.onChange(this::judgeAnew);
     }
 
     public ControlView control(Principal principal, String droneId) {
-        Roles.require(principal, Role.VIEWER);
-        return ControlView.of(
-                cloud.controls().control(drones.state(principal, droneId).id()));
+        return ControlView.of(cloud.controls()
+                .control(drones.state(principal, droneId, Role.VIEWER).id()));
     }
 
     /** Does what is asked, or says who has control and since when. */
     public Answer act(Principal principal, String droneId, ControlAction action, ControlRequestView with) {
-        Roles.require(principal, needed(action));
-        DroneState drone = drones.state(principal, droneId);
+        DroneState drone = drones.state(principal, droneId, needed(principal, action));
         if (drone.replay()) {
             throw Rejection.conflict("This is a recording; it cannot be commanded.");
         }
-        LeaseStep step = apply(drone.id(), event(principal.name(), action, with));
+        LeaseStep step = apply(drone.id(), event(principal.name(), action, with, drone.id()));
         if (step.answer() instanceof LeaseAnswer.Denied denied) {
             throw Rejection.held(denied.why(), null, step.control());
         }
@@ -52,10 +56,11 @@ public final class ControlService {
     }
 
     /** Planners come to control by putting a mission on a drone, and must be able to give it back. */
-    private static Role needed(ControlAction action) {
+    private static Role needed(Principal principal, ControlAction action) {
         return switch (action) {
             case TAKE_OVER -> Role.SUPERVISOR;
-            case RELEASE -> Role.PLANNER;
+            // Whoever may command may give back, too, and need not be allowed to plan for that.
+            case RELEASE -> principal.may(Role.OPERATOR) ? Role.OPERATOR : Role.PLANNER;
             default -> Role.OPERATOR;
         };
     }
@@ -68,13 +73,13 @@ public final class ControlService {
         }
     }
 
-    private LeaseEvent event(String user, ControlAction action, ControlRequestView with) {
+    private LeaseEvent event(String user, ControlAction action, ControlRequestView with, DroneId drone) {
         return switch (action) {
             case TAKE -> new LeaseEvent.Take(user);
             case REQUEST -> new LeaseEvent.Request(user, reason(with.reason()));
-            case GRANT -> new LeaseEvent.Grant(user, pilot(with.user()));
+            case GRANT -> new LeaseEvent.Grant(user, pilot(with.user(), drone));
             case REFUSE -> new LeaseEvent.Refuse(user, named(with.user()), reason(with.reason()));
-            case HAND_OVER -> new LeaseEvent.HandOver(user, pilot(with.user()));
+            case HAND_OVER -> new LeaseEvent.HandOver(user, pilot(with.user(), drone));
             case TAKE_OVER -> new LeaseEvent.TakeOver(user, Names.checked("reason", with.reason(), LONGEST_REASON));
             case HEARTBEAT -> new LeaseEvent.Heartbeat(user, epoch(with.epoch()));
             case RELEASE -> new LeaseEvent.Release(user);
@@ -100,25 +105,25 @@ public final class ControlService {
     }
 
     /** Control goes to nobody who may not command. */
-    private String pilot(@Nullable String user) {
+    private String pilot(@Nullable String user, DroneId drone) {
         String name = named(user);
-        if (!mayCommand(name)) {
+        if (!mayCommand(name, drone)) {
             throw InvalidInput.outside("user", "a user who may command drones", "\"" + name + "\"");
         }
         return name;
     }
 
-    private boolean mayCommand(String user) {
+    private boolean mayCommand(String user, DroneId drone) {
         return access.user(user)
                 .filter(User::isActive)
-                .filter(known -> known.role().includes(Role.OPERATOR))
+                .map(known ->
+                        new Principal(user, known.role(), KeyScope.ALL, null, grants.reach(known.organisation(), user)))
+                .filter(known -> known.may(Role.OPERATOR, drone))
                 .isPresent();
     }
 
     /** Nobody keeps control by rights that are gone. */
-    private void judgeAnew(String user) {
-        if (!mayCommand(user)) {
-            cloud.controls().expel(user);
-        }
+    private void judgeAnew() {
+        cloud.controls().expelUnless(this::mayCommand);
     }
 }

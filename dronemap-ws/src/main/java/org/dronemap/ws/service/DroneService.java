@@ -32,19 +32,26 @@ public final class DroneService {
     }
 
     public DroneView rename(Principal principal, String id, RenameRequest request) {
-        Roles.require(principal, Role.OPERATOR);
-        DroneId drone = state(principal, id).id();
+        DroneId drone = state(principal, id, Role.OPERATOR).id();
         cloud.rename(drone, Names.checked("name", request.name(), LONGEST_NAME));
         return drone(principal, id);
     }
 
     /** Only a lost drone goes: one in contact would come back at once. */
     public void remove(Principal principal, String id) {
-        Roles.require(principal, Role.ADMINISTRATOR);
-        Optional<String> why = cloud.forget(state(principal, id).id());
+        Optional<String> why =
+                cloud.forget(state(principal, id, Role.ADMINISTRATOR).id());
         if (why.isPresent()) {
             throw Rejection.conflict(why.get());
         }
+    }
+
+    /** For those who may do with it what takes that role. */
+    DroneState state(Principal principal, String id, Role needed) {
+        Roles.require(principal, needed);
+        DroneState state = state(principal, id);
+        Roles.require(principal, needed, state.id());
+        return state;
     }
 
     /** What the asker may not see is told from what is not there by nothing. */

@@ -55,7 +55,7 @@ public final class DtlsKeyService {
     }
 
     public List<DtlsKeyView> keys(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         Set<String> connected = links.all().stream()
                 .flatMap(status -> status.peers().stream())
                 .flatMap(peer -> Stream.ofNullable(peer.identity()))
@@ -66,9 +66,9 @@ public final class DtlsKeyService {
     }
 
     public DtlsKeyView make(Principal principal, DtlsKeyRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         String drone = request.drone();
-        DroneState known = drone == null ? null : known(drone);
+        DroneState known = drone == null ? null : known(principal, drone);
         String identity = known == null ? fresh() : known.id().value();
         String label =
                 Names.checked("label", request.label() == null && known != null ? known.name() : request.label(), 60);
@@ -83,8 +83,10 @@ public final class DtlsKeyService {
         return view;
     }
 
-    private DroneState known(String drone) {
-        return cloud.drone(new DroneId(drone)).orElseThrow(() -> Rejection.unknown("drone", drone));
+    private DroneState known(Principal principal, String drone) {
+        return cloud.drone(new DroneId(drone))
+                .filter(state -> principal.sees(state.id()))
+                .orElseThrow(() -> Rejection.unknown("drone", drone));
     }
 
     private static String fresh() {
@@ -93,7 +95,7 @@ public final class DtlsKeyService {
 
     /** The vehicle's links end at once. */
     public void revoke(Principal principal, String identity) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         if (!ring.remove(identity)) {
             throw Rejection.unknown("DTLS key", identity);
         }

@@ -57,8 +57,7 @@ public final class FenceService {
     }
 
     private CommandView give(Caller caller, String droneId, Command command) {
-        Roles.require(caller.principal(), Role.PLANNER);
-        DroneState drone = drones.state(caller.principal(), droneId);
+        DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
         return commands.give(caller.principal(), caller.face(), drone, null, command);
     }
 }

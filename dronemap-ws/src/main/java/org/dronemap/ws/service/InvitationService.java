@@ -10,6 +10,7 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /** Invitations, for administrators. Any thread. */
@@ -20,14 +21,16 @@ public final class InvitationService {
     private static final int LONGEST_LABEL = 60;
 
     private final AccessStore store;
+    private final OrganisationService organisations;
     private final Secrets secrets;
     private final Clock clock;
 
-    /** Whom to invite as what, for how many days; seven unless said otherwise. */
+    /** Whom to invite as what, for how many days; seven, and into the asker's organisation, unless said otherwise. */
     public record NewInvitation(
             @Nullable String label,
             @Nullable String role,
-            @Nullable Integer days) {}
+            @Nullable Integer days,
+            @Nullable String organisation) {}
 
     /**
      * An invitation as administrators see it.
@@ -42,7 +45,8 @@ public final class InvitationService {
             Instant expiresAt,
             @Nullable String code) {}
 
-    public InvitationService(AccessStore store, Secrets secrets, Clock clock) {
+    public InvitationService(AccessStore store, OrganisationService organisations, Secrets secrets, Clock clock) {
+        this.organisations = organisations;
         this.store = store;
         this.secrets = secrets;
         this.clock = clock;
@@ -51,6 +55,7 @@ public final class InvitationService {
     public List<InvitationView> invitations(Principal principal) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         return store.invitations(clock.instant()).stream()
+                .filter(invitation -> isShownTo(principal, invitation))
                 .map(invitation -> view(invitation, null))
                 .toList();
     }
@@ -65,6 +70,7 @@ public final class InvitationService {
             throw InvalidInput.outside("days", "1 to " + MOST_DAYS, days);
         }
         Instant now = clock.instant();
+        OrganisationId organisation = organisations.invitedInto(principal, request.organisation());
         if (store.invitations(now).size() >= MOST_OPEN) {
             throw Rejection.conflict(MOST_OPEN + " invitations are open already; withdraw some first.");
         }
@@ -75,16 +81,25 @@ public final class InvitationService {
                 role,
                 Secrets.hash(code),
                 principal.name(),
-                now.plus(Duration.ofDays(days)));
+                now.plus(Duration.ofDays(days)),
+                organisation);
         store.addInvitation(invitation, now);
         return view(invitation, code);
     }
 
     public void withdraw(Principal principal, String id) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        if (!store.deleteInvitation(id)) {
+        boolean shown = store.invitations(clock.instant()).stream()
+                .anyMatch(invitation -> invitation.id().equals(id) && isShownTo(principal, invitation));
+        if (!shown || !store.deleteInvitation(id)) {
             throw Rejection.unknown("invitation", id);
         }
+    }
+
+    /** Those into one's own organisation, and those that one gave oneself. */
+    private static boolean isShownTo(Principal principal, Invitation invitation) {
+        return invitation.organisation().equals(principal.organisation())
+                || invitation.invitedBy().equals(principal.name());
     }
 
     private static InvitationView view(Invitation invitation, @Nullable String code) {

@@ -27,7 +27,7 @@ public record KeyRequest(
         @Nullable List<@Nullable String> operations,
         @Nullable List<@Nullable String> drones,
         @Nullable Integer days) {
-    private static final String OPERATIONS = "a list of view, plan, command and administer";
+    static final String OPERATIONS = "a list of view, plan, command and administer";
     private static final int MOST_DRONES = 500;
     private static final int MOST_DAYS = 3650;
 
@@ -67,7 +67,7 @@ public record KeyRequest(
         return ids;
     }
 
-    private static Set<Permission> permissions(List<@Nullable String> operations) {
+    static Set<Permission> permissions(List<@Nullable String> operations) {
         EnumSet<Permission> permissions = EnumSet.noneOf(Permission.class);
         for (String operation : operations) {
             permissions.add(Arrays.stream(Permission.values())

@@ -145,8 +145,7 @@ public final class LinkSecurityService {
     }
 
     private DroneId securable(Principal principal, String id) {
-        Roles.require(principal, Role.ADMINISTRATOR);
-        DroneState state = drones.state(principal, id);
+        DroneState state = drones.state(principal, id, Role.ADMINISTRATOR);
         if (state.replay()) {
             throw Rejection.conflict("This drone comes from a recording; it has no link to secure.");
         }

@@ -10,6 +10,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
 import org.jspecify.annotations.Nullable;
@@ -33,7 +34,7 @@ public final class LinkService {
     }
 
     public List<EndpointView> endpoints(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         Map<String, SavedLink> saved =
                 store.links().stream().collect(Collectors.toMap(SavedLink::id, Function.identity()));
         return links.all().stream()
@@ -50,7 +51,7 @@ public final class LinkService {
 
     /** Kept from now on, also over restarts; listed as failed, with the reason, while it cannot open. */
     public EndpointView add(Principal principal, EndpointRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         String url = checked(request.url());
         String id = "e" + UUID.randomUUID().toString().replace("-", "").substring(0, ID_LETTERS);
         if (!store.addLink(new SavedLink(id, url, principal.name(), clock.instant()))) {
@@ -86,8 +87,14 @@ public final class LinkService {
 
     /** What went over the link of each vehicle. */
     public List<TrafficView> traffic(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        return links.traffic();
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        return links.traffic().stream().map(one -> unnamed(principal, one)).toList();
+    }
+
+    /** A link is the server's; whose drone it serves is not. */
+    private static TrafficView unnamed(Principal principal, TrafficView traffic) {
+        String drone = traffic.drone();
+        return drone == null || principal.sees(new DroneId(drone)) ? traffic : traffic.withoutDrone();
     }
 
     private static EndpointView view(VehicleLinks.Status status, @Nullable SavedLink saved) {

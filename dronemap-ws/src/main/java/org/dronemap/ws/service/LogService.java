@@ -41,19 +41,17 @@ public final class LogService {
     }
 
     public CommandView refresh(Caller caller, String droneId) {
-        Roles.require(caller.principal(), Role.OPERATOR);
         return commands.give(
                 caller.principal(),
                 caller.face(),
-                drones.state(caller.principal(), droneId),
+                drones.state(caller.principal(), droneId, Role.OPERATOR),
                 null,
                 new Command.ReadLogs());
     }
 
     /** Goes on where an earlier attempt ended. */
     public CommandView download(Caller caller, String droneId, int number) {
-        Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(caller.principal(), droneId);
+        DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
         VehicleLog log = log(drone, number);
         if (shelf.find(drone.id(), log).isPresent()) {
             throw Rejection.conflict("The server has this log already; save the file, or remove it to fetch it anew.");
@@ -74,8 +72,7 @@ public final class LogService {
 
     /** Removes the server's copy; the vehicle keeps its own. */
     public void remove(Caller caller, String droneId, int number) {
-        Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(caller.principal(), droneId);
+        DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
         if (!shelf.remove(drone.id(), log(drone, number))) {
             throw Rejection.conflict("The server has no copy of this log.");
         }

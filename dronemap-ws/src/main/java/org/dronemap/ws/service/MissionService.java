@@ -39,12 +39,15 @@ public final class MissionService {
         this.clock = clock;
     }
 
-    public List<SavedMissionView> missions() {
-        return store.missions().stream().map(SavedMissionView::of).toList();
+    public List<SavedMissionView> missions(Principal principal) {
+        return store.missions().stream()
+                .filter(saved -> saved.organisation().equals(principal.organisation()))
+                .map(SavedMissionView::of)
+                .toList();
     }
 
-    public SavedMissionView mission(String id) {
-        return SavedMissionView.of(find(id));
+    public SavedMissionView mission(Principal principal, String id) {
+        return SavedMissionView.of(find(principal, id));
     }
 
     public SavedMissionView add(Principal principal, MissionRequest request) {
@@ -53,12 +56,12 @@ public final class MissionService {
 
     public SavedMissionView replace(Principal principal, String id, MissionRequest request) {
         Roles.require(principal, Role.PLANNER);
-        return save(principal, find(id).id(), request);
+        return save(principal, find(principal, id).id(), request);
     }
 
     public void delete(Principal principal, String id) {
         Roles.require(principal, Role.PLANNER);
-        if (!store.delete(id)) {
+        if (!store.delete(find(principal, id).id())) {
             throw Rejection.unknown("mission", id);
         }
     }
@@ -70,12 +73,15 @@ public final class MissionService {
                 Names.checked("name", request.name(), LONGEST_NAME),
                 MissionReader.read(request.items()),
                 principal.name(),
-                clock.instant());
+                clock.instant(),
+                principal.organisation());
         store.save(saved);
         return SavedMissionView.of(saved);
     }
 
-    private SavedMission find(String id) {
-        return store.mission(id).orElseThrow(() -> Rejection.unknown("mission", id));
+    private SavedMission find(Principal principal, String id) {
+        return store.mission(id)
+                .filter(saved -> saved.organisation().equals(principal.organisation()))
+                .orElseThrow(() -> Rejection.unknown("mission", id));
     }
 }

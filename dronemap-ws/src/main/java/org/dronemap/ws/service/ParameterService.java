@@ -42,18 +42,16 @@ public final class ParameterService {
     }
 
     public CommandView refresh(Caller caller, String droneId) {
-        Roles.require(caller.principal(), Role.OPERATOR);
         return commands.give(
                 caller.principal(),
                 caller.face(),
-                drones.state(caller.principal(), droneId),
+                drones.state(caller.principal(), droneId, Role.OPERATOR),
                 null,
                 new Command.ReadParameters());
     }
 
     public CommandView set(Caller caller, String droneId, String name, ValueRequest request) {
-        Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(caller.principal(), droneId);
+        DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
         Command change = new Command.SetParameters(
                 List.of(ParameterReader.checked("name", name, "value", request.value(), held(drone))));
         return commands.give(caller.principal(), caller.face(), drone, request.id(), change);
@@ -76,14 +74,13 @@ public final class ParameterService {
 
     /** What a file would change; nothing is sent. */
     public ParametersView.FileView compare(Caller caller, String droneId, String text) {
-        Roles.require(caller.principal(), Role.OPERATOR);
-        return ParametersView.FileView.of(comparison(drones.state(caller.principal(), droneId), text), null);
+        return ParametersView.FileView.of(
+                comparison(drones.state(caller.principal(), droneId, Role.OPERATOR), text), null);
     }
 
     /** Changes what is otherwise in the file. */
     public ParametersView.FileView load(Caller caller, String droneId, String text) {
-        Roles.require(caller.principal(), Role.OPERATOR);
-        DroneState drone = drones.state(caller.principal(), droneId);
+        DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
         ParameterComparison comparison = comparison(drone, text);
         CommandView command = comparison.different().isEmpty()
                 ? null

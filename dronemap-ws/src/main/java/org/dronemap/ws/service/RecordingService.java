@@ -58,8 +58,7 @@ public final class RecordingService {
 
     /** Deleting is for ever, so it wants to be said twice. */
     public void delete(Principal principal, String id, boolean confirmed) throws IOException {
-        Roles.require(principal, Role.OPERATOR);
-        find(principal, id);
+        find(principal, id, Role.OPERATOR);
         if (!confirmed) {
             throw new InvalidInput(
                     "confirm",
@@ -73,8 +72,14 @@ public final class RecordingService {
     }
 
     public ReplayView replay(Principal principal, String id, @Nullable Double speed) throws IOException {
-        Roles.require(principal, Role.OPERATOR);
-        return replays.play(principal, find(principal, id).id() + ".tlog", speed, file(id));
+        return replays.play(principal, find(principal, id, Role.OPERATOR).id() + ".tlog", speed, file(id));
+    }
+
+    private Recording find(Principal principal, String id, Role needed) {
+        Roles.require(principal, needed);
+        Recording recording = find(principal, id);
+        Roles.require(principal, needed, recording.drone());
+        return recording;
     }
 
     private Recording find(Principal principal, String id) {

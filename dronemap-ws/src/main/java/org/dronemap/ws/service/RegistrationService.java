@@ -72,7 +72,13 @@ public final class RegistrationService {
     }
 
     private Answer accept(Invitation invitation, String name, String password) {
-        User user = new User(name, invitation.role(), AccountState.ACTIVE, passwords.hash(password), false);
+        User user = new User(
+                name,
+                invitation.role(),
+                AccountState.ACTIVE,
+                passwords.hash(password),
+                false,
+                invitation.organisation());
         if (!store.acceptInvitation(invitation.id(), user)) {
             throw taken(name);
         }

@@ -17,10 +17,12 @@ public final class ReplayService {
     private static final int MOST_SPEED = 100;
 
     private final Recordings recordings;
+    private final ReplayOwners owners;
     private final Path temporaryDirectory;
 
-    public ReplayService(Recordings recordings, Path temporaryDirectory) {
+    public ReplayService(Recordings recordings, ReplayOwners owners, Path temporaryDirectory) {
         this.recordings = recordings;
+        this.owners = owners;
         this.temporaryDirectory = temporaryDirectory;
     }
 
@@ -39,7 +41,8 @@ public final class ReplayService {
             if (length == 0) {
                 throw new InvalidInput("body", "the bytes of a recording (tlog)", "The recording is empty.");
             }
-            return play(checked, Files.newInputStream(file, StandardOpenOption.DELETE_ON_CLOSE), length, times);
+            InputStream bytes = Files.newInputStream(file, StandardOpenOption.DELETE_ON_CLOSE);
+            return play(principal, new Plan(checked, length, times), bytes);
         } catch (IOException | RuntimeException e) {
             Files.deleteIfExists(file);
             throw e;
@@ -50,12 +53,16 @@ public final class ReplayService {
     ReplayView play(Principal principal, String name, @Nullable Double speed, Path file) throws IOException {
         Roles.requireForAll(principal, Role.OPERATOR);
         double times = Ranges.checked("speed", speed == null ? 1.0 : speed, LEAST_SPEED, MOST_SPEED, "times real time");
-        return play(name, Files.newInputStream(file), Files.size(file), times);
+        return play(principal, new Plan(name, Files.size(file), times), Files.newInputStream(file));
     }
 
-    private ReplayView play(String name, InputStream bytes, long length, double speed) throws IOException {
+    private record Plan(String name, long lengthBytes, double speed) {}
+
+    private ReplayView play(Principal principal, Plan plan, InputStream bytes) throws IOException {
         try {
-            return recordings.start(name, bytes, length, speed);
+            ReplayView view = recordings.start(plan.name(), bytes, plan.lengthBytes(), plan.speed());
+            owners.began(view.id(), principal.organisation());
+            return view;
         } catch (IllegalStateException tooMany) {
             bytes.close();
             throw Rejection.conflict(String.valueOf(tooMany.getMessage()));
@@ -64,17 +71,22 @@ public final class ReplayService {
 
     public List<ReplayView> replays(Principal principal) {
         Roles.requireForAll(principal, Role.VIEWER);
-        return recordings.all();
+        return recordings.all().stream()
+                .filter(replay -> owners.isOf(replay.id(), principal.organisation()))
+                .toList();
     }
 
     public ReplayView replay(Principal principal, String id) {
         Roles.requireForAll(principal, Role.VIEWER);
-        return recordings.find(id).orElseThrow(() -> Rejection.unknown("replay", id));
+        return recordings
+                .find(id)
+                .filter(replay -> owners.isOf(id, principal.organisation()))
+                .orElseThrow(() -> Rejection.unknown("replay", id));
     }
 
     public void remove(Principal principal, String id) {
         Roles.requireForAll(principal, Role.OPERATOR);
-        if (!recordings.remove(id)) {
+        if (!owners.isOf(id, principal.organisation()) || !recordings.remove(id)) {
             throw Rejection.unknown("replay", id);
         }
     }

@@ -2,8 +2,10 @@ package org.dronemap.ws.service;
 
 import java.util.Arrays;
 import java.util.Map;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /** What each role is told when it asks for more than it may, and what roles are called. */
@@ -14,18 +16,35 @@ public final class Roles {
             Role.PLANNER, "Your role may look, not command; ask an administrator for the operator role.",
             Role.OPERATOR, "Your role may look, not command; ask an administrator for the operator role.");
 
+    private static final String NOT_GRANTED = "You were not granted to do this; ask an administrator for a grant.";
+
     private Roles() {}
 
     public static void require(Principal principal, Role needed) {
         if (!principal.may(needed)) {
-            if (principal.role().includes(needed)) {
-                throw Rejection.forbidden("This access key may only " + verbs(principal) + "; make one that may more.");
-            }
-            throw Rejection.forbidden(REFUSALS.getOrDefault(
+            throw Rejection.forbidden(lacking(principal, needed));
+        }
+    }
+
+    /** With that drone, which the asker sees. */
+    static void require(Principal principal, Role needed, DroneId drone) {
+        if (!principal.may(needed, drone)) {
+            throw Rejection.forbidden(lacking(principal, needed));
+        }
+    }
+
+    private static String lacking(Principal principal, Role needed) {
+        if (!principal.role().includes(needed)) {
+            return REFUSALS.getOrDefault(
                     needed,
                     "Only " + article(needed) + " may do this; you are signed in as "
-                            + WireNames.camel(principal.role()) + "."));
+                            + WireNames.camel(principal.role()) + ".");
         }
+        Permission permission = needed.permission();
+        if (permission != null && !principal.scope().permissions().contains(permission)) {
+            return "This access key may only " + verbs(principal) + "; make one that may more.";
+        }
+        return NOT_GRANTED;
     }
 
     /** For what concerns no drone by itself, or all of them. */
@@ -33,6 +52,17 @@ public final class Roles {
         require(principal, needed);
         if (!principal.scope().coversAllDrones()) {
             throw Rejection.forbidden("This access key is for certain drones only, and this concerns all of them.");
+        }
+        if (!principal.isWhole()) {
+            throw Rejection.forbidden("You see only what you were granted, and this concerns all drones.");
+        }
+    }
+
+    /** For what belongs to no organisation: links, what waits at them, the data as a whole. */
+    public static void requireServer(Principal principal, Role needed) {
+        requireForAll(principal, needed);
+        if (!principal.organisation().isHome()) {
+            throw Rejection.forbidden("This concerns the whole server; ask those who run it.");
         }
     }
 

@@ -9,8 +9,11 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
+import org.jspecify.annotations.Nullable;
 
 /** What a monitoring system wants to know, gathered when it asks. Any thread. */
 public final class ServerMetrics {
@@ -22,21 +25,22 @@ public final class ServerMetrics {
         this.links = links;
     }
 
-    public MetricSnapshots now() {
+    /** Of drones only what the asker sees. */
+    public MetricSnapshots now(Principal principal) {
         List<MetricSnapshot> all = new ArrayList<>();
-        all.add(drones());
+        all.add(drones(principal));
         endpoints(all);
-        vehicles(all);
+        vehicles(all, principal);
         process(all);
         return new MetricSnapshots(all);
     }
 
-    private MetricSnapshot drones() {
+    private MetricSnapshot drones(Principal principal) {
         GaugeSnapshot.Builder gauge =
                 GaugeSnapshot.builder().name("dronemap_drones").help("Drones by the state of their link.");
         for (LinkState state : LinkState.values()) {
             long count = cloud.drones().stream()
-                    .filter(drone -> drone.link().state() == state)
+                    .filter(drone -> drone.link().state() == state && principal.sees(drone.id()))
                     .count();
             gauge.dataPoint(point((double) count, Labels.of("state", WireNames.camel(state))));
         }
@@ -83,14 +87,21 @@ public final class ServerMetrics {
         return drops == null ? 0 : drops.doubleValue();
     }
 
-    private void vehicles(List<MetricSnapshot> all) {
-        List<TrafficView> now = links.traffic();
+    private void vehicles(List<MetricSnapshot> all, Principal principal) {
+        List<TrafficView> now = links.traffic().stream()
+                .filter(traffic -> isSeen(traffic.drone(), principal))
+                .toList();
         all.add(vehicleCounter("received", "Messages received.", now, TrafficView::received));
         all.add(vehicleCounter("sent", "Messages sent.", now, TrafficView::sent));
         all.add(vehicleCounter("doubled", "Copies of messages.", now, TrafficView::doubled));
         all.add(vehicleCounter("dropped", "Messages that found no room inside.", now, TrafficView::dropped));
         all.add(vehicleGauge("lost", "Messages missing from sequence numbers.", now, TrafficView::lost));
         all.add(vehicleGauge("queue", "Messages that wait inside.", now, TrafficView::queue));
+    }
+
+    /** What has not become a drone yet is the server's. */
+    private static boolean isSeen(@Nullable String drone, Principal principal) {
+        return drone == null || principal.sees(new DroneId(drone));
     }
 
     private static void process(List<MetricSnapshot> all) {

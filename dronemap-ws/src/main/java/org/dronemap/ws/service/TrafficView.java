@@ -14,4 +14,8 @@ public record TrafficView(
         long lost,
         long doubled,
         long dropped,
-        int queue) {}
+        int queue) {
+    TrafficView withoutDrone() {
+        return new TrafficView(null, address, port, systemId, transport, received, sent, lost, doubled, dropped, queue);
+    }
+}

@@ -16,6 +16,7 @@ public final class UserService {
     private final Accounts accounts;
     private final PasswordHashing passwords;
     private final Secrets secrets;
+    private final GrantChanges grants;
 
     /** A new user as an administrator writes it. */
     public record NewUser(
@@ -29,7 +30,9 @@ public final class UserService {
     /** A password that works until the user has taken one of their own; there once, in the answer that made it. */
     public record OneTimePassword(String name, String password) {}
 
-    public UserService(AccessStore store, Accounts accounts, PasswordHashing passwords, Secrets secrets) {
+    public UserService(
+            AccessStore store, Accounts accounts, PasswordHashing passwords, Secrets secrets, GrantChanges grants) {
+        this.grants = grants;
         this.store = store;
         this.accounts = accounts;
         this.passwords = passwords;
@@ -38,7 +41,10 @@ public final class UserService {
 
     public List<UserView> users(Principal principal) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        return store.users().stream().map(UserView::of).toList();
+        return store.users().stream()
+                .filter(user -> user.organisation().equals(principal.organisation()))
+                .map(user -> UserView.of(user, grants.isOnlyGranted(user.name())))
+                .toList();
     }
 
     public UserView add(Principal principal, NewUser request) {
@@ -46,11 +52,11 @@ public final class UserService {
         String name = UserNames.checked(request.name());
         Role role = Roles.named(request.role());
         String password = PasswordRule.acceptable("password", request.password());
-        User user = new User(name, role, AccountState.ACTIVE, passwords.hash(password), true);
+        User user = new User(name, role, AccountState.ACTIVE, passwords.hash(password), true, principal.organisation());
         if (!store.addUser(user)) {
             throw Rejection.conflict("There is a user " + name + " already.");
         }
-        return UserView.of(user);
+        return UserView.of(user, false);
     }
 
     public UserView change(Principal principal, String name, Change change) {
@@ -67,7 +73,7 @@ public final class UserService {
         } else {
             accounts.changeOther(principal, name, user -> changed(user, role, state));
         }
-        return UserView.of(accounts.find(name));
+        return UserView.of(accounts.find(principal, name), grants.isOnlyGranted(name));
     }
 
     /** Also ends the user's sessions; access keys stay, remove them or disable the user for that. */
@@ -81,7 +87,7 @@ public final class UserService {
 
     public void signOut(Principal principal, String name) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        accounts.find(name);
+        accounts.find(principal, name);
         store.deleteOtherSignIns(name, "");
         accounts.tell(name);
     }
@@ -89,6 +95,7 @@ public final class UserService {
     public void delete(Principal principal, String name) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         accounts.delete(principal, name);
+        grants.forgetUser(name);
     }
 
     private static User changed(User user, @Nullable Role role, @Nullable AccountState state) {

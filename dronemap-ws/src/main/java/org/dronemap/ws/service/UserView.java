@@ -2,10 +2,14 @@ package org.dronemap.ws.service;
 
 import org.dronemap.core.access.User;
 
-/** A user as administrators see it. */
-public record UserView(String name, String role, String state, boolean mustChangePassword) {
-    static UserView of(User user) {
+/** A user as administrators see it; {@code onlyGranted}: sees no drone by the role alone. */
+public record UserView(String name, String role, String state, boolean mustChangePassword, boolean onlyGranted) {
+    static UserView of(User user, boolean onlyGranted) {
         return new UserView(
-                user.name(), WireNames.camel(user.role()), WireNames.camel(user.state()), user.mustChangePassword());
+                user.name(),
+                WireNames.camel(user.role()),
+                WireNames.camel(user.state()),
+                user.mustChangePassword(),
+                onlyGranted);
     }
 }

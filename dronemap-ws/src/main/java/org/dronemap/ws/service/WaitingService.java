@@ -4,6 +4,7 @@ import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around vehicles that wait to be let in, for administrators. Any thread. */
@@ -12,33 +13,41 @@ public final class WaitingService {
 
     private final CloudManager cloud;
     private final DroneViews views;
+    private final OrganisationService organisations;
 
     /** How a vehicle is let in; without a name it is called after what it is. */
-    public record EnrolRequest(@Nullable String name) {}
+    public record EnrolRequest(
+            @Nullable String name, @Nullable String organisation) {
+        public static final EnrolRequest PLAIN = new EnrolRequest(null, null);
+    }
 
-    public WaitingService(CloudManager cloud, DroneViews views) {
+    public WaitingService(CloudManager cloud, DroneViews views, OrganisationService organisations) {
         this.cloud = cloud;
         this.views = views;
+        this.organisations = organisations;
     }
 
     /** Who waits, longest first. */
     public List<WaitingView> waiting(Principal principal) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        return cloud.waiting().stream().map(WaitingView::of).toList();
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        return cloud.waiting().stream()
+                .map(waiting -> WaitingView.of(waiting, principal))
+                .toList();
     }
 
     /** Makes a drone of it; one that was quarantined becomes a drone of its own. */
     public DroneView enrol(Principal principal, String id, EnrolRequest request) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         String name = request.name() == null ? null : Names.checked("name", request.name(), LONGEST_NAME);
-        return cloud.letIn(id, name)
+        OrganisationId owner = organisations.named(request.organisation());
+        return cloud.letIn(id, name, drone -> organisations.enrolled(drone, owner))
                 .map(state -> views.view(state, principal))
                 .orElseThrow(() -> Rejection.unknown("waiting vehicle", id));
     }
 
     /** Takes it off the list; it comes again when it is heard again. */
     public void dismiss(Principal principal, String id) {
-        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
         if (!cloud.dismiss(id)) {
             throw Rejection.unknown("waiting vehicle", id);
         }

@@ -3,6 +3,7 @@ package org.dronemap.ws.service;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.Waiting;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
@@ -28,12 +29,13 @@ public record WaitingView(
         @Nullable String hardwareId,
         Instant since,
         Instant lastHeard) {
-    static WaitingView of(Waiting waiting) {
+    /** A drone that it says it is only for those who see that drone. */
+    static WaitingView of(Waiting waiting, Principal principal) {
         DroneId claims = waiting.claims();
         return new WaitingView(
                 waiting.id(),
                 waiting.isQuarantined() ? "quarantined" : "unknown",
-                claims == null ? null : claims.value(),
+                claims == null || !principal.sees(claims) ? null : claims.value(),
                 waiting.why(),
                 waiting.key().address(),
                 waiting.key().port(),

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
@@ -75,14 +76,20 @@ public record ZoneFeature(
             String type,
 
             @Nullable List<ZoneFeature> features) {
-        static ZoneCollection of(List<Zone> zones) {
+        static ZoneCollection of(List<Zone> zones, OrganisationId to) {
             return new ZoneCollection(
-                    "FeatureCollection", zones.stream().map(ZoneFeature::of).toList());
+                    "FeatureCollection",
+                    zones.stream().map(zone -> ZoneFeature.of(zone, to)).toList());
         }
     }
 
-    public static ZoneFeature of(Zone zone) {
-        return new ZoneFeature("Feature", zone.id(), shape(zone.shape()), properties(zone));
+    /** As people of that organisation see it; who made it is known to its own alone. */
+    public static ZoneFeature of(Zone zone, OrganisationId to) {
+        return new ZoneFeature(
+                "Feature",
+                zone.id(),
+                shape(zone.shape()),
+                properties(zone, zone.organisation().equals(to)));
     }
 
     private static ZoneGeometry shape(FenceZone shape) {
@@ -101,7 +108,7 @@ public record ZoneFeature(
         return List.of(point.longitudeDegrees(), point.latitudeDegrees());
     }
 
-    private static ZoneProperties properties(Zone zone) {
+    private static ZoneProperties properties(Zone zone, boolean namesMaker) {
         Binding binding = zone.binding();
         return new ZoneProperties(
                 zone.name(),
@@ -115,7 +122,7 @@ public record ZoneFeature(
                 text(zone.validity().from()),
                 text(zone.validity().until()),
                 WireNames.camel(zone.onBreach()),
-                zone.changedBy(),
+                namesMaker ? zone.changedBy() : null,
                 text(zone.changedAt()));
     }
 

@@ -7,6 +7,7 @@ import java.util.UUID;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBook;
@@ -30,21 +31,22 @@ public final class ZoneService {
     }
 
     public ZoneFeature.ZoneCollection zones(Principal principal) {
-        return ZoneFeature.ZoneCollection.of(keeping.store().zones().stream()
-                .filter(zone -> isShownTo(principal, zone))
-                .toList());
+        return ZoneFeature.ZoneCollection.of(
+                keeping.store().zones().stream()
+                        .filter(zone -> isShownTo(principal, zone))
+                        .toList(),
+                principal.organisation());
     }
 
     public ZoneFeature zone(Principal principal, String id) {
-        Zone zone = find(id);
-        if (!isShownTo(principal, zone)) {
-            throw Rejection.unknown("zone", id);
-        }
-        return ZoneFeature.of(zone);
+        return ZoneFeature.of(find(principal, id), principal.organisation());
     }
 
-    /** Who must not know of a drone sees no zone that is for it alone. */
+    /** One's own organisation's, unless it names a drone out of reach, and such as bind everybody. */
     public static boolean isShownTo(Principal principal, Zone zone) {
+        if (!zone.organisation().equals(principal.organisation())) {
+            return zone.isGlobal();
+        }
         return !(zone.binding() instanceof Binding.OfDrone drone) || principal.sees(drone.id());
     }
 
@@ -52,14 +54,14 @@ public final class ZoneService {
         Roles.requireForAll(principal, Role.SUPERVISOR);
         Zone zone = read("", newId(), feature, principal);
         keep(List.of(zone));
-        return ZoneFeature.of(zone);
+        return ZoneFeature.of(zone, principal.organisation());
     }
 
     public ZoneFeature replace(Principal principal, String id, ZoneFeature feature) {
         Roles.requireForAll(principal, Role.SUPERVISOR);
-        Zone zone = read("", find(id).id(), feature, principal);
+        Zone zone = read("", changeable(principal, id).id(), feature, principal);
         keep(List.of(zone));
-        return ZoneFeature.of(zone);
+        return ZoneFeature.of(zone, principal.organisation());
     }
 
     /** GeoJSON of others; all of it, or nothing. */
@@ -69,12 +71,12 @@ public final class ZoneService {
                 .map(part -> read(part.at(), newId(), part.feature(), principal))
                 .toList();
         keep(zones);
-        return ZoneFeature.ZoneCollection.of(zones);
+        return ZoneFeature.ZoneCollection.of(zones, principal.organisation());
     }
 
     public synchronized void delete(Principal principal, String id) {
         Roles.requireForAll(principal, Role.SUPERVISOR);
-        if (!keeping.store().delete(id)) {
+        if (!keeping.store().delete(changeable(principal, id).id())) {
             throw Rejection.unknown("zone", id);
         }
         keeping.book().remove(id);
@@ -82,7 +84,12 @@ public final class ZoneService {
 
     /** In one piece, so that store and book never part. */
     private synchronized void keep(List<Zone> zones) {
-        List<String> known = keeping.book().zones().stream().map(Zone::id).toList();
+        OrganisationId owner =
+                zones.isEmpty() ? OrganisationId.HOME : zones.get(0).organisation();
+        List<String> known = keeping.book().zones().stream()
+                .filter(zone -> zone.organisation().equals(owner))
+                .map(Zone::id)
+                .toList();
         long more = zones.stream().filter(zone -> !known.contains(zone.id())).count();
         if (known.size() + more > MOST) {
             throw Rejection.conflict(
@@ -99,17 +106,21 @@ public final class ZoneService {
                 reader.name(),
                 reader.shape(),
                 reader.band(),
-                known(principal, at, reader.binding()),
+                known(at, reader.binding(), principal),
                 reader.validity(),
                 reader.onBreach(),
                 principal.name(),
-                clock.instant().truncatedTo(ChronoUnit.MILLIS));
+                clock.instant().truncatedTo(ChronoUnit.MILLIS),
+                principal.organisation());
     }
 
     /** A slip of the pen must not make a zone that binds nobody. */
-    private Binding known(Principal principal, String at, Binding binding) {
+    private Binding known(String at, Binding binding, Principal principal) {
         if (binding instanceof Binding.OfUser user
-                && keeping.users().user(user.name()).isEmpty()) {
+                && keeping.users()
+                        .user(user.name())
+                        .filter(known -> known.organisation().equals(principal.organisation()))
+                        .isEmpty()) {
             throw InvalidInput.outside(at + "properties.user", "the name of a user", "\"" + user.name() + "\"");
         }
         if (binding instanceof Binding.OfDrone drone
@@ -119,9 +130,26 @@ public final class ZoneService {
         return binding;
     }
 
-    private Zone find(String id) {
+    /** All of an organisation's, which is no more. */
+    synchronized void forget(OrganisationId organisation) {
+        for (Zone zone : keeping.store().zones()) {
+            if (zone.organisation().equals(organisation) && keeping.store().delete(zone.id())) {
+                keeping.book().remove(zone.id());
+            }
+        }
+    }
+
+    private Zone changeable(Principal principal, String id) {
+        Zone zone = find(principal, id);
+        if (!zone.organisation().equals(principal.organisation())) {
+            throw Rejection.forbidden("This zone binds the whole server; ask those who run it.");
+        }
+        return zone;
+    }
+
+    private Zone find(Principal principal, String id) {
         return keeping.store().zones().stream()
-                .filter(zone -> zone.id().equals(id))
+                .filter(zone -> zone.id().equals(id) && isShownTo(principal, zone))
                 .findFirst()
                 .orElseThrow(() -> Rejection.unknown("zone", id));
     }

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What waits for one client: of each drone only the newest picture, of commands and answers everything, in order, up
@@ -16,10 +17,13 @@ final class ClientOutbox {
     static final int MOST_DISCRETE = 1_000;
 
     // all guarded by this
-    private final Deque<String> discrete = new ArrayDeque<>();
+    private final Deque<Message> discrete = new ArrayDeque<>();
     private final Map<DroneId, String> newest = new LinkedHashMap<>();
     private long replaced;
     private boolean overflown;
+
+    /** {@code about}: null when no drone alone. */
+    private record Message(@Nullable DroneId about, String json) {}
 
     /** A picture that the next one of the same drone replaces. */
     synchronized void offer(DroneId drone, String json) {
@@ -28,23 +32,35 @@ final class ClientOutbox {
         }
     }
 
+    /** No picture of a drone that is gone. */
     synchronized void forget(DroneId drone) {
         newest.remove(drone);
     }
 
+    /** Nothing at all of a drone that this client may see no longer. */
+    synchronized void withhold(DroneId drone) {
+        newest.remove(drone);
+        discrete.removeIf(message -> drone.equals(message.about()));
+    }
+
     /** Something that must arrive; when there is no room for it the client is to be closed. */
-    synchronized void add(String json) {
+    void add(String json) {
+        add(null, json);
+    }
+
+    /** The same, of one drone. */
+    synchronized void add(@Nullable DroneId about, String json) {
         if (discrete.size() == MOST_DISCRETE) {
             overflown = true;
         } else {
-            discrete.add(json);
+            discrete.add(new Message(about, json));
         }
     }
 
     /** All that waits: first what must arrive, then the pictures. */
     synchronized List<String> drain() {
         List<String> all = new ArrayList<>(discrete.size() + newest.size());
-        all.addAll(discrete);
+        discrete.forEach(message -> all.add(message.json()));
         all.addAll(newest.values());
         discrete.clear();
         newest.clear();

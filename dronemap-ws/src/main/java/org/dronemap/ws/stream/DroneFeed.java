@@ -88,16 +88,18 @@ final class DroneFeed {
         Map<Rights, String> written = new HashMap<>();
         for (StreamClient client : clients) {
             Principal principal = client.principal().orElse(null);
-            if (principal != null && principal.sees(state.id()) && client.wants(state.id())) {
-                client.outbox()
-                        .offer(
-                                state.id(),
-                                written.computeIfAbsent(
-                                        new Rights(
-                                                principal.role(),
-                                                principal.scope().permissions()),
-                                        unused -> json.write(new StreamMessage.Drone(views.view(state, principal)))));
+            if (principal == null || !client.wants(state.id())) {
+                continue;
             }
+            Set<Permission> permissions = principal.permissions(state.id());
+            if (permissions.isEmpty()) {
+                continue;
+            }
+            String picture = written.computeIfAbsent(
+                    new Rights(principal.role(), permissions),
+                    unused -> json.write(new StreamMessage.Drone(views.view(state, principal))));
+            client.shown().put(state.id(), permissions);
+            client.outbox().offer(state.id(), picture);
         }
     }
 }

@@ -2,9 +2,12 @@ package org.dronemap.ws.stream;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.security.SignedIn;
@@ -19,6 +22,8 @@ final class StreamClient {
 
     private final WebSocket socket;
     private final ClientOutbox outbox = new ClientOutbox();
+    private final ConcurrentHashMap<DroneId, Set<Permission>> shown = new ConcurrentHashMap<>();
+    private volatile boolean unsettled;
     private final long connectedNanos;
     private volatile @Nullable SignedIn caller;
     private volatile @Nullable Set<String> wanted;
@@ -70,6 +75,23 @@ final class StreamClient {
 
     boolean sees(DroneId drone) {
         return principal().map(who -> who.sees(drone)).orElse(false);
+    }
+
+    /** The drones that this client was shown, with what it might do with them then. */
+    Map<DroneId, Set<Permission>> shown() {
+        return shown;
+    }
+
+    /** What it was shown is to be compared with what it may see: things may have changed in between. */
+    void unsettle() {
+        unsettled = true;
+    }
+
+    /** True once after {@link #unsettle}. */
+    boolean settle() {
+        boolean was = unsettled;
+        unsettled = false;
+        return was;
     }
 
     boolean wants(DroneId drone) {

@@ -3,6 +3,9 @@ package org.dronemap.ws.stream;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Clock;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
@@ -10,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
 import javax.net.ssl.SSLContext;
+import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
@@ -18,6 +22,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
@@ -52,6 +58,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private final Clock clock;
     private final Pump pump = new Pump("stream-pump", this::round);
     private final Queue<DroneId> removed = new ConcurrentLinkedQueue<>();
+    private final StreamSight sight;
     // owned by the pump
     private long lastPingNanos = System.nanoTime();
 
@@ -65,7 +72,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             JsonReader json) {}
 
     /** Who may come in, and who has to leave. */
-    public record Entrance(Authentication authentication, StreamTickets tickets, Accounts accounts) {}
+    public record Entrance(Authentication authentication, StreamTickets tickets, Accounts accounts, GrantBook grants) {}
 
     public StreamFace(
             CloudManager cloud, Services services, InetSocketAddress address, @Nullable SSLContext tls, Clock clock) {
@@ -73,6 +80,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.services = services;
         this.clock = clock;
         this.feed = new DroneFeed(services.views(), services.json());
+        this.sight = new StreamSight(cloud, services.entrance().grants(), feed, services.json());
         this.requests = new StreamRequests(
                 services.entrance().authentication(),
                 services.drones(),
@@ -149,7 +157,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         String message = services.json().write(new StreamMessage.DroneRemoved(id.value()));
         for (StreamClient client : server.clients()) {
             client.outbox().forget(id);
-            if (client.sees(id)) {
+            if (client.shown().remove(id) != null) {
                 client.outbox().add(message);
             }
         }
@@ -170,18 +178,39 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         String message = services.json().write(news);
         for (StreamClient client : server.clients()) {
             if (client.sees(drone) && client.wants(drone)) {
-                client.outbox().add(message);
+                client.outbox().add(drone, message);
             }
         }
         wake();
     }
 
     private void zonesChanged(ZoneBook.Change change) {
-        change.put()
-                .forEach(zone -> tell(
-                        new StreamMessage.ZoneChanged(ZoneFeature.of(zone)), who -> ZoneService.isShownTo(who, zone)));
-        change.removed().forEach(id -> tell(new StreamMessage.ZoneRemoved(id), who -> true));
+        for (Zone former : change.former()) {
+            // Who sees the new form is told that instead.
+            List<Zone> now = change.put().stream()
+                    .filter(zone -> zone.id().equals(former.id()))
+                    .toList();
+            tell(
+                    new StreamMessage.ZoneRemoved(former.id()),
+                    who -> ZoneService.isShownTo(who, former)
+                            && now.stream().noneMatch(zone -> ZoneService.isShownTo(who, zone)));
+        }
+        change.put().forEach(this::tellOf);
         wake();
+    }
+
+    private void tellOf(Zone zone) {
+        Map<OrganisationId, String> written = new HashMap<>();
+        for (StreamClient client : server.clients()) {
+            client.principal()
+                    .filter(who -> ZoneService.isShownTo(who, zone))
+                    .map(Principal::organisation)
+                    .ifPresent(to -> client.outbox()
+                            .add(written.computeIfAbsent(
+                                    to,
+                                    id -> services.json()
+                                            .write(new StreamMessage.ZoneChanged(ZoneFeature.of(zone, id))))));
+        }
     }
 
     private void tell(Object news, Predicate<Principal> whom) {
@@ -197,6 +226,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         for (DroneId id = removed.poll(); id != null; id = removed.poll()) {
             tellRemoved(id);
         }
+        sight.settle(server.clients());
         Pump.Pause pause = feed.publish(server.clients(), now);
         boolean pingDue = now - lastPingNanos >= PING_NANOS;
         if (pingDue) {

@@ -1,12 +1,15 @@
 package org.dronemap.ws.stream;
 
+import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
@@ -51,7 +54,13 @@ final class StreamRequests {
             authentication.admit(caller);
             Principal principal = caller.principal();
             say(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
-            say(client, new StreamMessage.Drones(drones.drones(principal)));
+            List<DroneView> all = drones.drones(principal);
+            all.forEach(drone -> {
+                DroneId id = new DroneId(drone.id());
+                client.shown().put(id, principal.permissions(id));
+            });
+            say(client, new StreamMessage.Drones(all));
+            client.unsettle();
         } catch (Rejection rejection) {
             expel(client, CloseFrame.POLICY_VALIDATION, rejection);
         }

@@ -7,5 +7,11 @@ import org.springframework.context.annotation.Import;
 /** The web server with all faces; wants a {@link House} and {@link Settings} in its context. */
 @SpringBootConfiguration(proxyBeanMethods = false)
 @EnableAutoConfiguration
-@Import({ServiceConfiguration.class, RestConfiguration.class, StreamConfiguration.class, SoapConfiguration.class})
+@Import({
+    ServiceConfiguration.class,
+    RestConfiguration.class,
+    GrantConfiguration.class,
+    StreamConfiguration.class,
+    SoapConfiguration.class
+})
 public class FacesApplication {}

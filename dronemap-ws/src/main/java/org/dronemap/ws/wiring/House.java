@@ -2,6 +2,8 @@ package org.dronemap.ws.wiring;
 
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
@@ -24,7 +26,9 @@ public record House(
         LinkSide links,
         BooleanSupplier databaseUp,
         BackupService.BackupWriter backups,
-        LinkSecurityControl linkSecurity) {
+        LinkSecurityControl linkSecurity,
+        GrantStore grants,
+        GrantBook grantBook) {
 
     /** The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with. */
     public record LinkSide(VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys) {}

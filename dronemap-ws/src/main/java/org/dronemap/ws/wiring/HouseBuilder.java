@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Clock;
 import java.time.InstantSource;
 import java.util.List;
+import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
@@ -89,7 +90,9 @@ final class HouseBuilder {
                 new House.LinkSide(new ProxyLinks(links), database.links(), dtlsKeys),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
-                new ProxyLinkSecurity(links.keyrings()));
+                new ProxyLinkSecurity(links.keyrings()),
+                database.grants(),
+                new GrantBook(clock));
     }
 
     private static void endUnfinished(Database database, Clock clock) {

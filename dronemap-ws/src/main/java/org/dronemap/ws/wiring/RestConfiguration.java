@@ -12,12 +12,15 @@ import org.dronemap.ws.rest.ControlController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.FenceController;
+import org.dronemap.ws.rest.GrantController;
+import org.dronemap.ws.rest.GroupController;
 import org.dronemap.ws.rest.InvitationController;
 import org.dronemap.ws.rest.LinkController;
 import org.dronemap.ws.rest.LinkSecurityController;
 import org.dronemap.ws.rest.LogController;
 import org.dronemap.ws.rest.MetricsController;
 import org.dronemap.ws.rest.MissionController;
+import org.dronemap.ws.rest.OrganisationController;
 import org.dronemap.ws.rest.ParameterController;
 import org.dronemap.ws.rest.ProblemAdvice;
 import org.dronemap.ws.rest.RecordingController;
@@ -56,6 +59,9 @@ import tools.jackson.databind.DeserializationFeature;
     UserController.class,
     RegistrationController.class,
     InvitationController.class,
+    OrganisationController.class,
+    GroupController.class,
+    GrantController.class,
     DroneController.class,
     BroadcastController.class,
     CommandController.class,

@@ -19,6 +19,7 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.DtlsKeyService;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
+import org.dronemap.ws.service.GrantChanges;
 import org.dronemap.ws.service.InvitationService;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.LinkSecurityService;
@@ -26,10 +27,12 @@ import org.dronemap.ws.service.LinkService;
 import org.dronemap.ws.service.LogService;
 import org.dronemap.ws.service.LogShelf;
 import org.dronemap.ws.service.MissionService;
+import org.dronemap.ws.service.OrganisationService;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.RecordingService;
 import org.dronemap.ws.service.RegistrationService;
+import org.dronemap.ws.service.ReplayOwners;
 import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
@@ -74,7 +77,10 @@ public class ServiceConfiguration {
             Clock clock) {
         String localKey = FirstStart.localKey(secrets, settings.dataDirectory());
         return new Authentication(
-                house.access(), new Authentication.Means(passwords, secrets, localKey), firstPassword, clock);
+                house.access(),
+                new Authentication.Means(passwords, secrets, localKey, house.grantBook()),
+                firstPassword,
+                clock);
     }
 
     @Bean
@@ -83,8 +89,9 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    UserService userService(House house, Accounts accounts, PasswordHashing passwords, Secrets secrets) {
-        return new UserService(house.access(), accounts, passwords, secrets);
+    UserService userService(
+            House house, Accounts accounts, PasswordHashing passwords, Secrets secrets, GrantChanges grants) {
+        return new UserService(house.access(), accounts, passwords, secrets, grants);
     }
 
     @Bean
@@ -105,8 +112,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    InvitationService invitationService(House house, Secrets secrets, Clock clock) {
-        return new InvitationService(house.access(), secrets, clock);
+    InvitationService invitationService(House house, OrganisationService organisations, Secrets secrets, Clock clock) {
+        return new InvitationService(house.access(), organisations, secrets, clock);
     }
 
     @Bean
@@ -132,8 +139,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    WaitingService waitingService(House house, DroneViews views) {
-        return new WaitingService(house.cloud(), views);
+    WaitingService waitingService(House house, DroneViews views, OrganisationService organisations) {
+        return new WaitingService(house.cloud(), views, organisations);
     }
 
     @Bean
@@ -143,7 +150,7 @@ public class ServiceConfiguration {
 
     @Bean
     ControlService controlService(House house, DroneService drones, Accounts accounts) {
-        return new ControlService(house.cloud(), drones, house.access(), accounts);
+        return new ControlService(house.cloud(), drones, house.access(), accounts, house.grantBook());
     }
 
     @Bean
@@ -207,8 +214,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    ReplayService replayService(House house, Settings settings) {
-        return new ReplayService(house.recordings(), settings.dataDirectory());
+    ReplayService replayService(House house, ReplayOwners owners, Settings settings) {
+        return new ReplayService(house.recordings(), owners, settings.dataDirectory());
     }
 
     @Bean

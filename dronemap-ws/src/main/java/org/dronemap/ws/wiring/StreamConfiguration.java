@@ -29,8 +29,9 @@ public class StreamConfiguration {
     }
 
     @Bean
-    StreamFace.Entrance streamEntrance(Authentication authentication, StreamTickets tickets, Accounts accounts) {
-        return new StreamFace.Entrance(authentication, tickets, accounts);
+    StreamFace.Entrance streamEntrance(
+            Authentication authentication, StreamTickets tickets, Accounts accounts, House house) {
+        return new StreamFace.Entrance(authentication, tickets, accounts, house.grantBook());
     }
 
     @Bean

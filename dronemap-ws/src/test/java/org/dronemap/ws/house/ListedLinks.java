@@ -63,6 +63,8 @@ public final class ListedLinks implements VehicleLinks {
 
     @Override
     public List<TrafficView> traffic() {
-        return List.of(new TrafficView("drone-1", "127.0.0.1", 14601, 1, "udp", 100, 50, 3, 2, 1, 0));
+        return List.of(
+                new TrafficView("drone-1", "127.0.0.1", 14601, 1, "udp", 100, 50, 3, 2, 1, 0),
+                new TrafficView("drone-2", "127.0.0.1", 14602, 1, "udp", 1, 0, 0, 0, 0, 0));
     }
 }

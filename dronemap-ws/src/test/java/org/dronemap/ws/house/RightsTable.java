@@ -57,6 +57,13 @@ public final class RightsTable {
         return firstRank.keySet();
     }
 
+    /** The least role that an operation is open to; a viewer for what is open to all who may look. */
+    public Role least(String operation) {
+        int first =
+                Math.max(Caller.VIEWER.ordinal(), firstRank.getOrDefault(operation, Caller.ADMINISTRATOR.ordinal()));
+        return Role.valueOf(Caller.values()[first].name());
+    }
+
     public boolean promises(String operation, Caller caller) {
         Integer first = firstRank.get(operation);
         return first != null && caller.ordinal() >= first;

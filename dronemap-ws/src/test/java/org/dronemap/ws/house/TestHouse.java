@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Role;
@@ -21,12 +22,14 @@ import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
+import org.dronemap.store.memory.MemoryGrantStore;
 import org.dronemap.store.memory.MemoryLeaseStore;
 import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
@@ -54,6 +57,8 @@ public final class TestHouse implements AutoCloseable {
     private final ListedLinks links = new ListedLinks();
     private final AtomicInteger ids = new AtomicInteger();
     private final CloudManager cloud;
+    private final SteppingClock clock = new SteppingClock();
+    private final GrantBook grants = new GrantBook(clock);
     private final ConfigurableApplicationContext faces;
     private final Path data;
     private final Recorder recorder;
@@ -87,7 +92,9 @@ public final class TestHouse implements AutoCloseable {
                 linkSide(),
                 () -> true,
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
-                new RecordedLinkSecurity());
+                new RecordedLinkSecurity(),
+                new MemoryGrantStore(),
+                grants);
         faces = FacesServer.start(settings(publicMode, registration), house);
     }
 
@@ -125,6 +132,15 @@ public final class TestHouse implements AutoCloseable {
     private House.LinkSide linkSide() {
         BoxSealing sealing = new BoxSealing(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
         return new House.LinkSide(links, linkStore, new DtlsKeyRing(linkStore, sealing));
+    }
+
+    /** The time that grants go by. */
+    public SteppingClock clock() {
+        return clock;
+    }
+
+    public GrantBook grants() {
+        return grants;
     }
 
     public CloudManager cloud() {
@@ -170,6 +186,29 @@ public final class TestHouse implements AutoCloseable {
                 Clock.systemUTC().instant(),
                 null));
         return secret;
+    }
+
+    /** One that no other thing of this house has. */
+    public int number() {
+        return ids.incrementAndGet();
+    }
+
+    /** A new user of an organisation, with this role and a key that may as much. */
+    public Member member(OrganisationId organisation, String name, Role role) {
+        String secret = new Secrets().token();
+        if (!access.addUser(new User(name, role, AccountState.ACTIVE, "none", false, organisation))) {
+            throw new IllegalStateException("the user " + name + " was there already");
+        }
+        access.addAccessKey(new AccessKey(
+                "key-" + name,
+                "test",
+                name,
+                null,
+                new KeyRights(role, KeyScope.ALL, null),
+                Secrets.hash(secret),
+                Clock.systemUTC().instant(),
+                null));
+        return new Member(name, secret, new Http(this, secret));
     }
 
     @Override

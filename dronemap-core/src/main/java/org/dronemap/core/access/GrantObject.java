@@ -1,0 +1,20 @@
+package org.dronemap.core.access;
+
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+
+/** With which drones something is granted. A further kind of drone is a further case here. */
+public sealed interface GrantObject {
+    /** All drones of the organisation, also those to come. */
+    record Everything() implements GrantObject {}
+
+    /** These drones. */
+    record Drones(Set<DroneId> ids) implements GrantObject {
+        public Drones {
+            ids = Set.copyOf(ids);
+        }
+    }
+
+    /** Whatever is in the fleet at the time. */
+    record OfFleet(String id) implements GrantObject {}
+}

@@ -1,0 +1,128 @@
+package org.dronemap.core.access;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
+import org.jspecify.annotations.Nullable;
+
+/** What a {@link GrantBook} holds at one time, made ready to be asked often. */
+final class GrantPicture {
+    private static final int BITS_FOR_TURNS = 24;
+
+    private final Holdings holdings;
+    private final Map<DroneId, OrganisationId> lent;
+    private final long number;
+    /** Of those only who see nothing but what was granted. */
+    private final Map<String, List<Held>> held;
+    /** When grants begin and end, in order. */
+    private final Instant[] turns;
+
+    /** A grant, and the drones that it means; null: all of its organisation. */
+    record Held(Grant grant, @Nullable Set<DroneId> drones) {
+        boolean covers(DroneId drone) {
+            return drones == null || drones.contains(drone);
+        }
+    }
+
+    GrantPicture(Holdings holdings, Map<DroneId, OrganisationId> lent, long number) {
+        this.holdings = holdings;
+        this.lent = lent;
+        this.number = number;
+        this.held = held(holdings);
+        this.turns = holdings.grants().stream()
+                .flatMap(grant -> Stream.concat(Stream.of(grant.from()), Stream.ofNullable(grant.until())))
+                .sorted()
+                .distinct()
+                .toArray(Instant[]::new);
+    }
+
+    Holdings holdings() {
+        return holdings;
+    }
+
+    Map<DroneId, OrganisationId> lent() {
+        return lent;
+    }
+
+    long number() {
+        return number;
+    }
+
+    long edition(Instant now) {
+        int at = Arrays.binarySearch(turns, now);
+        int passed = at >= 0 ? at + 1 : -at - 1;
+        return (number << BITS_FOR_TURNS) + passed;
+    }
+
+    OrganisationId owner(DroneId drone) {
+        OrganisationId owner = lent.get(drone);
+        return owner == null ? holdings.owners().getOrDefault(drone, OrganisationId.HOME) : owner;
+    }
+
+    boolean isOnlyGranted(String user) {
+        return held.containsKey(user);
+    }
+
+    /** Null: that user sees by the role alone. */
+    @Nullable
+    List<Held> held(String user) {
+        return held.get(user);
+    }
+
+    /** Of all that is in force now; {@code drone} null: with any. */
+    static Set<Permission> permissions(List<Held> held, @Nullable DroneId drone, Instant now) {
+        EnumSet<Permission> all = drone == null ? EnumSet.of(Permission.VIEW) : EnumSet.noneOf(Permission.class);
+        for (Held each : held) {
+            if (each.grant().isInForce(now) && (drone == null || each.covers(drone))) {
+                all.addAll(each.grant().permissions());
+            }
+        }
+        return all;
+    }
+
+    private static Map<String, List<Held>> held(Holdings holdings) {
+        Map<String, Set<String>> members =
+                holdings.groups().stream().collect(Collectors.toMap(UserGroup::id, UserGroup::members));
+        Map<String, Set<DroneId>> fleets =
+                holdings.fleets().stream().collect(Collectors.toMap(Fleet::id, Fleet::drones));
+        Map<String, List<Held>> held = new HashMap<>();
+        for (Subject subject : holdings.onlyGranted()) {
+            users(subject, members).forEach(user -> held.put(user, new ArrayList<>()));
+        }
+        for (Grant grant : holdings.grants()) {
+            Held each = new Held(grant, drones(grant.object(), fleets));
+            for (String user : users(grant.subject(), members)) {
+                List<Held> all = held.get(user);
+                if (all != null) {
+                    all.add(each);
+                }
+            }
+        }
+        return held;
+    }
+
+    private static Set<String> users(Subject subject, Map<String, Set<String>> members) {
+        if (subject instanceof Subject.OfUser user) {
+            return Set.of(user.name());
+        }
+        return members.getOrDefault(((Subject.OfGroup) subject).id(), Set.of());
+    }
+
+    private static @Nullable Set<DroneId> drones(GrantObject object, Map<String, Set<DroneId>> fleets) {
+        if (object instanceof GrantObject.Everything) {
+            return null;
+        }
+        return object instanceof GrantObject.Drones drones
+                ? drones.ids()
+                : fleets.getOrDefault(((GrantObject.OfFleet) object).id(), Set.of());
+    }
+}

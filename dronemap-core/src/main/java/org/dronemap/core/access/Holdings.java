@@ -1,0 +1,34 @@
+package org.dronemap.core.access;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.Organisation;
+import org.dronemap.core.organisation.OrganisationId;
+
+/**
+ * All that is kept of organisations and grants.
+ *
+ * @param owners to whom drones belong, also those that are gone; one that is not named belongs to the default organisation
+ * @param onlyGranted those who see nothing but what they were granted; all others see by their role
+ */
+public record Holdings(
+        List<Organisation> organisations,
+        Map<DroneId, OrganisationId> owners,
+        List<UserGroup> groups,
+        List<Fleet> fleets,
+        List<Grant> grants,
+        Set<Subject> onlyGranted) {
+    /** Nobody but the default organisation, and nothing granted. */
+    public static final Holdings NONE = new Holdings(List.of(), Map.of(), List.of(), List.of(), List.of(), Set.of());
+
+    public Holdings {
+        organisations = List.copyOf(organisations);
+        owners = Map.copyOf(owners);
+        groups = List.copyOf(groups);
+        fleets = List.copyOf(fleets);
+        grants = List.copyOf(grants);
+        onlyGranted = Set.copyOf(onlyGranted);
+    }
+}

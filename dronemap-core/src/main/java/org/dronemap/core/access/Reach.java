@@ -1,0 +1,47 @@
+package org.dronemap.core.access;
+
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
+
+/** How far somebody's rights go, as things are whenever it is asked. Any thread. */
+public interface Reach {
+    /** All operations. */
+    Set<Permission> ALL = Collections.unmodifiableSet(EnumSet.allOf(Permission.class));
+
+    /** For what the server does by itself: everything, whoever it belongs to. */
+    Reach EVERYWHERE = new Reach() {
+        @Override
+        public OrganisationId organisation() {
+            return OrganisationId.HOME;
+        }
+
+        @Override
+        public Set<Permission> of(DroneId drone) {
+            return ALL;
+        }
+
+        @Override
+        public Set<Permission> somewhere() {
+            return ALL;
+        }
+
+        @Override
+        public boolean isWhole() {
+            return true;
+        }
+    };
+
+    OrganisationId organisation();
+
+    /** What may be done with a drone, if the role allows it; empty: it does not exist. */
+    Set<Permission> of(DroneId drone);
+
+    /** What may be done with some drone or other; looking always is among it, for there may be nothing to see. */
+    Set<Permission> somewhere();
+
+    /** All drones of the organisation, with all that the role allows. */
+    boolean isWhole();
+}

@@ -1,0 +1,10 @@
+package org.dronemap.core.access;
+
+/** To whom something is granted. */
+public sealed interface Subject {
+    /** One user, by name. */
+    record OfUser(String name) implements Subject {}
+
+    /** Whoever is in the group at the time, by the group's id. */
+    record OfGroup(String id) implements Subject {}
+}

@@ -1,0 +1,5 @@
+/** Whose people, drones, missions and zones they are. */
+@NullMarked
+package org.dronemap.core.organisation;
+
+import org.jspecify.annotations.NullMarked;

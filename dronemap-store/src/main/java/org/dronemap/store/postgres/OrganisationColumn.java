@@ -1,0 +1,21 @@
+package org.dronemap.store.postgres;
+
+import java.sql.SQLException;
+import org.dronemap.core.organisation.OrganisationId;
+import org.jspecify.annotations.Nullable;
+
+/** The column that says whose a row is; null: the default organisation's. */
+final class OrganisationColumn {
+    private static final String NAME = "organisation";
+
+    private OrganisationColumn() {}
+
+    static @Nullable String stored(OrganisationId organisation) {
+        return organisation.isHome() ? null : organisation.value();
+    }
+
+    static OrganisationId read(Row row) throws SQLException {
+        String id = row.textOrNull(NAME);
+        return id == null ? OrganisationId.HOME : new OrganisationId(id);
+    }
+}

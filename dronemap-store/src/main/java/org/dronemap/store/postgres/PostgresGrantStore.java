@@ -1,0 +1,218 @@
+package org.dronemap.store.postgres;
+
+import java.sql.SQLException;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import javax.sql.DataSource;
+import org.dronemap.core.access.Fleet;
+import org.dronemap.core.access.Grant;
+import org.dronemap.core.access.GrantObject;
+import org.dronemap.core.access.GrantStore;
+import org.dronemap.core.access.Holdings;
+import org.dronemap.core.access.Subject;
+import org.dronemap.core.access.UserGroup;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.Organisation;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.store.GrantOrder;
+import org.jspecify.annotations.Nullable;
+
+/** Organisations and grants in PostgreSQL. Thread-safe. */
+public final class PostgresGrantStore implements GrantStore {
+    private final Sql sql;
+
+    public PostgresGrantStore(DataSource dataSource) {
+        this.sql = new Sql(dataSource);
+    }
+
+    @Override
+    public Holdings holdings() {
+        Map<DroneId, OrganisationId> owners = new HashMap<>();
+        sql.list(
+                        "SELECT * FROM drone_owner",
+                        row -> Map.entry(new DroneId(row.text("drone_id")), OrganisationColumn.read(row)))
+                .forEach(entry -> owners.put(entry.getKey(), entry.getValue()));
+        return new Holdings(
+                sorted(
+                        sql.list("SELECT * FROM organisation", PostgresGrantStore::organisation),
+                        GrantOrder.ORGANISATIONS),
+                owners,
+                sorted(groups(), GrantOrder.GROUPS),
+                sorted(sql.list("SELECT * FROM fleet", PostgresGrantStore::fleet), GrantOrder.FLEETS),
+                sorted(sql.list("SELECT * FROM access_grant", PostgresGrantStore::grant), GrantOrder.GRANTS),
+                new HashSet<>(sql.list("SELECT * FROM only_granted", PostgresGrantStore::subject)));
+    }
+
+    /** Sorted here, for the order of names in a database depends on its collation. */
+    private static <T> List<T> sorted(List<T> all, Comparator<T> order) {
+        return all.stream().sorted(order).toList();
+    }
+
+    private List<UserGroup> groups() {
+        Map<String, Set<String>> members = new HashMap<>();
+        sql.list("SELECT * FROM user_group_member", row -> Map.entry(row.text("group_id"), row.text("account_name")))
+                .forEach(entry -> members.computeIfAbsent(entry.getKey(), id -> new HashSet<>())
+                        .add(entry.getValue()));
+        return sql.list(
+                "SELECT * FROM user_group",
+                row -> new UserGroup(
+                        row.text("id"),
+                        OrganisationColumn.read(row),
+                        row.text("name"),
+                        members.getOrDefault(row.text("id"), Set.of())));
+    }
+
+    @Override
+    public void save(Organisation organisation) {
+        sql.update("""
+                INSERT INTO organisation (id, name, made_at) VALUES (?, ?, ?)
+                ON CONFLICT (id) DO UPDATE SET name = excluded.name""", organisation.id().value(), organisation.name(), organisation.madeAt());
+    }
+
+    @Override
+    public boolean deleteOrganisation(OrganisationId id) {
+        return sql.update("DELETE FROM organisation WHERE id = ?", id.value()) > 0;
+    }
+
+    @Override
+    public void assign(DroneId drone, OrganisationId owner) {
+        sql.update("""
+                INSERT INTO drone_owner (drone_id, organisation) VALUES (?, ?)
+                ON CONFLICT (drone_id) DO UPDATE SET organisation = excluded.organisation""", drone.value(), owner.value());
+    }
+
+    @Override
+    public void save(UserGroup group) {
+        // One statement, one transaction. The rows of members that stay are not touched.
+        sql.update(
+                """
+                WITH kept AS (
+                    INSERT INTO user_group (id, organisation, name) VALUES (?, ?, ?)
+                    ON CONFLICT (id) DO UPDATE SET name = excluded.name RETURNING id),
+                gone AS (
+                    DELETE FROM user_group_member WHERE group_id = ? AND account_name <> ALL (string_to_array(?, ',')))
+                INSERT INTO user_group_member (group_id, account_name)
+                SELECT kept.id, member FROM kept, unnest(string_to_array(?, ',')) AS member
+                ON CONFLICT DO NOTHING""",
+                group.id(),
+                OrganisationColumn.stored(group.organisation()),
+                group.name(),
+                group.id(),
+                String.join(",", group.members()),
+                String.join(",", group.members()));
+    }
+
+    @Override
+    public boolean deleteGroup(String id) {
+        return sql.update("DELETE FROM user_group WHERE id = ?", id) > 0;
+    }
+
+    @Override
+    public void save(Fleet fleet) {
+        sql.update(
+                """
+                INSERT INTO fleet (id, organisation, name, drones) VALUES (?, ?, ?, ?)
+                ON CONFLICT (id) DO UPDATE SET name = excluded.name, drones = excluded.drones""",
+                fleet.id(),
+                OrganisationColumn.stored(fleet.organisation()),
+                fleet.name(),
+                KeyScopeText.list(fleet.drones()));
+    }
+
+    @Override
+    public boolean deleteFleet(String id) {
+        return sql.update("DELETE FROM fleet WHERE id = ?", id) > 0;
+    }
+
+    @Override
+    public void add(Grant grant) {
+        sql.update(
+                """
+                INSERT INTO access_grant (id, organisation, account_name, group_id, fleet_id, drones, permissions,
+                    begins_at, ends_at, made_by, made_at)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)""",
+                grant.id(),
+                OrganisationColumn.stored(grant.organisation()),
+                user(grant.subject()),
+                group(grant.subject()),
+                grant.object() instanceof GrantObject.OfFleet fleet ? fleet.id() : null,
+                grant.object() instanceof GrantObject.Drones drones ? KeyScopeText.list(drones.ids()) : null,
+                KeyScopeText.words(grant.permissions()),
+                grant.from(),
+                grant.until(),
+                grant.madeBy(),
+                grant.madeAt());
+    }
+
+    @Override
+    public boolean deleteGrant(String id) {
+        return sql.update("DELETE FROM access_grant WHERE id = ?", id) > 0;
+    }
+
+    @Override
+    public void setOnlyGranted(Subject subject, boolean only) {
+        if (only) {
+            sql.update(
+                    "INSERT INTO only_granted (account_name, group_id) VALUES (?, ?) ON CONFLICT DO NOTHING",
+                    user(subject),
+                    group(subject));
+        } else {
+            sql.update(
+                    "DELETE FROM only_granted WHERE account_name = ? OR group_id = ?", user(subject), group(subject));
+        }
+    }
+
+    @Override
+    public void forgetUser(String name) {
+        sql.update("""
+                WITH granted AS (DELETE FROM access_grant WHERE account_name = ?),
+                bound AS (DELETE FROM only_granted WHERE account_name = ?)
+                DELETE FROM user_group_member WHERE account_name = ?""", name, name, name);
+    }
+
+    private static @Nullable String user(Subject subject) {
+        return subject instanceof Subject.OfUser user ? user.name() : null;
+    }
+
+    private static @Nullable String group(Subject subject) {
+        return subject instanceof Subject.OfGroup group ? group.id() : null;
+    }
+
+    private static Organisation organisation(Row row) throws SQLException {
+        return new Organisation(new OrganisationId(row.text("id")), row.text("name"), row.time("made_at"));
+    }
+
+    private static Fleet fleet(Row row) throws SQLException {
+        return new Fleet(
+                row.text("id"), OrganisationColumn.read(row), row.text("name"), KeyScopeText.ids(row.text("drones")));
+    }
+
+    private static Subject subject(Row row) throws SQLException {
+        String user = row.textOrNull("account_name");
+        return user == null ? new Subject.OfGroup(row.text("group_id")) : new Subject.OfUser(user);
+    }
+
+    private static Grant grant(Row row) throws SQLException {
+        return new Grant(
+                row.text("id"),
+                OrganisationColumn.read(row),
+                subject(row),
+                object(row.textOrNull("fleet_id"), row.textOrNull("drones")),
+                KeyScopeText.permissions(row.text("permissions")),
+                row.time("begins_at"),
+                row.timeOrNull("ends_at"),
+                row.text("made_by"),
+                row.time("made_at"));
+    }
+
+    private static GrantObject object(@Nullable String fleet, @Nullable String drones) {
+        if (fleet != null) {
+            return new GrantObject.OfFleet(fleet);
+        }
+        return drones == null ? new GrantObject.Everything() : new GrantObject.Drones(KeyScopeText.ids(drones));
+    }
+}

@@ -1,0 +1,80 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.OrganisationService;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PatchMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Organisations, for those who run the server. */
+@RestController
+@RequestMapping("/api/v1/organisations")
+@Tag(
+        name = "Organisations",
+        description = "People and drones that belong together and see nothing of other organisations; for the"
+                + " administrators of the server.")
+public class OrganisationController {
+    private final OrganisationService organisations;
+    private final CurrentPrincipal current;
+
+    /** All of them. */
+    public record Organisations(List<OrganisationService.OrganisationView> organisations) {}
+
+    public OrganisationController(OrganisationService organisations, CurrentPrincipal current) {
+        this.organisations = organisations;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List the organisations", description = "With how many users and drones each has.")
+    public Organisations organisations() {
+        return new Organisations(organisations.organisations(current.principal()));
+    }
+
+    @PostMapping
+    @Operation(
+            summary = "Make an organisation",
+            description = "Its first administrator comes by an invitation into it (POST /invitations).")
+    public ResponseEntity<OrganisationService.OrganisationView> add(
+            @RequestBody OrganisationService.NameRequest request) {
+        OrganisationService.OrganisationView made = organisations.add(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/organisations/" + made.id()))
+                .body(made);
+    }
+
+    @PatchMapping("/{id}")
+    @Operation(summary = "Rename an organisation")
+    public OrganisationService.OrganisationView rename(
+            @PathVariable String id, @RequestBody OrganisationService.NameRequest request) {
+        return organisations.rename(current.principal(), id, request);
+    }
+
+    @PutMapping("/{id}/drones/{drone}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(
+            summary = "Give a drone of your own organisation to another one",
+            description = "With its recordings and its history; only its new owners see it from then on.")
+    public void giveDrone(@PathVariable String id, @PathVariable String drone) {
+        organisations.giveDrone(current.principal(), id, drone);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove an organisation that has neither users nor drones")
+    public void delete(@PathVariable String id) {
+        organisations.delete(current.principal(), id);
+    }
+}

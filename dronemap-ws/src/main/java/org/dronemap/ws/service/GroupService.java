@@ -1,0 +1,195 @@
+package org.dronemap.ws.service;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.UUID;
+import java.util.stream.Stream;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Fleet;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.Subject;
+import org.dronemap.core.access.UserGroup;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/** Groups of users and fleets of drones: named sets of an organisation, for its administrators. Any thread. */
+public final class GroupService {
+    private static final int LONGEST_NAME = 60;
+    private static final int MOST = 500;
+    private static final String MEMBERS = "names of users, at most " + MOST;
+    private static final String DRONES = "ids of drones, at most " + MOST;
+
+    private final GrantChanges grants;
+    private final AccessStore access;
+    private final DroneService drones;
+
+    /** A group as an administrator writes it; without members it is empty. */
+    public record GroupRequest(
+            @Nullable String name, @Nullable List<@Nullable String> members) {}
+
+    /** A fleet as an administrator writes it; without drones it is empty. */
+    public record FleetRequest(
+            @Nullable String name, @Nullable List<@Nullable String> drones) {}
+
+    /** A group; {@code onlyGranted}: its members see nothing but what they, or it, were granted. */
+    public record GroupView(String id, String name, List<String> members, boolean onlyGranted) {}
+
+    /** A fleet. */
+    public record FleetView(String id, String name, List<String> drones) {
+        static FleetView of(Fleet fleet) {
+            return new FleetView(
+                    fleet.id(),
+                    fleet.name(),
+                    fleet.drones().stream().map(DroneId::value).sorted().toList());
+        }
+    }
+
+    public GroupService(GrantChanges grants, AccessStore access, DroneService drones) {
+        this.grants = grants;
+        this.access = access;
+        this.drones = drones;
+    }
+
+    public List<GroupView> groups(Principal principal) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        return groupsOf(principal).map(this::view).toList();
+    }
+
+    public GroupView addGroup(Principal principal, GroupRequest request) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        requireRoom(groupsOf(principal).count());
+        return save(principal, UUID.randomUUID().toString(), request);
+    }
+
+    public GroupView replaceGroup(Principal principal, String id, GroupRequest request) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        return save(principal, group(principal, id).id(), request);
+    }
+
+    /** With what was granted to it; its members see by their role again, unless something else binds them. */
+    public void deleteGroup(Principal principal, String id) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        String going = group(principal, id).id();
+        grants.make(store -> store.deleteGroup(going));
+    }
+
+    public List<FleetView> fleets(Principal principal) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        return fleetsOf(principal).map(FleetView::of).toList();
+    }
+
+    public FleetView addFleet(Principal principal, FleetRequest request) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        requireRoom(fleetsOf(principal).count());
+        return save(principal, UUID.randomUUID().toString(), request);
+    }
+
+    public FleetView replaceFleet(Principal principal, String id, FleetRequest request) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        return save(principal, fleet(principal, id).id(), request);
+    }
+
+    /** With all grants of it. */
+    public void deleteFleet(Principal principal, String id) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        String going = fleet(principal, id).id();
+        grants.make(store -> store.deleteFleet(going));
+    }
+
+    UserGroup group(Principal principal, String id) {
+        return groupsOf(principal)
+                .filter(group -> group.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown("group", id));
+    }
+
+    Fleet fleet(Principal principal, String id) {
+        return fleetsOf(principal)
+                .filter(fleet -> fleet.id().equals(id))
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown("fleet", id));
+    }
+
+    private GroupView save(Principal principal, String id, GroupRequest request) {
+        UserGroup group = new UserGroup(
+                id,
+                principal.organisation(),
+                Names.checked("name", request.name(), LONGEST_NAME),
+                members(principal, request.members()));
+        if (isOnlyGranted(id) && group.members().contains(principal.name())) {
+            throw Rejection.conflict(
+                    "The members of this group see only what they were granted; you cannot do this" + " to yourself.");
+        }
+        grants.make(store -> store.save(group));
+        return view(group);
+    }
+
+    private FleetView save(Principal principal, String id, FleetRequest request) {
+        Fleet fleet = new Fleet(
+                id,
+                principal.organisation(),
+                Names.checked("name", request.name(), LONGEST_NAME),
+                drones(principal, request.drones()));
+        grants.make(store -> store.save(fleet));
+        return FleetView.of(fleet);
+    }
+
+    private Set<String> members(Principal principal, @Nullable List<@Nullable String> names) {
+        Set<String> members = new LinkedHashSet<>();
+        for (String name : checked("members", MEMBERS, names)) {
+            if (access.user(name)
+                    .filter(user -> user.organisation().equals(principal.organisation()))
+                    .isEmpty()) {
+                throw InvalidInput.outside("members", MEMBERS, "\"" + name + "\"");
+            }
+            members.add(name);
+        }
+        return members;
+    }
+
+    /** Such as the asker sees; what is out of reach is told from what is not there by nothing. */
+    Set<DroneId> drones(Principal principal, @Nullable List<@Nullable String> ids) {
+        Set<DroneId> found = new LinkedHashSet<>();
+        for (String id : checked("drones", DRONES, ids)) {
+            found.add(drones.find(principal, id)
+                    .orElseThrow(() -> InvalidInput.outside("drones", DRONES, "\"" + id + "\""))
+                    .id());
+        }
+        return found;
+    }
+
+    private static List<String> checked(String field, String allowed, @Nullable List<@Nullable String> given) {
+        List<@Nullable String> all = given == null ? List.of() : given;
+        if (all.size() > MOST) {
+            throw InvalidInput.outside(field, allowed, all.size() + " of them");
+        }
+        return all.stream().map(String::valueOf).toList();
+    }
+
+    private static void requireRoom(long there) {
+        if (there >= MOST) {
+            throw Rejection.conflict("There are " + MOST + " already; remove some first.");
+        }
+    }
+
+    private Stream<UserGroup> groupsOf(Principal principal) {
+        return grants.holdings().groups().stream()
+                .filter(group -> group.organisation().equals(principal.organisation()));
+    }
+
+    private Stream<Fleet> fleetsOf(Principal principal) {
+        return grants.holdings().fleets().stream()
+                .filter(fleet -> fleet.organisation().equals(principal.organisation()));
+    }
+
+    private GroupView view(UserGroup group) {
+        return new GroupView(
+                group.id(), group.name(), group.members().stream().sorted().toList(), isOnlyGranted(group.id()));
+    }
+
+    private boolean isOnlyGranted(String group) {
+        return grants.holdings().onlyGranted().contains(new Subject.OfGroup(group));
+    }
+}

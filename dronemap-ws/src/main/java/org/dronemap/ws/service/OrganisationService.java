@@ -1,0 +1,162 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.Organisation;
+import org.dronemap.core.organisation.OrganisationId;
+import org.jspecify.annotations.Nullable;
+
+/** Organisations, for those who run the server: what they hold is counted here, never shown. Any thread. */
+public final class OrganisationService {
+    private static final int LONGEST_NAME = 60;
+    private static final int MOST = 200;
+    private static final String ID_FORM = "the id of an organisation";
+
+    private final GrantChanges grants;
+    private final AccessStore access;
+    private final CloudManager cloud;
+    private final DroneService drones;
+    private final ZoneService zones;
+    private final Clock clock;
+    private final Secrets secrets = new Secrets();
+
+    /** What it is called. */
+    public record NameRequest(@Nullable String name) {}
+
+    /** An organisation as the server's administrators see it. */
+    public record OrganisationView(
+            String id,
+            String name,
+            long users,
+            long drones,
+            @Nullable Instant madeAt) {}
+
+    public OrganisationService(
+            GrantChanges grants,
+            AccessStore access,
+            CloudManager cloud,
+            DroneService drones,
+            ZoneService zones,
+            Clock clock) {
+        this.drones = drones;
+        this.zones = zones;
+        this.grants = grants;
+        this.access = access;
+        this.cloud = cloud;
+        this.clock = clock;
+    }
+
+    /** The default one first. */
+    public List<OrganisationView> organisations(Principal principal) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        List<User> users = access.users();
+        List<OrganisationView> all = new ArrayList<>();
+        all.add(view(OrganisationId.HOME, "Home", null, users));
+        grants.holdings().organisations().forEach(each -> all.add(view(each.id(), each.name(), each.madeAt(), users)));
+        return List.copyOf(all);
+    }
+
+    public OrganisationView add(Principal principal, NameRequest request) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        if (grants.holdings().organisations().size() >= MOST) {
+            throw Rejection.conflict("There are " + MOST + " organisations already.");
+        }
+        String id = "o"
+                + secrets.token()
+                        .toLowerCase(Locale.ROOT)
+                        .replaceAll("[^a-z0-9]", "")
+                        .substring(0, 10);
+        Organisation made = new Organisation(
+                new OrganisationId(id),
+                Names.checked("name", request.name(), LONGEST_NAME),
+                clock.instant().truncatedTo(ChronoUnit.MILLIS));
+        grants.make(store -> store.save(made));
+        return view(made.id(), made.name(), made.madeAt(), List.of());
+    }
+
+    public OrganisationView rename(Principal principal, String id, NameRequest request) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        Organisation before = find(id);
+        Organisation renamed =
+                new Organisation(before.id(), Names.checked("name", request.name(), LONGEST_NAME), before.madeAt());
+        grants.make(store -> store.save(renamed));
+        return view(renamed.id(), renamed.name(), renamed.madeAt(), access.users());
+    }
+
+    /** Only when nobody and nothing belongs to it any more. */
+    public void delete(Principal principal, String id) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        Organisation going = find(id);
+        OrganisationView holds = view(going.id(), going.name(), going.madeAt(), access.users());
+        if (holds.users() + holds.drones() > 0) {
+            throw Rejection.conflict(going.name() + " still has " + holds.users() + " users and " + holds.drones()
+                    + " drones; only an empty organisation can be removed.");
+        }
+        zones.forget(going.id());
+        grants.make(store -> store.deleteOrganisation(going.id()));
+    }
+
+    /** Gives one of the default organisation's drones away, with its recordings and its history. */
+    public void giveDrone(Principal principal, String organisation, String drone) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        OrganisationId owner = find(organisation).id();
+        enrolled(drones.state(principal, drone).id(), owner);
+    }
+
+    /** Null: the default one. */
+    OrganisationId named(@Nullable String id) {
+        if (id == null || id.equals(OrganisationId.HOME.value())) {
+            return OrganisationId.HOME;
+        }
+        return known(id)
+                .map(Organisation::id)
+                .orElseThrow(() -> InvalidInput.outside("organisation", ID_FORM, "\"" + id + "\""));
+    }
+
+    /** Only those who run the server invite into others than their own. */
+    OrganisationId invitedInto(Principal principal, @Nullable String id) {
+        if (id == null) {
+            return principal.organisation();
+        }
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        return named(id);
+    }
+
+    void enrolled(DroneId drone, OrganisationId owner) {
+        if (!grants.book().owner(drone).equals(owner)) {
+            grants.make(store -> store.assign(drone, owner));
+        }
+    }
+
+    private Organisation find(String id) {
+        return known(id).orElseThrow(() -> Rejection.unknown("organisation", id));
+    }
+
+    private Optional<Organisation> known(String id) {
+        return grants.holdings().organisations().stream()
+                .filter(each -> each.id().value().equals(id))
+                .findFirst();
+    }
+
+    private OrganisationView view(OrganisationId id, String name, @Nullable Instant madeAt, List<User> users) {
+        return new OrganisationView(
+                id.value(),
+                name,
+                users.stream().filter(user -> user.organisation().equals(id)).count(),
+                cloud.drones().stream()
+                        .filter(drone -> grants.book().owner(drone.id()).equals(id))
+                        .count(),
+                madeAt);
+    }
+}

@@ -1,0 +1,56 @@
+package org.dronemap.ws.wiring;
+
+import java.time.Clock;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.GrantChanges;
+import org.dronemap.ws.service.GrantService;
+import org.dronemap.ws.service.GroupService;
+import org.dronemap.ws.service.OrganisationService;
+import org.dronemap.ws.service.ReplayOwners;
+import org.dronemap.ws.service.ZoneService;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+
+/** Constructs what concerns organisations and grants. */
+@Configuration(proxyBeanMethods = false)
+public class GrantConfiguration {
+
+    @Bean
+    GrantChanges grantChanges(House house) {
+        house.cloud().zones().ownersBy(house.grantBook()::owner);
+        return new GrantChanges(house.grants(), house.grantBook());
+    }
+
+    @Bean(destroyMethod = "close")
+    GrantWatch grantWatch(House house) {
+        return new GrantWatch(house.grantBook());
+    }
+
+    @Bean
+    ReplayOwners replayOwners(House house) {
+        ReplayOwners owners = new ReplayOwners(house.grantBook());
+        house.cloud().registerBy((drone, session) -> {
+            if (session.replay()) {
+                // A recording is told from others by the port of its sessions.
+                owners.appeared("r" + session.key().port(), drone);
+            }
+        });
+        return owners;
+    }
+
+    @Bean
+    OrganisationService organisationService(
+            House house, GrantChanges grants, DroneService drones, ZoneService zones, Clock clock) {
+        return new OrganisationService(grants, house.access(), house.cloud(), drones, zones, clock);
+    }
+
+    @Bean
+    GroupService groupService(House house, GrantChanges grants, DroneService drones) {
+        return new GroupService(grants, house.access(), drones);
+    }
+
+    @Bean
+    GrantService grantService(House house, GrantChanges grants, GroupService groups, Clock clock) {
+        return new GrantService(grants, house.access(), groups, clock);
+    }
+}

@@ -1,0 +1,355 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+/** What administrators do with grants, groups, fleets and organisations, and when that takes effect. */
+class GrantsTest {
+    @TempDir
+    private Path data;
+
+    private TestHouse house;
+    private ScriptedVehicle one;
+    private ScriptedVehicle two;
+    private Member root;
+    private Member ann;
+
+    @BeforeEach
+    void open() {
+        house = new TestHouse(data, false);
+        one = ScriptedVehicle.connect(house.cloud(), 15831);
+        two = ScriptedVehicle.connect(house.cloud(), 15832);
+        root = house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR);
+        ann = house.member(OrganisationId.HOME, "ann", Role.OPERATOR);
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void showEverybodyAllDronesUntilSomebodySeesOnlyWhatWasGranted() {
+        assertThat(drones(ann)).containsExactlyInAnyOrder(one.id(), two.id());
+        onlyGranted("users/ann", true);
+        assertThat(drones(ann)).isEmpty();
+        assertThat(isListedAsBound("ann")).isTrue();
+        assertThat(isListedAsBound("root")).isFalse();
+        grant("\"user\":\"ann\",\"drones\":[\"" + one.id() + "\"]", "command");
+        assertThat(drones(ann)).containsExactly(one.id());
+        onlyGranted("users/ann", false);
+        assertThat(drones(ann)).containsExactlyInAnyOrder(one.id(), two.id());
+    }
+
+    @Test
+    void takeADroneFromAnOpenStreamAndLeaveTheOther() {
+        onlyGranted("users/ann", true);
+        grant("\"user\":\"ann\",\"drones\":[\"" + two.id() + "\"]", "view");
+        String taken = grant("\"user\":\"ann\",\"drones\":[\"" + one.id() + "\"]", "command");
+        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+            stream.await(message ->
+                    isType(message, "drones") && message.path("drones").size() == 2);
+
+            assertThat(delete("/api/v1/grants/" + taken)).isEqualTo(204);
+
+            stream.await(message -> isType(message, "droneRemoved")
+                    && message.path("id").asString().equals(one.id()));
+            int before = stream.heard().size();
+            one.says(new DroneEvent.BatteryHeard(new Battery(17, null, null)));
+            root.http().post("/api/v1/drones/" + one.id() + "/commands", "{\"type\":\"arm\"}");
+            two.says(new DroneEvent.BatteryHeard(new Battery(18, null, null)));
+            stream.await(message ->
+                    message.path("drone").path("battery").path("percent").asInt() == 18);
+            List<JsonNode> after = stream.heard();
+            assertThat(after.subList(before, after.size()).toString()).doesNotContain(one.id());
+        }
+    }
+
+    @Test
+    void endOnAnOpenStreamWhenTheirTimeIsOver() {
+        onlyGranted("users/ann", true);
+        String until = Instant.now().plus(Duration.ofHours(1)).toString();
+        grant("\"user\":\"ann\",\"all\":true,\"until\":\"" + until + "\"", "command");
+        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+            stream.await(message ->
+                    isType(message, "drones") && message.path("drones").size() == 2);
+
+            house.clock().forward(Duration.ofHours(2));
+
+            stream.await(message -> isType(message, "droneRemoved")
+                    && message.path("id").asString().equals(one.id()));
+            stream.await(message -> isType(message, "droneRemoved")
+                    && message.path("id").asString().equals(two.id()));
+        }
+        assertThat(drones(ann)).isEmpty();
+    }
+
+    @Test
+    void beginOnAnOpenStreamWhenTheirTimeHasCome() {
+        onlyGranted("users/ann", true);
+        String from = Instant.now().plus(Duration.ofHours(1)).toString();
+        grant("\"user\":\"ann\",\"drones\":[\"" + one.id() + "\"],\"from\":\"" + from + "\"", "view");
+        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+            stream.await(message ->
+                    isType(message, "drones") && message.path("drones").isEmpty());
+
+            house.clock().forward(Duration.ofHours(2));
+
+            JsonNode shown = stream.await(message -> isType(message, "drone"));
+            assertThat(shown.path("drone").path("id").asString()).isEqualTo(one.id());
+            assertThat(shown.path("drone")
+                            .path("actions")
+                            .path("arm")
+                            .path("why")
+                            .asString())
+                    .isEqualTo("You were not granted to command this drone.");
+        }
+    }
+
+    @Test
+    void greyTheButtonsOfAnOpenStreamWhenOnlyLookingIsLeft() {
+        onlyGranted("users/ann", true);
+        grant("\"user\":\"ann\",\"all\":true", "view");
+        String taken = grant("\"user\":\"ann\",\"all\":true", "command");
+        try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
+            stream.await(message -> isType(message, "drones"));
+
+            delete("/api/v1/grants/" + taken);
+
+            stream.await(message -> message.path("drone")
+                    .path("actions")
+                    .path("arm")
+                    .path("why")
+                    .asString("")
+                    .startsWith("You were not granted"));
+        }
+    }
+
+    @Test
+    void takeControlFromWhoMayNoLongerCommand() {
+        onlyGranted("users/ann", true);
+        String taken = grant("\"user\":\"ann\",\"all\":true", "command");
+        assertThat(ann.http()
+                        .post("/api/v1/drones/" + one.id() + "/control/take", "")
+                        .status())
+                .isEqualTo(200);
+
+        delete("/api/v1/grants/" + taken);
+
+        assertThat(control(one)).isEqualTo("free");
+        assertThat(ann.http()
+                        .post("/api/v1/drones/" + one.id() + "/control/take", "")
+                        .status())
+                .isEqualTo(403);
+    }
+
+    @Test
+    void takeControlWhenTheirTimeIsOver() {
+        onlyGranted("users/ann", true);
+        String until = Instant.now().plus(Duration.ofHours(1)).toString();
+        grant("\"user\":\"ann\",\"all\":true,\"until\":\"" + until + "\"", "command");
+        ann.http().post("/api/v1/drones/" + one.id() + "/control/take", "");
+        assertThat(control(one)).isEqualTo("held");
+
+        house.clock().forward(Duration.ofHours(2));
+
+        Waiting.until("nobody has control", () -> control(one).equals("free") ? Optional.of(true) : Optional.empty());
+    }
+
+    @Test
+    void reachThroughGroupsAndFleetsAsTheyAreNow() {
+        String crew = root.http()
+                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"ann\"]}")
+                .text("id");
+        String fleet = root.http()
+                .post("/api/v1/fleets", "{\"name\":\"Trucks\",\"drones\":[\"" + one.id() + "\"]}")
+                .text("id");
+        onlyGranted("groups/" + crew, true);
+        grant("\"group\":\"" + crew + "\",\"fleet\":\"" + fleet + "\"", "plan");
+        assertThat(drones(ann)).containsExactly(one.id());
+        put("/api/v1/fleets/" + fleet, "{\"name\":\"Trucks\",\"drones\":[\"" + two.id() + "\"]}");
+        assertThat(drones(ann)).containsExactly(two.id());
+        put("/api/v1/groups/" + crew, "{\"name\":\"Crew\",\"members\":[]}");
+        assertThat(drones(ann)).containsExactlyInAnyOrder(one.id(), two.id());
+    }
+
+    @Test
+    void goWithTheUser() {
+        onlyGranted("users/ann", true);
+        grant("\"user\":\"ann\",\"all\":true", "view");
+        assertThat(delete("/api/v1/users/ann")).isEqualTo(204);
+        assertThat(root.http().get("/api/v1/grants").json().path("grants")).isEmpty();
+    }
+
+    @Test
+    void keepAdministratorsFromShuttingThemselvesOut() {
+        assertThat(put("/api/v1/users/root/only-granted", "{\"onlyGranted\":true}"))
+                .isEqualTo(409);
+        String crew = root.http()
+                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"ann\"]}")
+                .text("id");
+        onlyGranted("groups/" + crew, true);
+        assertThat(put("/api/v1/groups/" + crew, "{\"name\":\"Crew\",\"members\":[\"ann\",\"root\"]}"))
+                .isEqualTo(409);
+    }
+
+    @Test
+    void sayWhatIsWrongWithAGrant() {
+        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true}")).isEqualTo("operations");
+        assertThat(refusedFor("{\"user\":\"ann\",\"operations\":[\"view\"]}")).isEqualTo("drones");
+        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true,\"fleet\":\"x\",\"operations\":[\"view\"]}"))
+                .isEqualTo("drones");
+        assertThat(refusedFor("{\"all\":true,\"operations\":[\"view\"]}")).isEqualTo("user");
+        assertThat(refusedFor("{\"user\":\"nobody\",\"all\":true,\"operations\":[\"view\"]}"))
+                .isEqualTo("user");
+        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true,\"operations\":[\"fly\"]}"))
+                .isEqualTo("operations");
+        assertThat(refusedFor(
+                        "{\"user\":\"ann\",\"all\":true,\"operations\":[\"view\"],\"until\":\"2020-01-01T00:00:00Z\"}"))
+                .isEqualTo("until");
+        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true,\"operations\":[\"view\"],\"from\":\"soon\"}"))
+                .isEqualTo("from");
+    }
+
+    @Test
+    void letAnOrganisationBeginByAnInvitation() {
+        String rescue = root.http()
+                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
+                .text("id");
+        String code = root.http()
+                .post(
+                        "/api/v1/invitations",
+                        "{\"label\":\"Bea\",\"role\":\"administrator\",\"organisation\":\"" + rescue + "\"}")
+                .text("code");
+        new Http(house, "")
+                .post(
+                        "/api/v1/registrations",
+                        "{\"name\":\"bea\",\"password\":\"a-long-password\",\"invitation\":\"" + code + "\"}");
+        assertThat(put("/api/v1/organisations/" + rescue + "/drones/" + one.id(), ""))
+                .isEqualTo(204);
+
+        assertThat(drones(root)).containsExactly(two.id());
+        JsonNode organisation = root.http()
+                .get("/api/v1/organisations")
+                .json()
+                .path("organisations")
+                .path(1);
+        assertThat(organisation.path("users").asInt()).isEqualTo(1);
+        assertThat(organisation.path("drones").asInt()).isEqualTo(1);
+        assertThat(root.http().get("/api/v1/users").json().toString()).doesNotContain("bea");
+        assertThat(delete("/api/v1/organisations/" + rescue)).isEqualTo(409);
+    }
+
+    @Test
+    void bindOtherOrganisationsByZonesOfTheServerAndNotByThoseOfEachOther() {
+        String rescue = root.http()
+                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
+                .text("id");
+        Member bea = house.member(new OrganisationId(rescue), "bea", Role.SUPERVISOR);
+        put("/api/v1/organisations/" + rescue + "/drones/" + two.id(), "");
+        String theirs = zone(bea, "theirs");
+        assertThat(mayGo(ann, one)).isTrue();
+        assertThat(mayGo(bea, two)).isFalse();
+        bea.http().send("/api/v1/zones/" + theirs, HttpRequest.Builder::DELETE);
+        assertThat(mayGo(bea, two)).isTrue();
+        String everybodys = zone(root, "airport");
+        assertThat(mayGo(ann, one)).isFalse();
+        assertThat(mayGo(bea, two)).isFalse();
+        assertThat(bea.http().get("/api/v1/zones/" + everybodys).status()).isEqualTo(200);
+        assertThat(bea.http()
+                        .send("/api/v1/zones/" + everybodys, HttpRequest.Builder::DELETE)
+                        .status())
+                .isEqualTo(403);
+    }
+
+    private static String zone(Member by, String name) {
+        return by.http()
+                .post(
+                        "/api/v1/zones",
+                        "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[8.55,47.41]},"
+                                + "\"properties\":{\"name\":\"" + name + "\",\"kind\":\"exclusion\",\"radius\":300}}")
+                .text("id");
+    }
+
+    /** Whether no zone speaks against it; the drone is disarmed, so it goes nowhere. */
+    private boolean mayGo(Member by, ScriptedVehicle drone) {
+        String detail = by.http()
+                .post(
+                        "/api/v1/drones/" + drone.id() + "/commands",
+                        "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.41,"
+                                + "\"longitude\":8.55,\"altitude\":20}]}")
+                .text("detail");
+        return !detail.contains("zone");
+    }
+
+    private String refusedFor(String body) {
+        Http.Answer answer = root.http().post("/api/v1/grants", body);
+        assertThat(answer.status()).isEqualTo(422);
+        return answer.text("field");
+    }
+
+    private String grant(String whoAndWhat, String operation) {
+        Http.Answer made =
+                root.http().post("/api/v1/grants", "{" + whoAndWhat + ",\"operations\":[\"" + operation + "\"]}");
+        assertThat(made.status()).as(made.raw().body()).isEqualTo(201);
+        return made.text("id");
+    }
+
+    private void onlyGranted(String whom, boolean only) {
+        assertThat(put("/api/v1/" + whom + "/only-granted", "{\"onlyGranted\":" + only + "}"))
+                .isEqualTo(204);
+    }
+
+    private boolean isListedAsBound(String name) {
+        JsonNode users = root.http().get("/api/v1/users").json().path("users");
+        return users.valueStream()
+                .filter(user -> user.path("name").asString().equals(name))
+                .allMatch(user -> user.path("onlyGranted").asBoolean());
+    }
+
+    private String control(ScriptedVehicle drone) {
+        return root.http().get("/api/v1/drones/" + drone.id() + "/control").text("state");
+    }
+
+    private static List<String> drones(Member by) {
+        return by.http().get("/api/v1/drones").json().path("drones").findValuesAsString("id");
+    }
+
+    private int put(String path, String body) {
+        return root.http()
+                .send(
+                        path,
+                        request -> request.header("Content-Type", "application/json")
+                                .PUT(HttpRequest.BodyPublishers.ofString(body)))
+                .status();
+    }
+
+    private int delete(String path) {
+        return root.http().send(path, HttpRequest.Builder::DELETE).status();
+    }
+
+    private static boolean isType(JsonNode message, String type) {
+        return message.path("type").asString().equals(type);
+    }
+}

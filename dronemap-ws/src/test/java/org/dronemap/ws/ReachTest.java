@@ -1,0 +1,207 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Estate;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.RightsTable;
+import org.dronemap.ws.house.RightsTable.Caller;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.WhoseTable.Whose;
+import org.junit.jupiter.api.Test;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Tries all that the running server exposes, for each role, on drones and things of the own organisation, of another one and
+ * on none; and compares with what docs/security.md says. What is foreign is answered as what is absent.
+ */
+class ReachTest extends ReachTrial {
+    @Test
+    void saysOfEachOperationWhatItIsAbout() {
+        assertThat(faces.rest())
+                .allSatisfy(operation ->
+                        assertThat(whose.of(operation)).as(operation).isPresent());
+    }
+
+    @Test
+    void answersOwnThingsAsTheRoleMayAndForeignOnesAsAbsentOnesThroughRest() {
+        RightsTable table = RightsTable.below("REST");
+        int cells = 0;
+        for (String operation : faces.rest()) {
+            String kind = kind(operation);
+            if (foreign.thing(kind).isEmpty() || !operation.contains("{")) {
+                continue;
+            }
+            for (Role role : Role.values()) {
+                if (isTried(operation)) {
+                    boolean promised = table.promises(operation, Caller.valueOf(role.name()));
+                    judge(operation + " for " + role, promised, rest(ours.get(role), operation, ownThing(operation)));
+                    cells++;
+                }
+                alike(ours.get(role), operation, foreign.thing(kind).orElseThrow());
+                cells += 2;
+            }
+        }
+        assertThat(wrong).isEmpty();
+        assertThat(cells).isGreaterThan(800);
+    }
+
+    @Test
+    void leavesTheServerToItsOwnPeople() {
+        for (String operation : faces.rest()) {
+            if (whose.of(operation).filter(Whose.SERVER::equals).isPresent()) {
+                for (Role role : Role.values()) {
+                    Http.Answer answer = rest(theirs.get(role), operation, ABSENT);
+                    if (answer.status() != 403) {
+                        wrong.add(operation + " for their " + role + ": " + answer.status());
+                    }
+                }
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void namesNothingOfAnotherOrganisationInAnyList() {
+        for (String operation : faces.rest()) {
+            if (operation.startsWith("GET ") && !operation.contains("{")) {
+                for (Role role : Role.values()) {
+                    silent(operation + " for our " + role, rest(ours.get(role), operation, ABSENT), foreign);
+                    silent(operation + " for their " + role, rest(theirs.get(role), operation, ABSENT), own);
+                }
+            }
+        }
+        String list = faces.soap(ours.get(Role.ADMINISTRATOR).http(), "getDronesList", Map.of());
+        assertThat(list)
+                .contains(own.drone().id())
+                .doesNotContain(foreign.drone().id());
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void answersForeignAsAbsentThroughSoap() {
+        RightsTable table = RightsTable.below("SOAP");
+        for (String operation : faces.soap()) {
+            if (operation.equals("getDronesList")) {
+                continue;
+            }
+            String element = operation.equals("getCommand") ? "commandId" : "droneId";
+            String kind = operation.equals("getCommand") ? "commands" : "drones";
+            for (Role role : Role.values()) {
+                Member caller = ours.get(role);
+                String mine = soap(caller, operation, element, own.thing(kind).orElseThrow());
+                boolean refused = mine.contains("<code>forbidden</code>") || mine.contains("<code>unknown</code>");
+                if (refused == table.promises(operation, Caller.valueOf(role.name()))) {
+                    wrong.add(operation + " for " + role + ": " + mine);
+                }
+                alikeInSoap(caller, operation, element, foreign.thing(kind).orElseThrow());
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void answersForeignAsAbsentThroughTheStream() {
+        for (Role role : Set.of(Role.VIEWER, Role.OPERATOR, Role.SUPERVISOR, Role.ADMINISTRATOR)) {
+            try (StreamListener stream =
+                    StreamListener.withKey(house, ours.get(role).key())) {
+                for (String about :
+                        List.of("\"command\",\"command\":{\"type\":\"land\"}", "\"control\",\"action\":\"take\"")) {
+                    String there = said(stream, about, foreign.drone().id());
+                    String absent = said(stream, about, ABSENT);
+                    if (!there.equals(absent)) {
+                        wrong.add("stream for " + role + ": " + there + " / " + absent);
+                    }
+                }
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void answersForeignAsAbsentWhereBodiesNameThings() {
+        Http root = own.administrator().http();
+        String drone = own.drone().id();
+        Map<String, String> bodies = new HashMap<>();
+        bodies.put(
+                "POST /api/v1/commands drones",
+                "{\"drones\":[\"%s\"],\"command\":{\"type\":\"land\"},\"id\":\"one-and-same\"}");
+        bodies.put("POST /api/v1/dtls-keys drones", "{\"drone\":\"%s\"}");
+        bodies.put("POST /api/v1/fleets drones", "{\"name\":\"x\",\"drones\":[\"%s\"]}");
+        bodies.put("POST /api/v1/groups users", "{\"name\":\"x\",\"members\":[\"%s\"]}");
+        bodies.put("POST /api/v1/grants users", "{\"user\":\"%s\",\"all\":true,\"operations\":[\"view\"]}");
+        bodies.put("POST /api/v1/grants groups", "{\"group\":\"%s\",\"all\":true,\"operations\":[\"view\"]}");
+        bodies.put("POST /api/v1/grants fleets", "{\"user\":\"our-root\",\"fleet\":\"%s\",\"operations\":[\"view\"]}");
+        bodies.put(
+                "POST /api/v1/grants drones", "{\"user\":\"our-root\",\"drones\":[\"%s\"],\"operations\":[\"view\"]}");
+        bodies.put("POST /api/v1/drones/" + drone + "/control/hand-over users", "{\"user\":\"%s\"}");
+        String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[10,60]},\"properties\":"
+                + "{\"name\":\"x\",\"kind\":\"exclusion\",\"radius\":50,";
+        bodies.put("POST /api/v1/zones users", zone + "\"user\":\"%s\"}}");
+        bodies.put("POST /api/v1/zones drones", zone + "\"drone\":\"%s\"}}");
+        bodies.forEach((what, body) -> {
+            String[] words = what.split(" ");
+            String thing = foreign.thing(words[2]).orElseThrow();
+            Http.Answer there = root.post(words[1], String.format(body, thing));
+            Http.Answer absent = root.post(words[1], String.format(body, ABSENT));
+            if (there.status() == 201 || !isSame(there, thing, absent)) {
+                wrong.add(
+                        what + ": " + there.raw().body() + " / " + absent.raw().body());
+            }
+        });
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void tellsEachOrganisationOnTheStreamOfItsOwnThingsOnly() {
+        try (StreamListener ourStream =
+                        StreamListener.withKey(house, ours.get(Role.VIEWER).key());
+                StreamListener theirStream =
+                        StreamListener.withKey(house, theirs.get(Role.VIEWER).key())) {
+            for (StreamListener stream : List.of(ourStream, theirStream)) {
+                stream.await(message -> isType(message, "drones"));
+            }
+            for (Estate estate : List.of(own, foreign)) {
+                Http http = estate.administrator().http();
+                http.post("/api/v1/drones/" + estate.drone().id() + "/commands", "{\"type\":\"arm\"}");
+                http.post("/api/v1/drones/" + estate.drone().id() + "/control/take", "");
+                put(http, "/api/v1/zones/" + estate.thing("zones").orElseThrow(), "{}");
+                estate.fresh("zones");
+                http.send("/api/v1/drones/" + estate.drone().id() + "/control", HttpRequest.Builder::DELETE);
+            }
+            heardOnly(ourStream, own, foreign);
+            heardOnly(theirStream, foreign, own);
+        }
+    }
+
+    private static void heardOnly(StreamListener stream, Estate mine, Estate other) {
+        for (String type : List.of("drone", "command", "control", "zone")) {
+            stream.await(message -> isType(message, type));
+        }
+        stream.await(message -> isType(message, "control")
+                && message.path("control").path("state").asString().equals("free"));
+        assertThat(stream.heard().toString())
+                .contains(mine.drone().id(), mine.word() + "-root")
+                .doesNotContain(other.drone().id(), other.word() + "-");
+    }
+
+    private static String said(StreamListener stream, String about, String drone) {
+        String id = drone + about.hashCode();
+        stream.send("{\"requestId\":\"" + id + "\",\"drone\":\"" + drone + "\",\"type\":" + about + "}");
+        return stream.await(message -> message.path("requestId").asString("").equals(id))
+                .toString()
+                .replace(id, "")
+                .replace(drone, ABSENT);
+    }
+
+    private static boolean isType(JsonNode message, String type) {
+        return message.path("type").asString().equals(type);
+    }
+}

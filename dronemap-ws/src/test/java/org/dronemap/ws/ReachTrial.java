@@ -1,0 +1,158 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.ws.house.Estate;
+import org.dronemap.ws.house.Faces;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.WhoseTable;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A house with two organisations that have one thing of each kind, somebody in each role in both, and what it takes to try
+ * all that the running server exposes.
+ */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+abstract class ReachTrial {
+    static final String ABSENT = "absent-thing";
+    private static final String GIVE_AWAY = "PUT /api/v1/organisations/{id}/drones/{drone}";
+    final Map<Role, Member> ours = new EnumMap<>(Role.class);
+    final Map<Role, Member> theirs = new EnumMap<>(Role.class);
+    final List<String> wrong = new ArrayList<>();
+    TestHouse house;
+    Faces faces;
+    WhoseTable whose;
+    Estate own;
+    Estate foreign;
+    private String foreignId;
+
+    @BeforeAll
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        faces = new Faces(house);
+        whose = new WhoseTable();
+        ScriptedVehicle ourDrone = vehicle(15801);
+        ScriptedVehicle theirDrone = vehicle(15802);
+        Http root =
+                house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR).http();
+        foreignId = root.post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
+                .text("id");
+        String given = "/api/v1/organisations/" + foreignId + "/drones/" + theirDrone.id();
+        assertThat(put(root, given, "").status()).isEqualTo(204);
+        own = new Estate(house, "our", OrganisationId.HOME, ourDrone);
+        foreign = new Estate(house, "their", new OrganisationId(foreignId), theirDrone);
+        for (Role role : Role.values()) {
+            ours.put(role, own.member(role.name(), role));
+            theirs.put(role, foreign.member(role.name(), role));
+        }
+    }
+
+    @AfterEach
+    void forgetWhatWasWrong() {
+        wrong.clear();
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+    }
+
+    void judge(String cell, boolean promised, Http.Answer answer) {
+        boolean closed = answer.status() == 401 || answer.status() == 403;
+        if (closed == promised || answer.status() == 404 || answer.status() >= 500) {
+            wrong.add(cell + ": " + answer.status() + " " + answer.raw().body());
+        }
+    }
+
+    /** The same answer as for what is not there. */
+    void alike(Member caller, String operation, String thing) {
+        Http.Answer there = rest(caller, operation, thing);
+        Http.Answer absent = rest(caller, operation, ABSENT);
+        if (!isSame(there, thing, absent)) {
+            wrong.add(operation + " for " + caller.name() + " tells " + thing + " from an absent one: "
+                    + there.raw().body() + " / " + absent.raw().body());
+        }
+    }
+
+    static boolean isSame(Http.Answer there, String thing, Http.Answer absent) {
+        return there.status() == absent.status()
+                && there.raw().body().replace(thing, ABSENT).equals(absent.raw().body());
+    }
+
+    void silent(String cell, Http.Answer answer, Estate other) {
+        String body = answer.raw().body();
+        if (body.contains(other.word() + "-")
+                || body.contains("\"" + other.drone().id() + "\"")) {
+            wrong.add(cell + ": " + body);
+        }
+    }
+
+    Http.Answer rest(Member caller, String operation, String thing) {
+        Map<String, String> values = operation.equals(GIVE_AWAY)
+                ? Map.of("id", foreignId, "drone", thing)
+                : Map.of(operation.contains("/users/") ? "name" : "id", thing, "identity", thing);
+        return faces.rest(caller.http(), operation, values);
+    }
+
+    String soap(Member caller, String operation, String element, String thing) {
+        return faces.soap(caller.http(), operation, Map.of(element, thing));
+    }
+
+    /** What an address is about: the word after the version. */
+    static String kind(String operation) {
+        return operation.equals(GIVE_AWAY)
+                ? "drones"
+                : operation.replaceFirst("\\S+ /(api/v1/)?", "").split("/")[0];
+    }
+
+    /** Not what would take the caller's own key or the drone away. */
+    boolean isTried(String operation) {
+        return !operation.equals(GIVE_AWAY) && !kind(operation).equals("access-keys");
+    }
+
+    String ownThing(String operation) {
+        String kind = kind(operation);
+        return operation.startsWith("DELETE ") && operation.endsWith("}") && !kind.matches("drones|recordings|commands")
+                ? own.fresh(kind)
+                : own.thing(kind).orElseThrow();
+    }
+
+    static Http.Answer put(Http http, String path, String body) {
+        return http.send(
+                path,
+                request -> request.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    ScriptedVehicle vehicle(int port) {
+        ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), port);
+        vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
+        return vehicle;
+    }
+
+    void alikeInSoap(Member caller, String operation, String element, String thing) {
+        String there = soap(caller, operation, element, thing);
+        String absent = soap(caller, operation, element, ABSENT);
+        if (!there.replace(thing, ABSENT).equals(absent)) {
+            wrong.add(operation + " for " + caller.name() + ": " + there + " / " + absent);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package org.dronemap.ws.house;
+
+import java.net.http.HttpRequest;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
+import tools.jackson.databind.JsonNode;
+
+/** What a running house exposes, and a way to try each operation of it on things of somebody's choice. */
+public final class Faces {
+    private static final Pattern OWN = Pattern.compile("/api/v1/.*|/metrics");
+    private static final Pattern VARIABLE = Pattern.compile("\\{(\\w+)}");
+    private static final Pattern WSDL_OPERATION = Pattern.compile("<wsdl:operation name=\"(\\w+)\">");
+    private static final String SOAP = "/services/MAVLinkControllerService";
+
+    private static final Map<String, String> BODIES = Map.of(
+            "PUT /api/v1/users/{name}/only-granted", "{\"onlyGranted\":false}",
+            "PUT /api/v1/groups/{id}/only-granted", "{\"onlyGranted\":false}",
+            "PATCH /api/v1/users/{name}", "{\"role\":\"viewer\"}",
+            "POST /api/v1/drones/{id}/commands", "{\"type\":\"readParameters\"}",
+            "POST /api/v1/drones/{id}/control/take-over", "{\"reason\":\"a trial\"}",
+            "PUT /api/v1/drones/{id}/link-security", "{\"policy\":\"off\"}");
+
+    private final TestHouse house;
+    private final JsonNode description;
+
+    public Faces(TestHouse house) {
+        this.house = house;
+        this.description = new Http(house, "").get("/api/openapi.json").json();
+    }
+
+    /** All that the web framework dispatches, also what the description leaves out; by method and path. */
+    public Set<String> rest() {
+        Set<String> operations = new TreeSet<>();
+        house.bean(RequestMappingHandlerMapping.class)
+                .getHandlerMethods()
+                .keySet()
+                .forEach(mapping -> mapping.getPatternValues().stream()
+                        .filter(path -> OWN.matcher(path).matches())
+                        .forEach(path -> mapping.getMethodsCondition()
+                                .getMethods()
+                                .forEach(method -> operations.add(method.name() + " " + path))));
+        return operations;
+    }
+
+    /** As the WSDL says. */
+    public Set<String> soap() {
+        String wsdl = new Http(house, "").get(SOAP + "?wsdl").raw().body();
+        Set<String> operations = new TreeSet<>();
+        Matcher found = WSDL_OPERATION.matcher(wsdl);
+        while (found.find()) {
+            operations.add(found.group(1));
+        }
+        return operations;
+    }
+
+    /** With the values in the address, and a body that says what it takes to reach what it is about. */
+    public Http.Answer rest(Http caller, String operation, Map<String, String> values) {
+        String method = operation.substring(0, operation.indexOf(' '));
+        String path = operation.substring(operation.indexOf(' ') + 1);
+        String address = VARIABLE.matcher(path)
+                .replaceAll(found ->
+                        values.getOrDefault(found.group(1), found.group(1).equals("number") ? "1" : "nosuchthing"));
+        return caller.send(
+                address,
+                request -> request.header("Content-Type", contentType(method, path))
+                        .method(
+                                method,
+                                HttpRequest.BodyPublishers.ofString(
+                                        method.equals("GET") ? "" : BODIES.getOrDefault(operation, "{}"))));
+    }
+
+    /** The whole answer; {@code values} are the elements of the call. */
+    public String soap(Http caller, String operation, Map<String, String> values) {
+        String elements = values.entrySet().stream()
+                .map(each -> "<" + each.getKey() + ">" + each.getValue() + "</" + each.getKey() + ">")
+                .collect(Collectors.joining());
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + elements + "</w:"
+                + operation + "></s:Body></s:Envelope>";
+        return caller.send(
+                        SOAP,
+                        request -> request.header("Content-Type", "text/xml")
+                                .POST(HttpRequest.BodyPublishers.ofString(envelope)))
+                .raw()
+                .body();
+    }
+
+    private String contentType(String method, String path) {
+        JsonNode content = description
+                .path("paths")
+                .path(path)
+                .path(method.toLowerCase(Locale.ROOT))
+                .path("requestBody")
+                .path("content");
+        return content.propertyNames().stream().findFirst().orElse("application/json");
+    }
+}

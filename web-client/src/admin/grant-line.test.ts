@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import type { User } from '../api/accounts';
+import type { Grant, Group } from '../api/grants';
+import { grantLine, holdersOf } from './grant-line';
+
+function grant(more: Partial<Grant> = {}): Grant {
+  return {
+    id: 'g1',
+    user: 'ann',
+    group: null,
+    all: true,
+    drones: null,
+    fleet: null,
+    operations: ['view', 'command'],
+    from: '2026-05-01T12:00:00Z',
+    until: null,
+    state: 'inForce',
+    by: 'root',
+    at: '2026-05-01T12:00:00Z',
+    ...more,
+  };
+}
+
+function user(name: string, onlyGranted = false): User {
+  return { name, role: 'operator', state: 'active', mustChangePassword: false, onlyGranted };
+}
+
+const CREW: Group = { id: 'c', name: 'Crew', members: ['ann'], onlyGranted: true };
+
+describe('the line of a grant', () => {
+  it('says what, with which drones and until when', () => {
+    expect(grantLine(grant(), [], (id) => id)).toBe('view, command · all drones');
+    expect(grantLine(grant({ drones: ['a', 'b'] }), [], (id) => `Copter ${id}`)).toBe(
+      'view, command · Copter a, Copter b',
+    );
+    expect(grantLine(grant({ drones: ['a', 'b', 'c', 'd'] }), [], (id) => id)).toContain('4 drones');
+    const fleet = { id: 'f', name: 'Trucks', drones: [] };
+    expect(grantLine(grant({ fleet: 'f' }), [fleet], (id) => id)).toContain('Trucks');
+    const until = '2026-05-02T12:00:00Z';
+    expect(grantLine(grant({ until }), [], (id) => id)).toContain('until');
+    expect(grantLine(grant({ until, state: 'over' }), [], (id) => id)).toContain('ended');
+    expect(grantLine(grant({ until, state: 'toCome' }), [], (id) => id)).toContain('from');
+  });
+});
+
+describe('the holders of grants', () => {
+  it('are those who are bound, then those whose grants bind nothing', () => {
+    const holders = holdersOf([user('ann'), user('bob', true), user('eve')], [CREW], [grant()]);
+    expect(holders.map((one) => one.name)).toEqual(['Crew (group)', 'bob', 'ann']);
+    expect(holders[2]?.grants).toHaveLength(1);
+    expect(holders[0]?.grants).toHaveLength(0);
+  });
+});
