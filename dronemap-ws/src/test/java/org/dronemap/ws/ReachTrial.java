@@ -41,6 +41,9 @@ abstract class ReachTrial {
     Faces faces;
     WhoseTable whose;
     Estate own;
+    /** Another one of our own. */
+    ScriptedVehicle spare;
+
     Estate foreign;
     private String foreignId;
 
@@ -51,6 +54,7 @@ abstract class ReachTrial {
         whose = new WhoseTable();
         ScriptedVehicle ourDrone = vehicle(15801);
         ScriptedVehicle theirDrone = vehicle(15802);
+        spare = vehicle(15803);
         Http root =
                 house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR).http();
         foreignId = root.post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")

@@ -37,10 +37,8 @@ public final class CommandService {
 
     /** Checks everything, then asks the gate; the answer is under way, or ended when the id is an old one. */
     public CommandView submit(Principal principal, String face, String droneId, CommandRequest request) {
-        Role least = principal.may(Role.OPERATOR) ? Role.OPERATOR : Role.PLANNER;
-        Roles.require(principal, least);
-        // What this one may do with this drone is the gate's to say, and written down.
-        DroneState drone = drones.state(principal, droneId);
+        // Which commands these are is the gate's to say, and written down.
+        DroneState drone = drones.state(principal, droneId, Role.OPERATOR, Role.PLANNER);
         Command command =
                 CommandReader.read(request, drone, cloud.onBoard(drone.id()).parameters());
         return give(new CommandGate.Source(principal, face, request.epoch()), drone, request.id(), command)

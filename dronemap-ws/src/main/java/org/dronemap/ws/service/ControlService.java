@@ -44,7 +44,7 @@ public final class ControlService {
 
     /** Does what is asked, or says who has control and since when. */
     public Answer act(Principal principal, String droneId, ControlAction action, ControlRequestView with) {
-        DroneState drone = drones.state(principal, droneId, needed(principal, action));
+        DroneState drone = drone(principal, droneId, action);
         if (drone.replay()) {
             throw Rejection.conflict("This is a recording; it cannot be commanded.");
         }
@@ -56,12 +56,12 @@ public final class ControlService {
     }
 
     /** Planners come to control by putting a mission on a drone, and must be able to give it back. */
-    private static Role needed(Principal principal, ControlAction action) {
+    private DroneState drone(Principal principal, String id, ControlAction action) {
         return switch (action) {
-            case TAKE_OVER -> Role.SUPERVISOR;
+            case TAKE_OVER -> drones.state(principal, id, Role.SUPERVISOR);
             // Whoever may command may give back, too, and need not be allowed to plan for that.
-            case RELEASE -> principal.may(Role.OPERATOR) ? Role.OPERATOR : Role.PLANNER;
-            default -> Role.OPERATOR;
+            case RELEASE -> drones.state(principal, id, Role.OPERATOR, Role.PLANNER);
+            default -> drones.state(principal, id, Role.OPERATOR);
         };
     }
 

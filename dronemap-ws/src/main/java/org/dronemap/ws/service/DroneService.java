@@ -54,6 +54,14 @@ public final class DroneService {
         return state;
     }
 
+    /** The same for those who may do what takes either role, such as plan or command. */
+    DroneState state(Principal principal, String id, Role needed, Role orElse) {
+        Roles.require(principal, principal.may(needed) ? needed : orElse);
+        DroneState state = state(principal, id);
+        Roles.require(principal, principal.may(needed, state.id()) ? needed : orElse, state.id());
+        return state;
+    }
+
     /** What the asker may not see is told from what is not there by nothing. */
     DroneState state(Principal principal, String id) {
         return find(principal, id).orElseThrow(() -> Rejection.unknown("drone", id));

@@ -39,13 +39,13 @@ public final class FenceService {
     }
 
     public CommandView setFence(Caller caller, String droneId, FenceView fence) {
-        Roles.require(caller.principal(), Role.PLANNER);
-        return give(caller, droneId, new Command.SetFence(FenceReader.fence(fence)));
+        DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
+        return give(caller, drone, new Command.SetFence(FenceReader.fence(fence)));
     }
 
     public CommandView setRallyPoints(Caller caller, String droneId, FenceView.RallyView points) {
-        Roles.require(caller.principal(), Role.PLANNER);
-        return give(caller, droneId, new Command.SetRallyPoints(FenceReader.rally(points)));
+        DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
+        return give(caller, drone, new Command.SetRallyPoints(FenceReader.rally(points)));
     }
 
     public CommandView clearFence(Caller caller, String droneId) {
@@ -57,7 +57,10 @@ public final class FenceService {
     }
 
     private CommandView give(Caller caller, String droneId, Command command) {
-        DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
+        return give(caller, drones.state(caller.principal(), droneId, Role.PLANNER), command);
+    }
+
+    private CommandView give(Caller caller, DroneState drone, Command command) {
         return commands.give(caller.principal(), caller.face(), drone, null, command);
     }
 }

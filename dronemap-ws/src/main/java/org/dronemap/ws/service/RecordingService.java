@@ -30,7 +30,20 @@ public final class RecordingService {
                 .filter(recording -> drone == null || recording.drone().value().equals(drone))
                 .map(RecordingView::of)
                 .toList();
-        return new RecordingView.Page(views, RecordingView.RoomView.of(archive.room()));
+        return new RecordingView.Page(views, room(principal));
+    }
+
+    /** Who does not see all that may be in it is told of the own part alone. */
+    private RecordingView.RoomView room(Principal principal) {
+        RecordingArchive.Room room = archive.room();
+        if (principal.isWhole() && principal.organisation().isHome()) {
+            return RecordingView.RoomView.of(room);
+        }
+        long own = archive.recordings().stream()
+                .filter(recording -> principal.sees(recording.drone()))
+                .mapToLong(Recording::bytes)
+                .sum();
+        return RecordingView.RoomView.of(new RecordingArchive.Room(own, room.mostBytes(), room.keepDays(), 0, null));
     }
 
     public RecordingView recording(Principal principal, String id) {

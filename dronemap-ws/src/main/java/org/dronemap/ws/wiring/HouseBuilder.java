@@ -67,8 +67,7 @@ final class HouseBuilder {
                 clock,
                 new CloudManager.Keeping(database.drones(), database.commands(), database.leases(), journal),
                 new DroneIds());
-        // Before any vehicle is heard.
-        cloud.zones().put(database.zones().zones());
+        GrantBook grants = grants(database, cloud, clock);
         SecretBox box = ServerSecret.box(
                 settings.linkSecret() == null ? null : settings.linkSecret().text(),
                 settings.dataDirectory().resolve("link-secret"));
@@ -92,7 +91,16 @@ final class HouseBuilder {
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()),
                 database.grants(),
-                new GrantBook(clock));
+                grants);
+    }
+
+    /** In force before anybody can ask, or any vehicle is heard. */
+    private static GrantBook grants(Database database, CloudManager cloud, Clock clock) {
+        GrantBook grants = new GrantBook(clock);
+        grants.replace(database.grants().holdings());
+        cloud.zones().ownersBy(grants::owner);
+        cloud.zones().put(database.zones().zones());
+        return grants;
     }
 
     private static void endUnfinished(Database database, Clock clock) {

@@ -57,6 +57,10 @@ public final class RightsTable {
         return firstRank.keySet();
     }
 
+    public boolean lists(String operation) {
+        return firstRank.containsKey(operation);
+    }
+
     /** The least role that an operation is open to; a viewer for what is open to all who may look. */
     public Role least(String operation) {
         int first =
