@@ -222,6 +222,8 @@ export interface Command {
   outcome: Outcome | null;
   finishedAt: string | null;
   progress: { done: number; total: number } | null;
+  /** Told once, to who gave the command. */
+  warnings?: string[];
 }
 
 export interface SavedMission {

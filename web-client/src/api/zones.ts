@@ -1,4 +1,5 @@
 import type { Point, Polygon } from 'geojson';
+import type { Command } from './types';
 
 /** An area of the cloud that drones stay in or out of: a feature of GeoJSON, a circle being a point with a radius. */
 export interface Zone {
@@ -48,6 +49,18 @@ export class ZoneCalls {
   /** All zones of a GeoJSON file, or none. */
   async take(file: Blob): Promise<Zone[]> {
     return (await this.#call<{ features: Zone[] }>('POST', '/zones/import', file)).features;
+  }
+
+  /** Makes the zones that bind a drone its own fence. */
+  putOnBoard(drone: string): Promise<Command> {
+    return this.#call('PUT', `/drones/${encodeURIComponent(drone)}/fence/zones`);
+  }
+
+  /** How many areas the vehicle keeps itself; null: it was not asked yet. */
+  async onBoard(drone: string): Promise<number | null> {
+    type Fence = { zones: unknown[] | null };
+    const fence = await this.#call<Fence>('GET', `/drones/${encodeURIComponent(drone)}/fence`);
+    return fence.zones?.length ?? null;
   }
 
   remove(id: string): Promise<void> {

@@ -72,6 +72,28 @@ class ZonesTest {
     }
 
     @Test
+    void makesTheZonesThatAVehicleCanKeepItsOwnFence() {
+        String path = "/api/v1/drones/" + vehicle.id() + "/fence/zones";
+        Http planner = new Http(house, house.key(Role.PLANNER));
+        HttpRequest.BodyPublisher nothing = HttpRequest.BodyPublishers.noBody();
+        assertThat(planner.send(path, request -> request.PUT(nothing)).text("detail"))
+                .startsWith("No zone without floor and ceiling binds this drone now");
+        supervisor.post(ZONES, feature(NORTH, "\"name\":\"School\""));
+        supervisor.post(ZONES, feature(NORTH, "\"name\":\"Low\",\"ceiling\":80"));
+        supervisor.post(ZONES, feature(NORTH, "\"name\":\"Over\",\"until\":\"2020-01-01T00:00:00Z\""));
+
+        Http.Answer sent = planner.send(path, request -> request.PUT(nothing));
+
+        assertThat(sent.json().path("warnings").size()).isEqualTo(1);
+        assertThat(sent.json().path("warnings").get(0).asString()).contains("“Low”");
+        await().untilAsserted(() -> assertThat(vehicle.performed())
+                .filteredOn(Command.SetFence.class::isInstance)
+                .singleElement()
+                .satisfies(command ->
+                        assertThat(((Command.SetFence) command).zones()).hasSize(1)));
+    }
+
+    @Test
     void letsOnlySupervisorsChangeZones() {
         assertThat(operator.post(ZONES, feature(NORTH, "\"name\":\"A\"")).status())
                 .isEqualTo(403);

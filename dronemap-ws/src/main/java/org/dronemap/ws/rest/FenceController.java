@@ -49,6 +49,17 @@ public class FenceController {
         return CommandAnswer.of(fences.setFence(current.caller(), id, fence));
     }
 
+    @PutMapping("/fence/zones")
+    @Operation(
+            summary = "Make the cloud's zones the vehicle's own fence (planner)",
+            description =
+                    "All zones without floor and ceiling that bind this drone now, whoever flies it; they then hold"
+                            + " also where the vehicle does not hear the cloud. Zones that a vehicle cannot keep are named among"
+                            + " the warnings. What was its fence before is replaced.")
+    public ResponseEntity<CommandView> putZonesOnBoard(@PathVariable String id) {
+        return CommandAnswer.of(fences.putZonesOnBoard(current.caller(), id));
+    }
+
     @DeleteMapping("/fence")
     @Operation(summary = "Take the fence away (operator)")
     public ResponseEntity<CommandView> clearFence(@PathVariable String id) {

@@ -13,7 +13,7 @@ final class FenceReader {
     private static final String CORNERS = "3 to 100 corners";
     private static final String ZONES = "at most 50 zones";
     private static final String POINTS = "at most 50 points";
-    private static final int MOST = 50;
+    static final int MOST = 50;
 
     private FenceReader() {}
 

@@ -1,19 +1,23 @@
 package org.dronemap.ws.service;
 
+import java.time.Clock;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.zone.VehicleFence;
 
 /** Use cases around the fence and the rally points that a vehicle keeps: read, replace, take away. Any thread. */
 public final class FenceService {
     private final CloudManager cloud;
     private final DroneService drones;
     private final CommandService commands;
+    private final Clock clock;
 
-    public FenceService(CloudManager cloud, DroneService drones, CommandService commands) {
+    public FenceService(CloudManager cloud, DroneService drones, CommandService commands, Clock clock) {
+        this.clock = clock;
         this.cloud = cloud;
         this.drones = drones;
         this.commands = commands;
@@ -41,6 +45,25 @@ public final class FenceService {
     public CommandView setFence(Caller caller, String droneId, FenceView fence) {
         DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
         return give(caller, drone, new Command.SetFence(FenceReader.fence(fence)));
+    }
+
+    /** Makes the zones that bind a drone its own fence; those that it cannot keep are told as warnings. */
+    public CommandView putZonesOnBoard(Caller caller, String droneId) {
+        Roles.require(caller.principal(), Role.PLANNER);
+        DroneState drone = drones.state(caller.principal(), droneId);
+        VehicleFence fence = VehicleFence.of(cloud.zones(), drone.id(), clock.instant());
+        if (fence.shapes().isEmpty()) {
+            throw Rejection.conflict(
+                    "No zone without floor and ceiling binds this drone now; its fence stays as it is.");
+        }
+        if (fence.shapes().size() > FenceReader.MOST) {
+            throw Rejection.conflict(fence.shapes().size() + " zones bind this drone now; a vehicle keeps "
+                    + FenceReader.MOST + " at most. Its fence stays as it is.");
+        }
+        List<String> leftOut = fence.leftOut().stream()
+                .map(zone -> "Not on board is " + zone.words() + ": vehicles know no floor and no ceiling.")
+                .toList();
+        return give(caller, droneId, new Command.SetFence(fence.shapes())).warned(leftOut);
     }
 
     public CommandView setRallyPoints(Caller caller, String droneId, FenceView.RallyView points) {

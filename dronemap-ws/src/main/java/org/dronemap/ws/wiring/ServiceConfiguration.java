@@ -165,7 +165,7 @@ public class ServiceConfiguration {
 
     @Bean
     FenceService fenceService(House house, DroneService drones, CommandService commands) {
-        return new FenceService(house.cloud(), drones, commands);
+        return new FenceService(house.cloud(), drones, commands, Clock.systemUTC());
     }
 
     @Bean

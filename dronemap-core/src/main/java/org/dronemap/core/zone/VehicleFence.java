@@ -1,0 +1,28 @@
+package org.dronemap.core.zone;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.FenceZone;
+
+/**
+ * What of the zones a vehicle can keep as its own fence, where no cloud is heard: areas without floor and ceiling that
+ * bind it whoever flies it.
+ *
+ * @param leftOut those with a floor or a ceiling, which the fences of vehicles do not know
+ */
+public record VehicleFence(List<FenceZone> shapes, List<Zone> leftOut) {
+    public static VehicleFence of(ZoneBook book, DroneId drone, Instant now) {
+        List<Zone> binding = book.zones().stream()
+                .filter(zone -> !(zone.binding() instanceof Binding.OfUser))
+                .filter(zone ->
+                        zone.binding().binds("", drone) && zone.validity().at(now))
+                .toList();
+        return new VehicleFence(
+                binding.stream()
+                        .filter(zone -> !zone.band().isBounded())
+                        .map(Zone::shape)
+                        .toList(),
+                binding.stream().filter(zone -> zone.band().isBounded()).toList());
+    }
+}
