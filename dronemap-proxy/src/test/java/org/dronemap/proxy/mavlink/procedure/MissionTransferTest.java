@@ -184,6 +184,22 @@ class MissionTransferTest {
     }
 
     @Test
+    void sendsNothingAnewWhenOnlyTheLastWordIsLost() {
+        wire.chatter(true);
+        wire.peer((w, message) -> {
+            // The vehicle has all items and is done with the transfer; its acknowledgement was lost.
+            boolean last = message instanceof MissionItemInt item && item.seq() == ITEMS - 1;
+            if (!last) {
+                vehicle(w, message);
+            }
+        });
+
+        assertThat(wire.runWhole(new MissionUpload(wire.target(), MissionKind.MISSION, items(), Observer.NONE)))
+                .isEqualTo(DONE);
+        assertThat(wire.sent(MissionCount.class)).hasSize(1);
+    }
+
+    @Test
     void readsAllAnewWhenTheMissionChangesWhileItIsRead() {
         List<MissionItemInt> newer = items().stream()
                 .map(old -> new MissionItemInt(1, 1, old.seq(), 3, 16, 0, 1, 0f, 0f, 0f, 0f, old.x(), 20, 77f, 0))

@@ -63,6 +63,29 @@ class MissionPlansTest {
     }
 
     @Test
+    void saysWhenTheVehicleSilentlyHoldsAnItemOtherwiseThanSent() {
+        PlanBench bench = new PlanBench(PlanBench.PX4);
+        bench.wire.peer((wire, message) -> {
+            if (message instanceof MissionItemInt item && item.seq() == 4) {
+                vehicle.take(wire, higher(item));
+            } else {
+                vehicle.take(wire, message);
+            }
+        });
+
+        Outcome outcome = bench.perform(mission(-1, 20));
+
+        assertThat(outcome).isInstanceOf(Outcome.Failed.class);
+        assertThat(outcome).asString().contains("another mission than the one sent");
+        assertThat(bench.wire.sent(MissionCount.class)).as("it is tried once more").hasSize(2);
+    }
+
+    private static MissionItemInt higher(MissionItemInt item) {
+        return new MissionItemInt(
+                item.targetSystem(), item.targetComponent(), item.seq(), item.frame(), item.command(), item.current(), item.autocontinue(), item.param1(), item.param2(), item.param3(), item.param4(), item.x(), item.y(), item.z() + 5, item.missionType());
+    }
+
+    @Test
     void sendsAllToAVehicleThatRefusesParts() {
         PlanBench bench = bench(true);
         vehicle.refusesParts = true;
