@@ -82,7 +82,8 @@ def test_a_link_that_breaks_at_any_item_only_delays_the_upload(bench: Bench) -> 
         wait_for("the cut is felt", lambda: bench.api.drone(bench.drone)["link"]["state"] != "live", 10)
         bench.link.weather = CLEAR
 
-        assert bench.api.ended(command, 90)["outcome"]["result"] == "succeeded"
+        outcome = bench.api.ended(command, 90)["outcome"]
+        assert outcome["result"] == "succeeded", outcome
         assert bench.holds(items)
 
 

@@ -13,11 +13,8 @@ import org.dronemap.core.mission.FenceZone;
  */
 public record VehicleFence(List<FenceZone> shapes, List<Zone> leftOut) {
     public static VehicleFence of(ZoneBook book, DroneId drone, Instant now) {
-        List<Zone> binding = book.zones().stream()
-                .filter(zone -> !(zone.binding() instanceof Binding.OfUser))
-                .filter(zone ->
-                        zone.binding().binds("", drone) && zone.validity().at(now))
-                .toList();
+        // Nobody's name is empty: zones for one user stay out.
+        List<Zone> binding = book.binding("", drone, now, now);
         return new VehicleFence(
                 binding.stream()
                         .filter(zone -> !zone.band().isBounded())

@@ -2,7 +2,9 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.BooleanSupplier;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -22,6 +24,7 @@ final class HomePlans {
     private static final float HERE = 1f;
     private static final float THERE = 0f;
     private static final double SAME_METERS = 1;
+    private static final double HERE_METERS = 100;
     private static final String NO_HOME =
             "The vehicle has not told its home yet, so an altitude above it means nothing;"
                     + " give the altitude above sea level.";
@@ -62,11 +65,34 @@ final class HomePlans {
                 MissionCodec.e7(point.latitudeDegrees()), MissionCodec.e7(point.longitudeDegrees()), altitudeMeters);
     }
 
+    /**
+     * Ordered once more when the vehicle keeps saying another home: an acknowledgement names only the command, so that
+     * the late one of an order before may have passed for the one of this order, which is lost.
+     */
     private static Exchange said(Cockpit cockpit, @Nullable Place place) {
+        HomeReading first = reading(cockpit, place);
+        BooleanSupplier elsewhere = () -> first.outcome() instanceof Outcome.Failed;
         return new Sequence(List.of(
                 Sequence.Step.of(() -> order(cockpit, place)),
-                Sequence.Step.of(() -> new HomeReading(
-                        cockpit.target(), home -> place == null || place.isSaidBy(home), HomePlans::words))));
+                new Sequence.Step(
+                        () -> first,
+                        outcome -> outcome instanceof Outcome.Succeeded || outcome instanceof Outcome.Failed),
+                Sequence.Step.when(elsewhere, () -> order(cockpit, place)),
+                Sequence.Step.when(elsewhere, () -> reading(cockpit, place))));
+    }
+
+    private static HomeReading reading(Cockpit cockpit, @Nullable Place place) {
+        return new HomeReading(
+                cockpit.target(),
+                home -> place == null ? isHere(cockpit.status(), home) : place.isSaidBy(home),
+                HomePlans::words);
+    }
+
+    /** As far as the vehicle has told where it is; it may have flown on meanwhile. */
+    private static boolean isHere(VehicleStatus status, HomePosition home) {
+        Geodetic here = status.point();
+        Geodetic said = Readings.point(home.latitude(), home.longitude());
+        return here == null || (said != null && Geodesy.distanceMeters(here, said) <= HERE_METERS);
     }
 
     private static Exchange order(Cockpit cockpit, @Nullable Place place) {

@@ -126,7 +126,7 @@ public final class Telemetry {
 
     private void position(GlobalPositionInt message) {
         readings.position(message).ifPresent(position -> {
-            status.altitudes(position.altitudeAmslMeters(), position.altitudeAboveHomeMeters());
+            status.position(position);
             out.accept(new DroneEvent.PositionHeard(position));
         });
     }

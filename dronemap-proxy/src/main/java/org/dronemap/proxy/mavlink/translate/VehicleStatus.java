@@ -2,6 +2,8 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -17,6 +19,7 @@ public final class VehicleStatus {
     private @Nullable AutopilotVersion version;
     private @Nullable String mode;
     private @Nullable FlightPhase phase;
+    private @Nullable Geodetic point;
     private @Nullable Double altitudeAmslMeters;
     private @Nullable Double altitudeAboveHomeMeters;
     private @Nullable Double homeAltitudeAmslMeters;
@@ -124,9 +127,16 @@ public final class VehicleStatus {
         phase = heard;
     }
 
-    void altitudes(@Nullable Double amslMeters, @Nullable Double aboveHomeMeters) {
-        altitudeAmslMeters = amslMeters;
-        altitudeAboveHomeMeters = aboveHomeMeters;
+    void position(Position heard) {
+        point = heard.point();
+        altitudeAmslMeters = heard.altitudeAmslMeters();
+        altitudeAboveHomeMeters = heard.altitudeAboveHomeMeters();
+    }
+
+    /** Where it says that it is; null: not told. */
+    @Nullable
+    Geodetic point() {
+        return point;
     }
 
     void home(int latitudeE7, int longitudeE7, double altitudeMeters) {

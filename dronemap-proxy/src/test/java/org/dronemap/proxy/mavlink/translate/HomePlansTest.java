@@ -2,8 +2,10 @@ package org.dronemap.proxy.mavlink.translate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.mavlink.Message;
@@ -96,6 +98,31 @@ class HomePlansTest {
 
         assertThat(bench.perform(new Command.SetHome(PLACE, new Altitude(510, Altitude.Reference.AMSL))))
                 .isEqualTo(DONE);
+    }
+
+    @Test
+    void ordersOnceMoreWhenAnAcknowledgementOfAnEarlierOrderPassedForOneOfThis() {
+        HomePosition before = at(475_000_000, 82_500_000, 510_000);
+        home = before;
+        bench.status.position(new Position(new Geodetic(47, 8), 400.0, 0.0));
+        AtomicBoolean lost = new AtomicBoolean();
+        bench.wire.peer((wire, message) -> {
+            vehicle(wire, message);
+            if (message instanceof CommandInt && lost.compareAndSet(false, true)) {
+                home = before;
+            }
+        });
+
+        assertThat(bench.perform(new Command.SetHome(null, null))).isEqualTo(DONE);
+        assertThat(home.latitude()).isEqualTo(470_000_000);
+    }
+
+    @Test
+    void saysSoWhenTheHomeIsNotWhereTheVehicleIs() {
+        bench.status.position(new Position(new Geodetic(46, 7), 400.0, 0.0));
+        bench.wire.peer(this::vehicle);
+
+        assertThat(bench.perform(new Command.SetHome(null, null))).isInstanceOf(Outcome.Failed.class);
     }
 
     @Test

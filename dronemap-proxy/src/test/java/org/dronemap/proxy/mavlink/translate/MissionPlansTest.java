@@ -77,12 +77,28 @@ class MissionPlansTest {
 
         assertThat(outcome).isInstanceOf(Outcome.Failed.class);
         assertThat(outcome).asString().contains("another mission than the one sent");
-        assertThat(bench.wire.sent(MissionCount.class)).as("it is tried once more").hasSize(2);
+        assertThat(bench.wire.sent(MissionCount.class))
+                .as("it is tried once more")
+                .hasSize(2);
     }
 
     private static MissionItemInt higher(MissionItemInt item) {
         return new MissionItemInt(
-                item.targetSystem(), item.targetComponent(), item.seq(), item.frame(), item.command(), item.current(), item.autocontinue(), item.param1(), item.param2(), item.param3(), item.param4(), item.x(), item.y(), item.z() + 5, item.missionType());
+                item.targetSystem(),
+                item.targetComponent(),
+                item.seq(),
+                item.frame(),
+                item.command(),
+                item.current(),
+                item.autocontinue(),
+                item.param1(),
+                item.param2(),
+                item.param3(),
+                item.param4(),
+                item.x(),
+                item.y(),
+                item.z() + 5,
+                item.missionType());
     }
 
     @Test
