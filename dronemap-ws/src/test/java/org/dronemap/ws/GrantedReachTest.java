@@ -40,6 +40,9 @@ class GrantedReachTest extends ReachTrial {
     /** Open to those who plan and to those who command. */
     private static final String RELEASE = "DELETE /api/v1/drones/{id}/control";
 
+    /** Made once for all tests. */
+    private final List<Granted> everyGrant = new ArrayList<>();
+
     /** Somebody who sees only what was granted: this with our drone, or null: nothing. */
     private record Granted(Role role, @Nullable Permission permission, Member member) {
         boolean may(Role needed) {
@@ -162,6 +165,13 @@ class GrantedReachTest extends ReachTrial {
 
     /** One for each role and operation, each sees only what was granted; some were granted nothing. */
     private List<Granted> everyGrant() {
+        if (everyGrant.isEmpty()) {
+            everyGrant.addAll(madeGrants());
+        }
+        return everyGrant;
+    }
+
+    private List<Granted> madeGrants() {
         List<Granted> all = new ArrayList<>();
         Http root = own.administrator().http();
         List<@Nullable Permission> permissions = new ArrayList<>(List.of(Permission.values()));
