@@ -66,6 +66,15 @@ export interface NewInvitation extends Invitation {
 
 export type RegistrationPolicy = 'approval' | 'invitation' | 'off';
 
+/** How people come in: by an account that they ask for, by a provider that they sign in with. */
+export interface WaysIn {
+  policy: RegistrationPolicy;
+  signInWith: string | null;
+}
+
+/** Where a browser goes to sign in with the provider. */
+export const PROVIDER_ADDRESS = '/api/v1/session/oidc';
+
 export interface Registered {
   name: string;
   role: Role;
@@ -119,8 +128,8 @@ export class AccountCalls {
     return this.#call('DELETE', `/invitations/${encodeURIComponent(id)}`);
   }
 
-  async policy(): Promise<RegistrationPolicy> {
-    return (await this.#call<{ policy: RegistrationPolicy }>('GET', '/registrations')).policy;
+  waysIn(): Promise<WaysIn> {
+    return this.#call('GET', '/registrations');
   }
 
   register(name: string, password: string, invitation: string | null): Promise<Registered> {

@@ -13,7 +13,7 @@ function show(station: Station): void {
 
 function answering(type: string, detail: string): Station {
   const station = new Station();
-  vi.spyOn(station.rest.accounts, 'policy').mockResolvedValue('invitation');
+  vi.spyOn(station.rest.accounts, 'waysIn').mockResolvedValue({ policy: 'invitation', signInWith: null });
   vi.spyOn(station.rest, 'session').mockRejectedValue(new Problem({ status: 401, type, detail }));
   return station;
 }
@@ -40,12 +40,31 @@ describe('sign-in', () => {
   it('offers to ask for an account only where that is possible', async () => {
     const station = answering('urn:dronemap:problem:not-signed-in', 'Sign in first.');
     show(station);
-    await vi.waitFor(() => expect(station.rest.accounts.policy).toHaveBeenCalled());
+    await vi.waitFor(() => expect(station.rest.accounts.waysIn).toHaveBeenCalled());
     expect(screen.queryByRole('button', { name: /Ask for one/ })).toBeNull();
 
     cleanup();
-    vi.spyOn(station.rest.accounts, 'policy').mockResolvedValue('approval');
+    vi.spyOn(station.rest.accounts, 'waysIn').mockResolvedValue({
+      policy: 'approval',
+      signInWith: null,
+    });
     show(station);
     expect(await screen.findByRole('button', { name: /Ask for one/ })).toBeTruthy();
+  });
+
+  it('offers the provider only where there is one', async () => {
+    const station = answering('urn:dronemap:problem:not-signed-in', 'Sign in first.');
+    show(station);
+    await vi.waitFor(() => expect(station.rest.accounts.waysIn).toHaveBeenCalled());
+    expect(screen.queryByRole('link', { name: /Sign in with/ })).toBeNull();
+
+    cleanup();
+    vi.spyOn(station.rest.accounts, 'waysIn').mockResolvedValue({
+      policy: 'off',
+      signInWith: 'Fleet login',
+    });
+    show(station);
+    const link = await screen.findByRole('link', { name: 'Sign in with Fleet login' });
+    expect(link.getAttribute('href')).toBe('/api/v1/session/oidc');
   });
 });

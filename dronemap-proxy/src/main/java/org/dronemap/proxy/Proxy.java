@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
-import org.dronemap.proxy.endpoint.DtlsKeys;
+import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
@@ -33,10 +33,10 @@ public final class Proxy implements AutoCloseable {
      *
      * @param keyrings the keys that vehicles sign with
      * @param taps hear every frame of every session
-     * @param dtlsKeys what vehicles prove themselves with on authenticated links
+     * @param doors what links are guarded with
      * @param enrolment from where strangers come in
      */
-    public record Policy(Keyrings keyrings, FrameTap.Factory taps, DtlsKeys dtlsKeys, Enrolment enrolment) {}
+    public record Policy(Keyrings keyrings, FrameTap.Factory taps, Doors doors, Enrolment enrolment) {}
 
     public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy) {
         this.urls = List.copyOf(urls);
@@ -44,7 +44,7 @@ public final class Proxy implements AutoCloseable {
         sessions = new SessionTable(new Surroundings(
                 cloud, lanes, System::nanoTime, keyrings, policy.taps(), policy.enrolment(), new AskAllowance()));
         replays = new Replays(sessions);
-        links = new Links(sessions, policy.dtlsKeys());
+        links = new Links(sessions, policy.doors());
     }
 
     /**

@@ -33,6 +33,7 @@ import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
+import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
@@ -69,7 +70,7 @@ public final class TestCloud implements AutoCloseable {
                 List.of(
                         EndpointUrl.parse("udpserver://127.0.0.1:" + udpPort),
                         EndpointUrl.parse("tcpserver://127.0.0.1:0")),
-                new Proxy.Policy(TestKeys.of(cloud, journal), taps, DtlsKeys.none(), Enrolment.LOOPBACK));
+                new Proxy.Policy(TestKeys.of(cloud, journal), taps, Doors.of(DtlsKeys.none()), Enrolment.LOOPBACK));
         try {
             proxy.start();
         } catch (IOException e) {

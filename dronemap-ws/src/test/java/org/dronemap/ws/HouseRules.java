@@ -83,6 +83,8 @@ final class HouseRules {
             .definedBy("org.dronemap.ws.soap..")
             .layer("stream")
             .definedBy("org.dronemap.ws.stream..")
+            .layer("guard")
+            .definedBy("org.dronemap.ws.guard..")
             .layer("wiring")
             .definedBy("org.dronemap.ws.wiring..")
             .whereLayer("wiring")
@@ -93,8 +95,10 @@ final class HouseRules {
             .mayOnlyBeAccessedByLayers("wiring")
             .whereLayer("stream")
             .mayOnlyBeAccessedByLayers("wiring")
+            .whereLayer("guard")
+            .mayOnlyBeAccessedByLayers("wiring")
             .whereLayer("security")
-            .mayOnlyBeAccessedByLayers("rest", "soap", "stream", "wiring");
+            .mayOnlyBeAccessedByLayers("guard", "rest", "soap", "stream", "wiring");
 
     static final ArchRule ONLY_THE_WIRING_SEES_LINKS_AND_STORES = noClasses()
             .that()

@@ -5,7 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.Map;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.Role;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.ws.security.oidc.OidcSettings;
+import org.dronemap.ws.service.Work;
 import org.dronemap.ws.wiring.Settings;
 import org.dronemap.ws.wiring.SetupException;
 import org.junit.jupiter.api.Test;
@@ -34,6 +38,39 @@ class SettingsTest {
     }
 
     @Test
+    void boundsWorkUnlessToldOtherwise() {
+        assertThat(Settings.fromEnvironment(Map.of()).protection()).isEqualTo(Settings.Protection.DEFAULT);
+        Settings.Protection own = Settings.fromEnvironment(Map.of(
+                        "DRONEMAP_RATE_COMMANDS", "0",
+                        "DRONEMAP_RATE_REQUESTS", "7",
+                        "DRONEMAP_SLOW_CLIENT_SECONDS", "3"))
+                .protection();
+
+        assertThat(own.rates().perSecond()).doesNotContainKey(Work.COMMAND).containsEntry(Work.REQUEST, 7.0);
+        assertThat(own.clients().patience()).isEqualTo(Duration.ofSeconds(3));
+    }
+
+    @Test
+    void readsTheProviderAndHidesItsSecret() {
+        OidcSettings oidc = Settings.fromEnvironment(Map.of(
+                        "DRONEMAP_OIDC_ISSUER", "https://login.example.org/realms/fleet",
+                        "DRONEMAP_OIDC_ADDRESS", "https://drones.example.org/",
+                        "DRONEMAP_OIDC_CLIENT_ID", "dronemap",
+                        "DRONEMAP_OIDC_CLIENT_SECRET", "canary",
+                        "DRONEMAP_OIDC_ROLE_CLAIM", "groups",
+                        "DRONEMAP_OIDC_ROLES", "pilots=operator, the office=viewer"))
+                .oidc();
+
+        assertThat(oidc).isNotNull();
+        assertThat(oidc.callback()).hasToString("https://drones.example.org/api/v1/session/oidc/callback");
+        assertThat(oidc.label()).isEqualTo("login.example.org");
+        assertThat(oidc.newAccounts()).isEqualTo(AccountState.WAITING);
+        assertThat(oidc.roles().byValue())
+                .containsOnly(Map.entry("pilots", Role.OPERATOR), Map.entry("the office", Role.VIEWER));
+        assertThat(oidc.toString()).doesNotContain("canary");
+    }
+
+    @Test
     void recordsFlightsUnlessToldOtherwise() {
         assertThat(Settings.fromEnvironment(Map.of()).recording()).isEqualTo(RecordingPolicy.DEFAULT);
         assertThat(Settings.fromEnvironment(Map.of(
@@ -58,6 +95,11 @@ class SettingsTest {
         "DRONEMAP_RECORD_DAYS, -1, '\"-1\"'",
         "DRONEMAP_ENROLMENT, somewhere, nowhere",
         "DRONEMAP_REGISTRATION, everybody, 'approval, invitation or off'",
+        "DRONEMAP_RATE_COMMANDS, many, '\"many\"'",
+        "DRONEMAP_CONNECTIONS_PER_ADDRESS, 0, 'from 1 to 2000'",
+        "DRONEMAP_SLOW_CLIENT_SECONDS, 301, 'from 1 to 300'",
+        "DRONEMAP_OIDC_ISSUER, http://login.example.org, 'https://login.example.org'",
+        "DRONEMAP_OIDC_ISSUER, https://login.example.org, DRONEMAP_OIDC_ADDRESS",
         "DRONEMAP_STREAM_PORT, 8080, 8080"
     })
     void namesTheSettingAndTheValueThatAreWrong(String name, String value, String named) {

@@ -9,16 +9,16 @@ public interface Endpoint extends AutoCloseable {
     /**
      * Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do.
      */
-    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, DtlsKeys keys) throws IOException {
+    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors) throws IOException {
         return switch (url.kind()) {
             case UDPSERVER -> UdpServerEndpoint.open(url, handlers);
             case TCPSERVER -> TcpServerEndpoint.open(url, handlers);
             case UDPCLIENT -> new DialledEndpoint(url, UdpLine::dial, handlers).start();
             case TCPCLIENT -> new DialledEndpoint(url, TcpLine::dial, handlers).start();
             case SERIAL -> new DialledEndpoint(url, SerialLine::dial, handlers).start();
-            case WSSERVER -> WebSocketServerEndpoint.open(url, handlers);
-            case WSCLIENT -> new DialledEndpoint(url, WebSocketLine::dial, handlers).start();
-            case DTLSSERVER -> DtlsServerEndpoint.open(url, handlers, keys);
+            case WSSERVER, WSSSERVER -> WebSocketServerEndpoint.open(url, handlers, doors);
+            case WSCLIENT, WSSCLIENT -> new DialledEndpoint(url, WebSocketLine::dial, handlers).start();
+            case DTLSSERVER -> DtlsServerEndpoint.open(url, handlers, doors.keys());
         };
     }
 

@@ -33,6 +33,8 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
         SERIAL("serial", "serial:///dev/DEVICE?baud=57600"),
         WSSERVER("websocket", "wsserver://ADDRESS:PORT"),
         WSCLIENT("websocket", "wsclient://HOST:PORT/PATH"),
+        WSSSERVER("websocket", "wssserver://ADDRESS:PORT"),
+        WSSCLIENT("websocket", "wssclient://HOST:PORT/PATH"),
         DTLSSERVER("dtls", "dtlsserver://ADDRESS:PORT");
 
         private final String transport;
@@ -54,7 +56,7 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
 
         /** True when vehicles call in here; false when this end dials, again and again. */
         public boolean isListener() {
-            return this == UDPSERVER || this == TCPSERVER || this == WSSERVER || this == DTLSSERVER;
+            return name().endsWith("SERVER");
         }
 
         boolean isDatagram() {
@@ -94,7 +96,7 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
     private static EndpointUrl address(String text, Kind kind, String rest) {
         Matcher address = ADDRESS.matcher(rest);
         String path = address.matches() && address.group(3) != null ? address.group(3) : "";
-        if (!address.matches() || (kind != Kind.WSCLIENT && path.length() > 1)) {
+        if (!address.matches() || (kind != Kind.WSCLIENT && kind != Kind.WSSCLIENT && path.length() > 1)) {
             throw new IllegalArgumentException("\"" + text + "\" is no endpoint; write " + kind.form + ".");
         }
         int port = Integer.parseInt(address.group(2));

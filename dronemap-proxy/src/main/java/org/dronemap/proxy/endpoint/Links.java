@@ -22,7 +22,7 @@ public final class Links implements AutoCloseable {
     private static final EndpointCounters.Counts NOTHING = new EndpointCounters().counts();
 
     private final PeerHandler.Factory handlers;
-    private final DtlsKeys keys;
+    private final Doors doors;
     // guarded by this
     private final Map<String, Link> links = new LinkedHashMap<>();
     private @Nullable ScheduledExecutorService retries;
@@ -51,9 +51,9 @@ public final class Links implements AutoCloseable {
             OptionalLong kernelDrops,
             List<PeerStatus> peers) {}
 
-    public Links(PeerHandler.Factory handlers, DtlsKeys keys) {
+    public Links(PeerHandler.Factory handlers, Doors doors) {
         this.handlers = handlers;
-        this.keys = keys;
+        this.doors = doors;
     }
 
     /**
@@ -63,7 +63,7 @@ public final class Links implements AutoCloseable {
      */
     public synchronized void open(String id, EndpointUrl url) throws IOException {
         Link link = room(id, url);
-        link.endpoint = Endpoint.open(url, handlers, keys);
+        link.endpoint = Endpoint.open(url, handlers, doors);
         links.put(id, link);
     }
 
@@ -112,7 +112,7 @@ public final class Links implements AutoCloseable {
 
     private void attempt(Link link) {
         try {
-            link.endpoint = Endpoint.open(link.wanted, handlers, keys);
+            link.endpoint = Endpoint.open(link.wanted, handlers, doors);
             LOG.info("{} is open", link.endpoint.url());
         } catch (IOException | RuntimeException e) {
             String why = String.valueOf(e.getMessage());

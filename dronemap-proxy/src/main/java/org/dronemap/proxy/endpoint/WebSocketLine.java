@@ -41,7 +41,8 @@ final class WebSocketLine implements NetworkLine {
     static Line dial(EndpointUrl url) throws IOException {
         InetSocketAddress remote = SocketAddresses.resolve(url);
         String path = url.path().isEmpty() ? "/" : url.path();
-        Client client = new Client(URI.create("ws://" + url.host() + ":" + url.port() + path));
+        String scheme = url.kind() == EndpointUrl.Kind.WSSCLIENT ? "wss://" : "ws://";
+        Client client = new Client(URI.create(scheme + url.host() + ":" + url.port() + path));
         try {
             if (!client.connectBlocking(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
                 client.close();

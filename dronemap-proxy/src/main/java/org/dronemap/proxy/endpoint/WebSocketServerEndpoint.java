@@ -3,7 +3,6 @@ package org.dronemap.proxy.endpoint;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
-import java.nio.channels.SelectionKey;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -39,14 +38,23 @@ final class WebSocketServerEndpoint implements Endpoint {
     private final Server server;
     private int port;
 
-    private WebSocketServerEndpoint(EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers) {
+    private WebSocketServerEndpoint(
+            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, Doors doors) {
         this.url = url;
         peers = new PeerBook<>(counters, handlers, LIMITS);
-        server = new Server(address, new Seat.Place(url, SocketAddresses.isLocal(address), false));
+        boolean encrypted = url.kind() == EndpointUrl.Kind.WSSSERVER;
+        WebSocketDoor door =
+                new WebSocketDoor(doors.limits(), encrypted ? doors.tls() : () -> null, counters::refusedPeer);
+        server = new Server(address, new Seat.Place(url, SocketAddresses.isLocal(address), false), door);
     }
 
-    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
-        WebSocketServerEndpoint endpoint = new WebSocketServerEndpoint(url, SocketAddresses.resolve(url), handlers);
+    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors) throws IOException {
+        if (url.kind() == EndpointUrl.Kind.WSSSERVER && doors.tls().get() == null) {
+            throw new IOException("Cannot listen on " + url
+                    + ": the server has no certificate; give it one (DRONEMAP_TLS_CERT, DRONEMAP_TLS_KEY).");
+        }
+        WebSocketServerEndpoint endpoint =
+                new WebSocketServerEndpoint(url, SocketAddresses.resolve(url), handlers, doors);
         endpoint.start();
         return endpoint;
     }
@@ -97,26 +105,18 @@ final class WebSocketServerEndpoint implements Endpoint {
         private final Seat.Place place;
         private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
-        Server(InetSocketAddress address, Seat.Place place) {
+        Server(InetSocketAddress address, Seat.Place place, WebSocketDoor door) {
             super(
                     address,
                     1,
                     List.<Draft>of(
                             new Draft_6455(List.<IExtension>of(), List.of(new Protocol("")), LARGEST_MESSAGE_BYTES)));
             this.place = place;
+            setWebSocketFactory(door);
             setReuseAddr(true);
             setTcpNoDelay(true);
             setDaemon(true);
             setConnectionLostTimeout(30);
-        }
-
-        @Override
-        protected boolean onConnect(SelectionKey key) {
-            boolean room = getConnections().size() < LIMITS.peers();
-            if (!room) {
-                counters.refusedPeer();
-            }
-            return room;
         }
 
         @Override

@@ -20,7 +20,7 @@ class DialledEndpointTest {
     private final Gathering gathering = new Gathering();
 
     private Endpoint open(String url) throws IOException {
-        return Endpoint.open(EndpointUrl.parse(url), gathering, DtlsKeys.none());
+        return Endpoint.open(EndpointUrl.parse(url), gathering, Doors.of(DtlsKeys.none()));
     }
 
     @Test

@@ -40,7 +40,7 @@ class DtlsServerEndpointTest {
         endpoint = Endpoint.open(
                 EndpointUrl.parse("dtlsserver://127.0.0.1:0"),
                 gathering,
-                identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone));
+                Doors.of(identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone)));
     }
 
     @AfterEach

@@ -66,6 +66,8 @@ class EndpointTest {
                 "serial:///dev/serial/by-id/usb-Holybro_Radio-if00?baud=921600",
                 "wsserver://127.0.0.1:5770",
                 "wsclient://relay.example:80/Fleet/7",
+                "wssserver://127.0.0.1:5771",
+                "wssclient://relay.example:443/Fleet/7",
                 "dtlsserver://[::]:14556"
             })
     void writesAUrlAsItReadsIt(String text) {
@@ -81,10 +83,11 @@ class EndpointTest {
     @ParameterizedTest
     @ValueSource(strings = {"udpserver", "tcpserver", "wsserver", "dtlsserver"})
     void saysThatAPortIsTaken(String scheme) throws IOException {
-        try (Endpoint first = Endpoint.open(EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, DtlsKeys.none())) {
+        try (Endpoint first =
+                Endpoint.open(EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, Doors.of(DtlsKeys.none()))) {
             EndpointUrl taken = first.url();
 
-            assertThatThrownBy(() -> Endpoint.open(taken, counting, DtlsKeys.none()))
+            assertThatThrownBy(() -> Endpoint.open(taken, counting, Doors.of(DtlsKeys.none())))
                     .isInstanceOf(IOException.class)
                     .hasMessage("Cannot listen on " + taken + ": port " + taken.port()
                             + " is taken by another program; stop it or configure another port.");
@@ -94,7 +97,7 @@ class EndpointTest {
     @Test
     void answersATcpPeerAndNoticesThatItLeft() throws IOException {
         try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, DtlsKeys.none())) {
+                Endpoint.open(EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, Doors.of(DtlsKeys.none()))) {
             try (Socket socket = new Socket("127.0.0.1", endpoint.url().port())) {
                 socket.getOutputStream().write(new byte[] {1, 2, 3});
                 assertThat(socket.getInputStream().read()).isEqualTo(1);

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Endpoints that come and go at run time. */
 class LinksTest {
-    private final Links links = new Links(new Gathering(), DtlsKeys.none());
+    private final Links links = new Links(new Gathering(), Doors.of(DtlsKeys.none()));
 
     @AfterEach
     void close() {

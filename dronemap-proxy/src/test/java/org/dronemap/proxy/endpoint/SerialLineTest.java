@@ -44,8 +44,8 @@ class SerialLineTest {
     void carriesBytesBothWaysAndCallsThePeerAfterTheDevice() throws IOException {
         Process cable = cable();
         String device = line(cable);
-        try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial://" + device + "?baud=115200"), gathering, DtlsKeys.none())) {
+        try (Endpoint endpoint = Endpoint.open(
+                EndpointUrl.parse("serial://" + device + "?baud=115200"), gathering, Doors.of(DtlsKeys.none()))) {
             byte[] greeting = cable.getInputStream().readNBytes(Gathering.GREETING.length);
             cable.getOutputStream().write(new byte[] {1, 2, 3});
             cable.getOutputStream().flush();
@@ -66,7 +66,8 @@ class SerialLineTest {
     void saysThatTheDeviceIsGoneAndKeepsTrying() throws IOException {
         Process cable = cable();
         String device = line(cable);
-        try (Endpoint endpoint = Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, DtlsKeys.none())) {
+        try (Endpoint endpoint =
+                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()))) {
             TestCloud.await(PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "not open");
             cable.destroy();
             TestCloud.await(
@@ -83,7 +84,8 @@ class SerialLineTest {
     void dropsAndCountsFramesThatTheDeviceDoesNotTake() throws IOException {
         Process cable = cable();
         String device = line(cable);
-        try (Endpoint endpoint = Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, DtlsKeys.none())) {
+        try (Endpoint endpoint =
+                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()))) {
             TestCloud.await(PATIENCE, () -> !gathering.guests().isEmpty(), () -> "not open");
             Peer peer = gathering.guests().get(0).peer();
             // Nobody reads the other end's output: its pipe fills, then the terminal, then the queue.
@@ -101,7 +103,7 @@ class SerialLineTest {
     @Test
     void saysThatThereIsNoDevice() throws IOException {
         try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial:///dev/ttyNONE9"), gathering, DtlsKeys.none())) {
+                Endpoint.open(EndpointUrl.parse("serial:///dev/ttyNONE9"), gathering, Doors.of(DtlsKeys.none()))) {
             TestCloud.await(
                     PATIENCE,
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,

@@ -41,7 +41,7 @@ class WebSocketEndpointTest {
     }
 
     private Endpoint open(String url) throws IOException {
-        return Endpoint.open(EndpointUrl.parse(url), gathering, DtlsKeys.none());
+        return Endpoint.open(EndpointUrl.parse(url), gathering, Doors.of(DtlsKeys.none()));
     }
 
     private static CompletableFuture<WebSocket> connect(Endpoint endpoint, Vehicle vehicle, String... headers) {
@@ -112,7 +112,7 @@ class WebSocketEndpointTest {
     @Test
     void dialsAWebSocketAndComesBackWhenItBreaks() throws Exception {
         Gathering far = new Gathering();
-        Endpoint vehicles = Endpoint.open(EndpointUrl.parse("wsserver://127.0.0.1:0"), far, DtlsKeys.none());
+        Endpoint vehicles = Endpoint.open(EndpointUrl.parse("wsserver://127.0.0.1:0"), far, Doors.of(DtlsKeys.none()));
         int port = vehicles.url().port();
         try (Endpoint endpoint = open("wsclient://127.0.0.1:" + port + "/vehicle")) {
             TestCloud.await(PATIENCE, () -> far.bytes() >= 3, () -> "not greeted");
@@ -124,7 +124,7 @@ class WebSocketEndpointTest {
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,
                     () -> "it is " + endpoint.state());
 
-            vehicles = Endpoint.open(EndpointUrl.parse("wsserver://127.0.0.1:" + port), far, DtlsKeys.none());
+            vehicles = Endpoint.open(EndpointUrl.parse("wsserver://127.0.0.1:" + port), far, Doors.of(DtlsKeys.none()));
             TestCloud.await(PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "not back");
         } finally {
             vehicles.close();

@@ -4,6 +4,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import java.util.Set;
 import java.util.concurrent.CompletionException;
 import java.util.stream.Collectors;
+import org.apache.tomcat.util.http.InvalidParameterException;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
@@ -12,6 +13,7 @@ import org.dronemap.ws.service.RejectionKind;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.springframework.http.HttpHeaders;
 import org.springframework.http.HttpMethod;
 import org.springframework.http.MediaType;
 import org.springframework.http.ResponseEntity;
@@ -90,6 +92,12 @@ public class ProblemAdvice {
                         + "; say so in Content-Type."));
     }
 
+    /** The web server's own reader of forms, which no address takes. */
+    @ExceptionHandler(InvalidParameterException.class)
+    public ResponseEntity<Problem> form(InvalidParameterException e) {
+        return answer(new Rejection(RejectionKind.MEDIA_TYPE, "No address here takes forms; send JSON."));
+    }
+
     @ExceptionHandler(HttpMediaTypeNotAcceptableException.class)
     public ResponseEntity<Problem> wrongAccept(HttpMediaTypeNotAcceptableException e) {
         return answer(new Rejection(RejectionKind.MEDIA_TYPE, "The answer is JSON; the Accept header rules that out."));
@@ -123,8 +131,12 @@ public class ProblemAdvice {
     }
 
     private static ResponseEntity<Problem> body(Problem problem) {
-        return ResponseEntity.status(problem.status())
-                .contentType(MediaType.APPLICATION_PROBLEM_JSON)
-                .body(problem);
+        ResponseEntity.BodyBuilder answer =
+                ResponseEntity.status(problem.status()).contentType(MediaType.APPLICATION_PROBLEM_JSON);
+        Long wait = problem.retryAfterSeconds();
+        if (wait != null) {
+            answer.header(HttpHeaders.RETRY_AFTER, wait.toString());
+        }
+        return answer.body(problem);
     }
 }

@@ -3,7 +3,10 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
+import java.util.Optional;
+import org.dronemap.ws.security.oidc.OidcSignIn;
 import org.dronemap.ws.service.RegistrationService;
+import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -19,17 +22,26 @@ import org.springframework.web.bind.annotation.RestController;
 public class RegistrationController {
     private final RegistrationService registrations;
 
-    /** How accounts are made here: {@code approval}, {@code invitation} or {@code off}. */
-    public record Policy(String policy) {}
+    private final Optional<OidcSignIn> oidc;
 
-    public RegistrationController(RegistrationService registrations) {
+    /**
+     * How people come in here.
+     *
+     * @param policy {@code approval}, {@code invitation} or {@code off}
+     * @param signInWith the provider that people can sign in with; null: none
+     */
+    public record Policy(String policy, @Nullable String signInWith) {}
+
+    public RegistrationController(RegistrationService registrations, Optional<OidcSignIn> oidc) {
+        this.oidc = oidc;
         this.registrations = registrations;
     }
 
     @GetMapping
     @Operation(summary = "How accounts are made here", description = "approval, invitation or off; needs no sign-in.")
     public Policy policy() {
-        return new Policy(registrations.policyName());
+        return new Policy(
+                registrations.policyName(), oidc.map(OidcSignIn::label).orElse(null));
     }
 
     @PostMapping

@@ -7,8 +7,11 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.Work;
 import org.jspecify.annotations.Nullable;
 import org.springframework.web.filter.OncePerRequestFilter;
 
@@ -17,13 +20,22 @@ public final class AccessFilter extends OncePerRequestFilter {
     private static final String API = "/api/v1/";
     private static final String METRICS = "/metrics";
     private static final String BEARER = "Bearer ";
+    private static final Set<String> OPEN = Set.of("health", "registrations", "session/oidc", "session/oidc/callback");
     private static final Set<String> READING = Set.of("GET", "HEAD", "OPTIONS");
+
+    /** What has no budget here: commands have one of their own, and control must never be lost for want of one. */
+    private static final Pattern ON_DRONES = Pattern.compile("(drones/[^/]+/)?commands|drones/[^/]+/control/.*");
+
+    private static final Pattern COSTLY =
+            Pattern.compile(".*/file|backup|replays|recordings/[^/]+/replays|zones/import");
 
     private final Authentication authentication;
     private final ProblemWriter problems;
+    private final Budgets budgets;
 
-    public AccessFilter(Authentication authentication, ProblemWriter problems) {
+    public AccessFilter(Authentication authentication, Budgets budgets, ProblemWriter problems) {
         this.authentication = authentication;
+        this.budgets = budgets;
         this.problems = problems;
     }
 
@@ -52,16 +64,31 @@ public final class AccessFilter extends OncePerRequestFilter {
 
     private void admit(HttpServletRequest request) {
         String path = isMetrics(request) ? METRICS : request.getRequestURI().substring(API.length());
-        if (path.equals("health")
-                || path.equals("registrations")
-                || (path.equals("session") && request.getMethod().equals("POST"))) {
+        if (isOpen(path, request.getMethod())) {
+            budgets.take(path.startsWith("session") ? Work.SIGN_IN : Work.REQUEST, request.getRemoteAddr());
             return;
         }
         SignedIn caller = identify(request).orElseThrow(() -> noCaller(request));
+        pay(caller, request.getMethod(), path);
         if (!path.equals("session") && !path.startsWith("session/")) {
             authentication.admit(caller);
         }
         CurrentPrincipal.set(request, caller);
+    }
+
+    private static boolean isOpen(String path, String method) {
+        return OPEN.contains(path) || (path.equals("session") && method.equals("POST"));
+    }
+
+    private void pay(SignedIn caller, String method, String path) {
+        String user = caller.principal().name();
+        if (method.equals("POST") && ON_DRONES.matcher(path).matches()) {
+            return;
+        }
+        budgets.take(Work.REQUEST, user);
+        if (COSTLY.matcher(path).matches()) {
+            budgets.take(Work.EXPORT, user);
+        }
     }
 
     private static Rejection noCaller(HttpServletRequest request) {

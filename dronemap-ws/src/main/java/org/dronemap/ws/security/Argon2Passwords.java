@@ -1,37 +1,52 @@
 package org.dronemap.ws.security;
 
+import java.time.Duration;
 import java.util.concurrent.Semaphore;
+import java.util.function.Supplier;
 import org.dronemap.ws.service.PasswordHashing;
+import org.dronemap.ws.service.Throttled;
 import org.springframework.security.crypto.argon2.Argon2PasswordEncoder;
 
-/** Argon2id with 16 MiB and two passes; at most two at a time, so that a flood of guesses cannot eat the memory. */
+/**
+ * Argon2id with 16 MiB and two passes; at most two at a time, so that a flood of guesses cannot eat the memory, and few that
+ * wait for that, so that it cannot take all threads.
+ */
 public final class Argon2Passwords implements PasswordHashing {
     private static final int SALT_BYTES = 16;
     private static final int HASH_BYTES = 32;
     private static final int MEMORY_KIB = 16 * 1024;
     private static final int PASSES = 2;
+    private static final int MOST_WAITING = 32;
+    private static final Duration WAIT = Duration.ofSeconds(2);
 
     private final Argon2PasswordEncoder encoder =
             new Argon2PasswordEncoder(SALT_BYTES, HASH_BYTES, 1, MEMORY_KIB, PASSES);
     private final Semaphore atOnce = new Semaphore(2);
+    private final Semaphore waiting = new Semaphore(MOST_WAITING);
 
     @Override
     public String hash(String password) {
-        atOnce.acquireUninterruptibly();
-        try {
-            return String.valueOf(encoder.encode(password));
-        } finally {
-            atOnce.release();
-        }
+        return inTurn(() -> String.valueOf(encoder.encode(password)));
     }
 
     @Override
     public boolean matches(String password, String hash) {
-        atOnce.acquireUninterruptibly();
+        return inTurn(() -> encoder.matches(password, hash));
+    }
+
+    private <T> T inTurn(Supplier<T> work) {
+        if (!waiting.tryAcquire()) {
+            throw Throttled.of("Too many people are signing in at this moment", WAIT);
+        }
         try {
-            return encoder.matches(password, hash);
+            atOnce.acquireUninterruptibly();
+            try {
+                return work.get();
+            } finally {
+                atOnce.release();
+            }
         } finally {
-            atOnce.release();
+            waiting.release();
         }
     }
 }

@@ -18,6 +18,10 @@ public final class ProblemWriter {
         byte[] body = json.write(problem).getBytes(StandardCharsets.UTF_8);
         response.setStatus(problem.status());
         response.setContentType("application/problem+json");
+        Long wait = problem.retryAfterSeconds();
+        if (wait != null) {
+            response.setHeader("Retry-After", wait.toString());
+        }
         response.setContentLength(body.length);
         response.getOutputStream().write(body);
     }

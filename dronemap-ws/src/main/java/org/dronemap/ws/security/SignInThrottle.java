@@ -5,8 +5,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.dronemap.ws.service.Rejection;
-import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.Throttled;
 
 /**
  * Makes guessing slow: wrong passwords in a row cost a rest that doubles, from 30 s up to 15 min. Counted for one name
@@ -67,9 +66,7 @@ final class SignInThrottle {
         if (left.isNegative() || left.isZero()) {
             return;
         }
-        throw new Rejection(
-                RejectionKind.THROTTLED,
-                "Too many wrong passwords; wait " + (left.toSeconds() + 1) + " s and try again.");
+        throw Throttled.of("Too many wrong passwords", left);
     }
 
     private static Duration rest(int doublings) {

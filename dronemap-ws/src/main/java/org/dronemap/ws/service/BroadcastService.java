@@ -39,6 +39,7 @@ public final class BroadcastService {
         if (command.id() != null) {
             throw new InvalidInput("command.id", "left out", "The id of a command for several stands beside it.");
         }
+        commands.pay(principal, command.type());
         String id = id(request.id());
         List<String> targets = targets(principal, request.drones());
         checkForAll(principal, targets, command);
@@ -52,7 +53,7 @@ public final class BroadcastService {
     private BroadcastView.Result one(Principal principal, String face, String drone, CommandRequest command) {
         String name = commands.nameOf(principal, drone);
         try {
-            return new BroadcastView.Result(drone, name, commands.submit(principal, face, drone, command), null);
+            return new BroadcastView.Result(drone, name, commands.submitPaid(principal, face, drone, command), null);
         } catch (Rejection rejection) {
             String refused = rejection.commandId();
             return refused == null

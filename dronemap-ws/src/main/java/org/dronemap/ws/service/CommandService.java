@@ -3,6 +3,7 @@ package org.dronemap.ws.service;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -26,17 +27,34 @@ import org.jspecify.annotations.Nullable;
 public final class CommandService {
     private static final String ID_FORM = "8 to 64 of A-Z, a-z, 0-9, _ and -";
     private static final int MOST_SHOWN = 50;
+    /** Never kept waiting, however much somebody asked for before. */
+    private static final Set<String> FOR_SAFETY = Set.of("land", "returnToLaunch", "hold", "pauseMission");
 
     private final CloudManager cloud;
     private final DroneService drones;
+    private final Budgets budgets;
 
-    public CommandService(CloudManager cloud, DroneService drones) {
+    public CommandService(CloudManager cloud, DroneService drones, Budgets budgets) {
         this.cloud = cloud;
         this.drones = drones;
+        this.budgets = budgets;
     }
 
     /** Checks everything, then asks the gate; the answer is under way, or ended when the id is an old one. */
     public CommandView submit(Principal principal, String face, String droneId, CommandRequest request) {
+        pay(principal, request.type());
+        return submitPaid(principal, face, droneId, request);
+    }
+
+    /** What is for safety costs nothing. */
+    void pay(Principal principal, @Nullable String type) {
+        if (type == null || !FOR_SAFETY.contains(type)) {
+            budgets.take(Work.COMMAND, principal.name());
+        }
+    }
+
+    /** As {@link #submit}, when it was paid for. */
+    CommandView submitPaid(Principal principal, String face, String droneId, CommandRequest request) {
         // Which commands these are is the gate's to say, and written down.
         DroneState drone = drones.state(principal, droneId, Role.OPERATOR, Role.PLANNER);
         Command command =
@@ -57,6 +75,7 @@ public final class CommandService {
 
     /** Gives a checked command; {@code givenId} is the client's own. */
     CommandView give(Principal principal, String face, DroneState drone, @Nullable String givenId, Command command) {
+        budgets.take(Work.COMMAND, principal.name());
         return give(new CommandGate.Source(principal, face), drone, givenId, command);
     }
 

@@ -84,9 +84,13 @@ public final class DtlsKeyService {
     }
 
     private DroneState known(Principal principal, String drone) {
-        return cloud.drone(new DroneId(drone))
-                .filter(state -> principal.sees(state.id()))
-                .orElseThrow(() -> Rejection.unknown("drone", drone));
+        try {
+            return cloud.drone(new DroneId(drone))
+                    .filter(state -> principal.sees(state.id()))
+                    .orElseThrow(() -> Rejection.unknown("drone", drone));
+        } catch (IllegalArgumentException noDronesId) {
+            throw Rejection.unknown("drone", drone);
+        }
     }
 
     private static String fresh() {

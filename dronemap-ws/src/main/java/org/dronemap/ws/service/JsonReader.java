@@ -19,6 +19,9 @@ public final class JsonReader {
 
     private final JsonMapper mapper;
 
+    /** What a client wrote where no quotes are may be a password. */
+    private static final Pattern LONG_TOKEN = Pattern.compile("'[^']{6,}'");
+
     public JsonReader() {
         this(JsonMapper.builder()
                 // a misspelt optional member must not be silently left out of a flight
@@ -78,7 +81,8 @@ public final class JsonReader {
 
     private static String firstLine(String text) {
         String line = text.lines().findFirst().orElse("it ends too soon");
-        String trimmed = INTERNALS.matcher(line).replaceFirst("");
+        String trimmed =
+                LONG_TOKEN.matcher(INTERNALS.matcher(line).replaceFirst("")).replaceAll("'…'");
         return trimmed.endsWith(".") ? trimmed.substring(0, trimmed.length() - 1) : trimmed;
     }
 

@@ -18,7 +18,22 @@ public record Problem(
         @Nullable String allowed,
         @Nullable String commandId,
         @Nullable String holder,
-        @Nullable Instant heldSince) {
+        @Nullable Instant heldSince,
+        @Nullable Long retryAfterSeconds) {
+
+    private static final int LONGEST_TEXT = 1_000;
+
+    /** A client's own words come back in a problem: not all of them. */
+    public Problem {
+        detail = shortened(detail);
+        field = field == null ? null : shortened(field);
+        allowed = allowed == null ? null : shortened(allowed);
+    }
+
+    /** At most 1,000 characters of what a client may have written. */
+    public static String shortened(String text) {
+        return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT - 1) + "…";
+    }
 
     public static Problem of(Rejection rejection) {
         RejectionKind kind = rejection.kind();
@@ -33,7 +48,8 @@ public record Problem(
                 allowed,
                 rejection.commandId(),
                 rejection.holder(),
-                rejection.heldSince());
+                rejection.heldSince(),
+                rejection instanceof Throttled throttled ? (Long) throttled.retryAfterSeconds() : null);
     }
 
     /** For who knows no more than the status of HTTP. */

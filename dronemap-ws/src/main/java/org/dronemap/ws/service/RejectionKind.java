@@ -8,6 +8,7 @@ public enum RejectionKind {
     FORBIDDEN(403, "forbidden", "Not allowed"),
     UNKNOWN(404, "unknown", "There is no such thing"),
     METHOD(405, "method", "Not with this method"),
+    TOO_SLOW(408, "too-slow", "Too slow"),
     CONFLICT(409, "refused", "Refused"),
     TOO_LARGE(413, "too-large", "Too large"),
     MEDIA_TYPE(415, "media-type", "Wrong kind of content"),

@@ -8,6 +8,8 @@ import io.prometheus.metrics.model.snapshots.MetricSnapshots;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
@@ -19,8 +21,18 @@ import org.jspecify.annotations.Nullable;
 public final class ServerMetrics {
     private final CloudManager cloud;
     private final VehicleLinks links;
+    private final Supplier<Refusals> refusals;
 
-    public ServerMetrics(CloudManager cloud, VehicleLinks links) {
+    /**
+     * What was kept from doing harm since the start.
+     *
+     * @param work of each kind, beyond a user's budget
+     * @param clients by why they were cut or turned away
+     */
+    public record Refusals(Map<Work, Long> work, Map<String, Long> clients) {}
+
+    public ServerMetrics(CloudManager cloud, VehicleLinks links, Supplier<Refusals> refusals) {
+        this.refusals = refusals;
         this.cloud = cloud;
         this.links = links;
     }
@@ -32,6 +44,7 @@ public final class ServerMetrics {
         endpoints(all);
         vehicles(all, principal);
         process(all);
+        refused(all);
         return new MetricSnapshots(all);
     }
 
@@ -102,6 +115,18 @@ public final class ServerMetrics {
     /** What has not become a drone yet is the server's. */
     private static boolean isSeen(@Nullable String drone, Principal principal) {
         return drone == null || principal.sees(new DroneId(drone));
+    }
+
+    private void refused(List<MetricSnapshot> all) {
+        Refusals now = refusals.get();
+        CounterSnapshot.Builder work =
+                CounterSnapshot.builder().name("dronemap_refused_work").help("Work beyond a user's budget.");
+        now.work().forEach((kind, times) -> work.dataPoint(count(times, Labels.of("work", WireNames.camel(kind)))));
+        CounterSnapshot.Builder clients =
+                CounterSnapshot.builder().name("dronemap_clients_cut").help("Clients cut or turned away.");
+        now.clients().forEach((why, times) -> clients.dataPoint(count(times, Labels.of("why", why))));
+        all.add(work.build());
+        all.add(clients.build());
     }
 
     private static void process(List<MetricSnapshot> all) {

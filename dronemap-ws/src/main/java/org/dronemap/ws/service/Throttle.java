@@ -44,9 +44,8 @@ final class Throttle {
             mine.remove();
         }
         if (mine.size() >= times) {
-            long seconds = Duration.between(now, mine.element().plus(within)).toSeconds() + 1;
-            throw new Rejection(
-                    RejectionKind.THROTTLED, "Too many " + what + "; wait " + seconds + " s and try again.");
+            throw Throttled.of(
+                    "Too many " + what, Duration.between(now, mine.element().plus(within)));
         }
         mine.add(now);
     }

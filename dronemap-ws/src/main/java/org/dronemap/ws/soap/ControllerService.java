@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletionException;
 import org.dronemap.core.access.Principal;
-import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
@@ -39,12 +38,12 @@ public class ControllerService implements MAVLinkController {
     private final ParameterService parameters;
 
     public ControllerService(
-            Authentication authentication,
+            SoapCaller caller,
             DroneService drones,
             CommandService commands,
             ControlService controls,
             ParameterService parameters) {
-        this.caller = new SoapCaller(authentication);
+        this.caller = caller;
         this.drones = drones;
         this.commands = commands;
         this.controls = controls;
@@ -54,12 +53,12 @@ public class ControllerService implements MAVLinkController {
     @Override
     public List<SoapDrone> getDronesList() throws DronemapFault {
         return answer(() ->
-                drones.drones(caller.principal()).stream().map(SoapDrone::of).toList());
+                drones.drones(caller.reading()).stream().map(SoapDrone::of).toList());
     }
 
     @Override
     public SoapDrone getDrone(String droneId) throws DronemapFault {
-        return answer(() -> SoapDrone.of(drones.drone(caller.principal(), droneId)));
+        return answer(() -> SoapDrone.of(drones.drone(caller.reading(), droneId)));
     }
 
     @Override
@@ -116,7 +115,7 @@ public class ControllerService implements MAVLinkController {
     public List<SoapWaypoint> downloadMission(String droneId) throws DronemapFault {
         return answer(() -> {
             List<MissionItemView> items =
-                    drones.drone(caller.principal(), droneId).mission().items();
+                    drones.drone(caller.reading(), droneId).mission().items();
             if (items == null) {
                 throw Rejection.conflict("The mission on the vehicle has not been read yet.");
             }
@@ -170,7 +169,7 @@ public class ControllerService implements MAVLinkController {
     @Override
     public List<SoapParameter> getParameters(String droneId, @Nullable String search) throws DronemapFault {
         return answer(() -> {
-            return parameters.parameters(caller.principal(), droneId, search).parameters().stream()
+            return parameters.parameters(caller.reading(), droneId, search).parameters().stream()
                     .map(SoapParameter::of)
                     .toList();
         });
@@ -220,7 +219,7 @@ public class ControllerService implements MAVLinkController {
     @Override
     public SoapOutcome getCommand(String commandId) throws DronemapFault {
         return answer(() -> {
-            return SoapOutcome.of(commands.command(caller.principal(), commandId));
+            return SoapOutcome.of(commands.command(caller.reading(), commandId));
         });
     }
 

@@ -10,6 +10,7 @@ import org.apache.cxf.phase.Phase;
 import org.apache.cxf.staxutils.DepthExceededStaxException;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
 
 /** Says in each fault whose mistake it was, and what is wrong with XML that cannot be read, as the other faces say it. */
 final class FaultWords extends AbstractPhaseInterceptor<Message> {
@@ -57,7 +58,11 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
             if (cause instanceof XMLStreamException) {
                 return unreadable("This is not well-formed XML.");
             }
+            if (cause instanceof Rejection rejection) {
+                return fault(Problem.of(rejection));
+            }
         }
+        fault.setMessage(Problem.shortened(String.valueOf(fault.getMessage())));
         return fault;
     }
 }

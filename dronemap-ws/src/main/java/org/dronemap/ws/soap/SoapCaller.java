@@ -12,21 +12,33 @@ import org.apache.cxf.transport.http.AbstractHTTPDestination;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.Work;
 import org.w3c.dom.Element;
 
 /** Who calls: by HTTP Basic, by a bearer key, or by the SOAP header element {@code accessKey}. */
-final class SoapCaller {
+public final class SoapCaller {
     private static final String WAYS =
             "Send an access key (Authorization: Bearer KEY, or the SOAP header accessKey), or name and password by HTTP"
                     + " Basic.";
 
     private final Authentication authentication;
+    private final Budgets budgets;
 
-    SoapCaller(Authentication authentication) {
+    public SoapCaller(Authentication authentication, Budgets budgets) {
         this.authentication = authentication;
+        this.budgets = budgets;
     }
 
+    /** Whoever asks for more than a budget allows is refused. */
+    Principal reading() {
+        Principal principal = principal();
+        budgets.take(Work.REQUEST, principal.name());
+        return principal;
+    }
+
+    /** For what tells drones something: commands have a budget of their own, control has none. */
     Principal principal() {
         Message message = PhaseInterceptorChain.getCurrentMessage();
         if (!(message.get(AbstractHTTPDestination.HTTP_REQUEST) instanceof HttpServletRequest request)) {

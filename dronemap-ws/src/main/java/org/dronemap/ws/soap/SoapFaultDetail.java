@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 @XmlType(
         name = "dronemapFault",
         namespace = Namespace.URI,
-        propOrder = {"code", "message", "field", "allowed"})
+        propOrder = {"code", "message", "field", "allowed", "retryAfterSeconds"})
 public class SoapFaultDetail {
     @XmlElement(required = true)
     private String code = "";
@@ -22,6 +22,7 @@ public class SoapFaultDetail {
 
     private @Nullable String field;
     private @Nullable String allowed;
+    private @Nullable Long retryAfterSeconds;
 
     static SoapFaultDetail of(Problem problem) {
         SoapFaultDetail detail = new SoapFaultDetail();
@@ -29,6 +30,7 @@ public class SoapFaultDetail {
         detail.message = problem.detail();
         detail.field = problem.field();
         detail.allowed = problem.allowed();
+        detail.retryAfterSeconds = problem.retryAfterSeconds();
         return detail;
     }
 
@@ -46,5 +48,9 @@ public class SoapFaultDetail {
 
     public @Nullable String getAllowed() {
         return allowed;
+    }
+
+    public @Nullable Long getRetryAfterSeconds() {
+        return retryAfterSeconds;
     }
 }

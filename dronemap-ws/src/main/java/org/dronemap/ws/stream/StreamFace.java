@@ -12,7 +12,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
-import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudListener;
@@ -29,6 +28,7 @@ import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.service.Accounts;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlService;
@@ -40,9 +40,8 @@ import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
+import org.java_websocket.WebSocketServerFactory;
 import org.java_websocket.framing.CloseFrame;
-import org.java_websocket.server.DefaultSSLWebSocketServerFactory;
-import org.jspecify.annotations.Nullable;
 
 /** The WebSocket face as a whole. Lanes only put news down; one pump thread carries them to the clients. */
 public final class StreamFace implements CloudListener, AutoCloseable {
@@ -72,10 +71,19 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             JsonReader json) {}
 
     /** Who may come in, and who has to leave. */
-    public record Entrance(Authentication authentication, StreamTickets tickets, Accounts accounts, GrantBook grants) {}
+    public record Entrance(
+            Authentication authentication,
+            StreamTickets tickets,
+            Accounts accounts,
+            Budgets budgets,
+            GrantBook grants) {}
 
     public StreamFace(
-            CloudManager cloud, Services services, InetSocketAddress address, @Nullable SSLContext tls, Clock clock) {
+            CloudManager cloud,
+            Services services,
+            InetSocketAddress address,
+            WebSocketServerFactory door,
+            Clock clock) {
         this.cloud = cloud;
         this.services = services;
         this.clock = clock;
@@ -83,6 +91,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.sight = new StreamSight(cloud, services.entrance().grants(), feed, services.json());
         this.requests = new StreamRequests(
                 services.entrance().authentication(),
+                services.entrance().budgets(),
                 services.drones(),
                 services.commands(),
                 new StreamControl(services.controls()),
@@ -94,9 +103,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
                 services.entrance().authentication(),
                 services.entrance().tickets(),
                 pump::wake);
-        if (tls != null) {
-            server.setWebSocketFactory(new DefaultSSLWebSocketServerFactory(tls));
-        }
+        server.setWebSocketFactory(door);
     }
 
     /** Returns the port when it listens. */

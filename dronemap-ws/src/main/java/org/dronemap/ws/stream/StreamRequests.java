@@ -6,6 +6,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
@@ -16,6 +17,7 @@ import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.dronemap.ws.service.WireNames;
+import org.dronemap.ws.service.Work;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -27,6 +29,7 @@ final class StreamRequests {
     private static final String TYPES = "authenticate, command, control, subscribe or ping";
 
     private final Authentication authentication;
+    private final Budgets budgets;
     private final DroneService drones;
     private final CommandService commands;
     private final StreamControl controls;
@@ -34,11 +37,13 @@ final class StreamRequests {
 
     StreamRequests(
             Authentication authentication,
+            Budgets budgets,
             DroneService drones,
             CommandService commands,
             StreamControl controls,
             JsonReader json) {
         this.authentication = authentication;
+        this.budgets = budgets;
         this.drones = drones;
         this.commands = commands;
         this.controls = controls;
@@ -120,6 +125,9 @@ final class StreamRequests {
         Principal principal = client.principal()
                 .orElseThrow(() -> Rejection.notSignedIn(
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
+        if (!type.equals("command") && !type.equals("control")) {
+            budgets.take(Work.REQUEST, principal.name());
+        }
         switch (type) {
             case "command" -> command(client, principal, message);
             case "control" -> say(client, controls.answer(principal, message));

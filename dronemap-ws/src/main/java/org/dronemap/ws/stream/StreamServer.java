@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
 final class StreamServer extends WebSocketServer {
     private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
     private static final int WORKERS = 2;
-    private static final int LARGEST_MESSAGE_BYTES = 1024 * 1024;
+    private static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
     private static final int MOST_CLIENTS = 2_000;
     private static final String PATH = "/stream";
     private static final String TICKET = "ticket=";

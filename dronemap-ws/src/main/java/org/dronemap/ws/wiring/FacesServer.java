@@ -39,6 +39,9 @@ public final class FacesServer {
             properties.put(
                     "spring.ssl.bundle.pem." + TLS_BUNDLE + ".keystore.certificate", "file:" + tls.certificate());
             properties.put("spring.ssl.bundle.pem." + TLS_BUNDLE + ".keystore.private-key", "file:" + tls.key());
+            // renewed certificates are used without a restart
+            properties.put("spring.ssl.bundle.pem." + TLS_BUNDLE + ".reload-on-update", true);
+            properties.put("spring.ssl.bundle.watch.file.quiet-period", "3s");
             properties.put("server.ssl.bundle", TLS_BUNDLE);
         }
         return properties;

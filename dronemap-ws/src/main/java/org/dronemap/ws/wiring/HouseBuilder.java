@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.time.Clock;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.function.Supplier;
+import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
@@ -19,7 +21,9 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
 import org.dronemap.proxy.Proxy;
+import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.signing.Keyrings;
 import org.dronemap.store.postgres.BackupSummary;
@@ -74,7 +78,7 @@ final class HouseBuilder {
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
         Proxy.Policy policy = new Proxy.Policy(
-                keyrings(cloud, database, journal, box), recorder, dtlsKeys::secret, settings.enrolment());
+                keyrings(cloud, database, journal, box), recorder, doors(dtlsKeys), settings.enrolment());
         Proxy links = new Proxy(cloud, lanes, endpoints, policy);
         closing.add("the links", links);
         proxy = links;
@@ -109,6 +113,12 @@ final class HouseBuilder {
         if (ended > 0) {
             LOG.warn("{} commands were under way when the server stopped; their outcome is unknown", ended);
         }
+    }
+
+    private Doors doors(DtlsKeyRing keys) {
+        Settings.Tls tls = settings.tls();
+        Supplier<@Nullable SSLContext> certificate = tls == null ? () -> null : Certificate.of(tls)::current;
+        return new Doors(keys::secret, certificate, WebSocketDoor.Limits.DEFAULT);
     }
 
     private Keyrings keyrings(CloudManager cloud, Database database, Journal journal, SecretBox box) {

@@ -1,11 +1,15 @@
 package org.dronemap.ws.wiring;
 
 import io.swagger.v3.oas.models.OpenAPI;
+import org.dronemap.proxy.endpoint.WebSocketDoor;
+import org.dronemap.ws.guard.BodyLimitFilter;
+import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.guard.CrowdFilter;
+import org.dronemap.ws.guard.PatientProtocol;
 import org.dronemap.ws.rest.AccessKeyController;
 import org.dronemap.ws.rest.AccessLogFilter;
 import org.dronemap.ws.rest.ApiDescription;
 import org.dronemap.ws.rest.BackupController;
-import org.dronemap.ws.rest.BodyLimitFilter;
 import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.ControlController;
@@ -20,6 +24,7 @@ import org.dronemap.ws.rest.LinkSecurityController;
 import org.dronemap.ws.rest.LogController;
 import org.dronemap.ws.rest.MetricsController;
 import org.dronemap.ws.rest.MissionController;
+import org.dronemap.ws.rest.OidcController;
 import org.dronemap.ws.rest.OrganisationController;
 import org.dronemap.ws.rest.ParameterController;
 import org.dronemap.ws.rest.ProblemAdvice;
@@ -38,9 +43,11 @@ import org.dronemap.ws.security.AccessFilter;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.security.RefusedByTomcat;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.JsonReader;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.boot.tomcat.ConfigurableTomcatWebServerFactory;
+import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
 import org.springframework.boot.web.server.WebServerFactoryCustomizer;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.context.annotation.Bean;
@@ -57,6 +64,7 @@ import tools.jackson.databind.DeserializationFeature;
     SessionController.class,
     AccessKeyController.class,
     UserController.class,
+    OidcController.class,
     RegistrationController.class,
     InvitationController.class,
     OrganisationController.class,
@@ -84,6 +92,7 @@ import tools.jackson.databind.DeserializationFeature;
     ErrorAnswer.class
 })
 public class RestConfiguration {
+    private static final int KEEP_ALIVE_MILLIS = 30_000;
 
     @Bean
     JsonMapperBuilderCustomizer strictJson() {
@@ -112,13 +121,47 @@ public class RestConfiguration {
     }
 
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> bodyLimit(ProblemWriter problems) {
-        return first(new BodyLimitFilter(problems), 2);
+    CrowdFilter crowdFilter(ProblemWriter problems, Settings settings) {
+        return new CrowdFilter(problems, settings.protection().clients());
     }
 
     @Bean
-    FilterRegistrationBean<OncePerRequestFilter> access(Authentication authentication, ProblemWriter problems) {
-        return first(new AccessFilter(authentication, problems), 3);
+    Protections protections(Budgets budgets, CrowdFilter crowd, WebSocketDoor streamDoor) {
+        return new Protections(budgets, crowd, streamDoor);
+    }
+
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> crowd(CrowdFilter filter) {
+        return first(filter, 2);
+    }
+
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> bodyLimit(ProblemWriter problems, Settings settings) {
+        return first(new BodyLimitFilter(problems, settings.protection().clients()), 3);
+    }
+
+    /** The web server's own patience begins anew with each byte. */
+    @Bean
+    WebServerFactoryCustomizer<TomcatServletWebServerFactory> patientServer(
+            Settings settings, Protections protections) {
+        ClientLimits limits = settings.protection().clients();
+        return factory -> {
+            factory.setProtocol(PatientProtocol.class.getName());
+            factory.addConnectorCustomizers(connector -> {
+                if (connector.getProtocolHandler() instanceof PatientProtocol patient) {
+                    patient.limits(limits);
+                    protections.web(patient);
+                    patient.setConnectionTimeout((int) limits.patience().toMillis());
+                    patient.setKeepAliveTimeout(KEEP_ALIVE_MILLIS);
+                }
+            });
+        };
+    }
+
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> access(
+            Authentication authentication, Budgets budgets, ProblemWriter problems) {
+        return first(new AccessFilter(authentication, budgets, problems), 4);
     }
 
     @Bean

@@ -6,17 +6,21 @@ import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.FirstStart;
+import org.dronemap.ws.security.oidc.OidcSettings;
+import org.dronemap.ws.security.oidc.OidcSignIn;
 import org.dronemap.ws.service.AccessKeyService;
 import org.dronemap.ws.service.AccountService;
 import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.BroadcastService;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.DtlsKeyService;
+import org.dronemap.ws.service.ExternalUsers;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.GrantChanges;
@@ -40,6 +44,7 @@ import org.dronemap.ws.service.SystemService;
 import org.dronemap.ws.service.UserService;
 import org.dronemap.ws.service.WaitingService;
 import org.dronemap.ws.service.ZoneService;
+import org.jspecify.annotations.Nullable;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
@@ -111,9 +116,28 @@ public class ServiceConfiguration {
         return new RegistrationService(house.access(), passwords, firstPassword, settings.registration(), clock);
     }
 
+    /** Null: no provider is configured, which is an empty Optional to those who ask for one. */
+    @Bean
+    @Nullable
+    OidcSignIn oidcSignIn(
+            House house,
+            Accounts accounts,
+            PasswordHashing passwords,
+            Authentication authentication,
+            Settings settings) {
+        OidcSettings oidc = settings.oidc();
+        ExternalUsers users = new ExternalUsers(house.access(), accounts, passwords, new Secrets());
+        return oidc == null ? null : new OidcSignIn(oidc, authentication, users, Clock.systemUTC());
+    }
+
     @Bean
     InvitationService invitationService(House house, OrganisationService organisations, Secrets secrets, Clock clock) {
         return new InvitationService(house.access(), organisations, secrets, clock);
+    }
+
+    @Bean
+    Budgets budgets(Settings settings) {
+        return new Budgets(settings.protection().rates(), System::nanoTime);
     }
 
     @Bean
@@ -144,8 +168,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    CommandService commandService(House house, DroneService drones) {
-        return new CommandService(house.cloud(), drones);
+    CommandService commandService(House house, DroneService drones, Budgets budgets) {
+        return new CommandService(house.cloud(), drones, budgets);
     }
 
     @Bean
@@ -229,7 +253,7 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    ServerMetrics serverMetrics(House house) {
-        return new ServerMetrics(house.cloud(), house.links().vehicles());
+    ServerMetrics serverMetrics(House house, Protections protections) {
+        return new ServerMetrics(house.cloud(), house.links().vehicles(), protections::refusals);
     }
 }

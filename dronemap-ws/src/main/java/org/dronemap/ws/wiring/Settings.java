@@ -11,6 +11,9 @@ import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.session.Enrolment;
+import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.security.oidc.OidcSettings;
+import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
 import org.jspecify.annotations.Nullable;
 
@@ -24,6 +27,8 @@ import org.jspecify.annotations.Nullable;
  * @param control how long control of a drone lasts, and what happens when its holder is lost
  * @param linkSecret seals the keys of vehicles; null: it lies in a file of the data directory
  * @param registration who may make an account
+ * @param protection how much clients may cost
+ * @param oidc the provider that users may sign in with; null: none
  */
 public record Settings(
         Path dataDirectory,
@@ -40,7 +45,9 @@ public record Settings(
         LeaseRules control,
         RecordingPolicy recording,
         @Nullable Hidden linkSecret,
-        Registration registration) {
+        Registration registration,
+        Protection protection,
+        @Nullable OidcSettings oidc) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
     private static final int DEFAULT_STREAM_PORT = 8081;
@@ -51,6 +58,11 @@ public record Settings(
         public String toString() {
             return "[hidden]";
         }
+    }
+
+    /** How much clients may cost, known and unknown ones. */
+    public record Protection(ClientLimits clients, Rates rates) {
+        public static final Protection DEFAULT = new Protection(ClientLimits.DEFAULT, Rates.DEFAULT);
     }
 
     /** PEM files of the certificate chain and its private key. */
@@ -91,7 +103,9 @@ public record Settings(
                 ControlSettings.of(environment),
                 RecordingSettings.of(environment),
                 hidden(environment, "DRONEMAP_LINK_SECRET"),
-                registration(environment));
+                registration(environment),
+                ProtectionSettings.of(environment),
+                OidcEnvironment.of(environment));
     }
 
     private static Registration registration(Map<String, String> environment) {

@@ -6,12 +6,14 @@ import org.apache.cxf.jaxws.EndpointImpl;
 import org.apache.cxf.transport.servlet.CXFNonSpringServlet;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.ProblemWriter;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.soap.ControllerService;
 import org.dronemap.ws.soap.KnownServices;
+import org.dronemap.ws.soap.SoapCaller;
 import org.dronemap.ws.soap.SoapEndpoint;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.boot.web.servlet.ServletRegistrationBean;
@@ -27,16 +29,20 @@ public class SoapConfiguration {
         return new ExtensionManagerBus();
     }
 
+    @Bean
+    SoapCaller soapCaller(Authentication authentication, Budgets budgets) {
+        return new SoapCaller(authentication, budgets);
+    }
+
     @Bean(destroyMethod = "stop")
     EndpointImpl soapEndpoint(
             Bus soapBus,
-            Authentication authentication,
+            SoapCaller caller,
             DroneService drones,
             CommandService commands,
             ControlService controls,
             ParameterService parameters) {
-        return SoapEndpoint.publish(
-                soapBus, new ControllerService(authentication, drones, commands, controls, parameters));
+        return SoapEndpoint.publish(soapBus, new ControllerService(caller, drones, commands, controls, parameters));
     }
 
     @Bean

@@ -3,10 +3,14 @@ package org.dronemap.ws.wiring;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Clock;
+import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
+import org.dronemap.proxy.endpoint.WebSocketDoor;
+import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.service.Accounts;
+import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
@@ -15,7 +19,6 @@ import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.stream.StreamFace;
 import org.jspecify.annotations.Nullable;
-import org.springframework.boot.ssl.SslBundles;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 
@@ -30,8 +33,8 @@ public class StreamConfiguration {
 
     @Bean
     StreamFace.Entrance streamEntrance(
-            Authentication authentication, StreamTickets tickets, Accounts accounts, House house) {
-        return new StreamFace.Entrance(authentication, tickets, accounts, house.grantBook());
+            Authentication authentication, StreamTickets tickets, Accounts accounts, Budgets budgets, House house) {
+        return new StreamFace.Entrance(authentication, tickets, accounts, budgets, house.grantBook());
     }
 
     @Bean
@@ -46,10 +49,19 @@ public class StreamConfiguration {
     }
 
     @Bean
+    WebSocketDoor streamDoor(Settings settings) {
+        ClientLimits limits = settings.protection().clients();
+        Settings.Tls tls = settings.tls();
+        Supplier<@Nullable SSLContext> certificate = tls == null ? () -> null : Certificate.of(tls)::current;
+        return new WebSocketDoor(
+                WebSocketDoor.Limits.DEFAULT.with(limits.connectionsPerHost(), limits.patience()), certificate);
+    }
+
+    @Bean
     StreamFace streamFace(
-            House house, StreamFace.Services services, Settings settings, SslBundles bundles, Clock clock) {
+            House house, StreamFace.Services services, Settings settings, WebSocketDoor door, Clock clock) {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
-        return new StreamFace(house.cloud(), services, address, tls(settings, bundles), clock);
+        return new StreamFace(house.cloud(), services, address, door, clock);
     }
 
     /** Listens before the HTTP port does, so that whoever finds the page finds the stream. */
@@ -64,11 +76,5 @@ public class StreamConfiguration {
                             + " another port with DRONEMAP_STREAM_PORT.",
                     e);
         }
-    }
-
-    private static @Nullable SSLContext tls(Settings settings, SslBundles bundles) {
-        return settings.tls() == null
-                ? null
-                : bundles.getBundle(FacesServer.TLS_BUNDLE).createSslContext();
     }
 }

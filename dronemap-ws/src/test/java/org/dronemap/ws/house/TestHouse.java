@@ -36,19 +36,26 @@ import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
 import org.dronemap.store.memory.MemoryZoneStore;
 import org.dronemap.store.secret.SecretBox;
+import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.security.oidc.OidcSettings;
 import org.dronemap.ws.service.DtlsKeyRing;
+import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
 import org.dronemap.ws.wiring.House;
 import org.dronemap.ws.wiring.Settings;
+import org.jspecify.annotations.Nullable;
 import org.springframework.context.ConfigurableApplicationContext;
 
 /** All faces on free ports over stores in memory. */
 public final class TestHouse implements AutoCloseable {
     private static final Watchdog PATIENT =
             new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10));
+
+    private static final Settings.Protection PATIENT_WITH_ALL =
+            new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED);
 
     private final Lanes lanes = new Lanes(2);
     private final Journal journal = new Journal();
@@ -68,6 +75,28 @@ public final class TestHouse implements AutoCloseable {
     }
 
     public TestHouse(Path data, boolean publicMode, Registration registration) {
+        this(data, new Choices(publicMode, registration, PATIENT_WITH_ALL, null, null));
+    }
+
+    /** What a test wants otherwise than usual. */
+    public record Choices(
+            boolean publicMode,
+            Registration registration,
+            Settings.Protection protection,
+            Settings.@Nullable Tls tls,
+            @Nullable OidcSettings oidc) {
+        /** On this machine, bounding clients like this. */
+        public static Choices protectedBy(Settings.Protection protection) {
+            return new Choices(false, Registration.APPROVAL, protection, null, null);
+        }
+
+        /** On this machine, with a provider to sign in with. */
+        public static Choices signingInWith(OidcSettings oidc) {
+            return new Choices(false, Registration.APPROVAL, PATIENT_WITH_ALL, null, oidc);
+        }
+    }
+
+    public TestHouse(Path data, Choices choices) {
         this.data = data;
         cloud = new CloudManager(
                 lanes,
@@ -95,10 +124,10 @@ public final class TestHouse implements AutoCloseable {
                 new RecordedLinkSecurity(),
                 new MemoryGrantStore(),
                 grants);
-        faces = FacesServer.start(settings(publicMode, registration), house);
+        faces = FacesServer.start(settings(choices), house);
     }
 
-    private Settings settings(boolean publicMode, Registration registration) {
+    private Settings settings(Choices choices) {
         return new Settings(
                 data,
                 "127.0.0.1",
@@ -107,14 +136,16 @@ public final class TestHouse implements AutoCloseable {
                 List.of(),
                 Enrolment.LOOPBACK,
                 null,
-                publicMode,
-                null,
+                choices.publicMode(),
+                choices.tls(),
                 "https://tiles.example/{z}/{x}/{y}",
                 PATIENT,
                 LeaseRules.DEFAULT,
                 RecordingPolicy.DEFAULT,
                 null,
-                registration);
+                choices.registration(),
+                choices.protection(),
+                choices.oidc());
     }
 
     private void startRecorder() {

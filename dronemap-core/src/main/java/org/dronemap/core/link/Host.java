@@ -1,0 +1,15 @@
+package org.dronemap.core.link;
+
+import java.util.HexFormat;
+
+/** What counts as one host when connections are bounded: an IPv4 address, or the 64-bit network that one subscriber of IPv6 gets. */
+public record Host(String key) {
+    private static final int IPV4_BYTES = 4;
+    private static final int NETWORK_BYTES = 8;
+
+    /** Of an address as it goes over the wire: 4 or 16 bytes. */
+    public static Host of(byte[] address) {
+        int significant = address.length == IPV4_BYTES ? IPV4_BYTES : NETWORK_BYTES;
+        return new Host(HexFormat.of().formatHex(address, 0, significant));
+    }
+}

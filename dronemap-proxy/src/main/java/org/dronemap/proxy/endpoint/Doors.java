@@ -1,0 +1,19 @@
+package org.dronemap.proxy.endpoint;
+
+import java.util.function.Supplier;
+import javax.net.ssl.SSLContext;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the doors for vehicles are guarded with.
+ *
+ * @param keys what vehicles prove themselves with on DTLS links
+ * @param tls the server's certificate for {@code wssserver://}, asked for each new connection; null: it has none
+ * @param limits of WebSockets that have not shaken hands
+ */
+public record Doors(DtlsKeys keys, Supplier<@Nullable SSLContext> tls, WebSocketDoor.Limits limits) {
+    /** Without a certificate. */
+    public static Doors of(DtlsKeys keys) {
+        return new Doors(keys, () -> null, WebSocketDoor.Limits.DEFAULT);
+    }
+}

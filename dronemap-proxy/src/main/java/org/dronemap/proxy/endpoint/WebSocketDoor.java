@@ -1,0 +1,209 @@
+package org.dronemap.proxy.endpoint;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.ByteChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.SocketChannel;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Supplier;
+import javax.net.ssl.SSLContext;
+import org.dronemap.core.link.Host;
+import org.java_websocket.WebSocketAdapter;
+import org.java_websocket.WebSocketImpl;
+import org.java_websocket.WebSocketServerFactory;
+import org.java_websocket.drafts.Draft;
+import org.java_websocket.enums.ReadyState;
+import org.java_websocket.framing.CloseFrame;
+import org.java_websocket.server.DefaultSSLWebSocketServerFactory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Makes the connections of a WebSocket server, with or without TLS, and bounds what the library does not: how many one
+ * host may have, how many may be there without having shaken hands, how long that may take and how much may be said in it.
+ * Any thread.
+ */
+public final class WebSocketDoor implements WebSocketServerFactory {
+    private static final long BETWEEN_SWEEPS_MILLIS = 500;
+
+    private final Limits limits;
+    private final Supplier<@Nullable SSLContext> tls;
+    private final Runnable onRefusal;
+    private final LongAdder refused = new LongAdder();
+    private final ExecutorService handshakes = Executors.newSingleThreadExecutor(daemon("websocket-tls"));
+    private final ScheduledExecutorService sweeps =
+            Executors.newSingleThreadScheduledExecutor(daemon("websocket-door"));
+    private final ScheduledFuture<?> sweeping;
+
+    /** Guarded by this: who is there, by host. Closed ones go at the next sweep, or when a host has too many. */
+    private final Map<Host, List<Guarded>> hosts = new HashMap<>();
+
+    /**
+     * What is allowed.
+     *
+     * @param perHost connections of one host
+     * @param strangersPerHost of these, ones that have not shaken hands
+     * @param strangers such ones of all hosts
+     * @param handshakeBytes that may be said before
+     * @param patience how long the handshake may take, that of TLS included
+     */
+    public record Limits(int perHost, int strangersPerHost, int strangers, int handshakeBytes, Duration patience) {
+        /** For vehicles and other programs. */
+        public static final Limits DEFAULT = new Limits(1_000, 100, 400, 16_384, Duration.ofSeconds(10));
+
+        public Limits with(int connectionsPerHost, Duration longestHandshake) {
+            return new Limits(connectionsPerHost, strangersPerHost, strangers, handshakeBytes, longestHandshake);
+        }
+    }
+
+    /** Counts by itself whom it turns away. */
+    public WebSocketDoor(Limits limits, Supplier<@Nullable SSLContext> tls) {
+        this(limits, tls, () -> {});
+    }
+
+    /** {@code tls} is asked for each new connection; null: without. {@code onRefusal} counts those turned away. */
+    public WebSocketDoor(Limits limits, Supplier<@Nullable SSLContext> tls, Runnable onRefusal) {
+        this.limits = limits;
+        this.tls = tls;
+        this.onRefusal = onRefusal;
+        this.sweeping = sweeps.scheduleWithFixedDelay(
+                this::sweep, BETWEEN_SWEEPS_MILLIS, BETWEEN_SWEEPS_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    private static ThreadFactory daemon(String name) {
+        return work -> {
+            Thread thread = new Thread(work, name);
+            thread.setDaemon(true);
+            return thread;
+        };
+    }
+
+    @Override
+    public WebSocketImpl createWebSocket(WebSocketAdapter server, Draft draft) {
+        return new Guarded(server, List.of(draft));
+    }
+
+    @Override
+    public WebSocketImpl createWebSocket(WebSocketAdapter server, List<Draft> drafts) {
+        return new Guarded(server, drafts);
+    }
+
+    /** Whom there is no room for finds the connection closed. */
+    @Override
+    public ByteChannel wrapChannel(SocketChannel channel, SelectionKey key) throws IOException {
+        if (!(key.attachment() instanceof Guarded guarded) || !enter(guarded, channel)) {
+            refuse();
+            channel.close();
+            return channel;
+        }
+        SSLContext context = tls.get();
+        return context == null
+                ? channel
+                : new DefaultSSLWebSocketServerFactory(context, handshakes).wrapChannel(channel, key);
+    }
+
+    private synchronized boolean enter(Guarded guarded, SocketChannel channel) throws IOException {
+        if (!(channel.getRemoteAddress() instanceof InetSocketAddress remote)) {
+            return false;
+        }
+        List<Guarded> its = hosts.computeIfAbsent(Host.of(remote.getAddress().getAddress()), host -> new ArrayList<>());
+        if (its.size() >= Math.min(limits.perHost(), limits.strangersPerHost())) {
+            its.removeIf(Guarded::isGone);
+        }
+        boolean room = its.size() < limits.perHost()
+                && its.stream().filter(Guarded::isStranger).count() < limits.strangersPerHost()
+                && strangers() < limits.strangers();
+        if (room) {
+            its.add(guarded);
+        }
+        return room;
+    }
+
+    private long strangers() {
+        return hosts.values().stream()
+                .flatMap(List::stream)
+                .filter(Guarded::isStranger)
+                .count();
+    }
+
+    /** Turns away who takes too long, and forgets who is gone. */
+    private void sweep() {
+        long now = System.nanoTime();
+        List<Guarded> late = new ArrayList<>();
+        synchronized (this) {
+            hosts.values().forEach(its -> its.removeIf(Guarded::isGone));
+            hosts.values().removeIf(List::isEmpty);
+            hosts.values().stream()
+                    .flatMap(List::stream)
+                    .filter(one -> one.isStranger()
+                            && now - one.sinceNanos > limits.patience().toNanos())
+                    .forEach(late::add);
+        }
+        late.forEach(one -> {
+            refuse();
+            one.closeConnection(CloseFrame.POLICY_VALIDATION, "the handshake took too long");
+        });
+    }
+
+    private void refuse() {
+        refused.increment();
+        onRefusal.run();
+    }
+
+    /** Connections that were turned away or cut. */
+    public long refusedCount() {
+        return refused.sum();
+    }
+
+    @Override
+    public void close() {
+        sweeping.cancel(false);
+        sweeps.shutdown();
+        handshakes.shutdown();
+    }
+
+    /** A connection whose handshake has a bound. */
+    private final class Guarded extends WebSocketImpl {
+        private final long sinceNanos = System.nanoTime();
+        // owned by the worker that decodes
+        private int said;
+
+        Guarded(WebSocketAdapter server, List<Draft> drafts) {
+            super(server, drafts);
+        }
+
+        boolean isStranger() {
+            return getReadyState() == ReadyState.NOT_YET_CONNECTED;
+        }
+
+        boolean isGone() {
+            return isClosed() || (getChannel() != null && !getChannel().isOpen());
+        }
+
+        @Override
+        public void decode(ByteBuffer bytes) {
+            if (isStranger()) {
+                said += bytes.remaining();
+                if (said > limits.handshakeBytes()) {
+                    refuse();
+                    bytes.position(bytes.limit());
+                    closeConnection(CloseFrame.POLICY_VALIDATION, "the handshake is too long");
+                    return;
+                }
+            }
+            super.decode(bytes);
+        }
+    }
+}

@@ -1,0 +1,14 @@
+package org.dronemap.ws.security.oidc;
+
+/** Why a sign-in by the provider came to nothing; for the log, as it tells of configurations and attacks. */
+final class OidcRefusal extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    OidcRefusal(String why) {
+        super(why);
+    }
+
+    OidcRefusal(String why, Exception cause) {
+        super(why + ": " + cause.getMessage(), cause);
+    }
+}

@@ -1,0 +1,152 @@
+package org.dronemap.ws.security.oidc;
+
+import com.nimbusds.openid.connect.sdk.claims.IDTokenClaimsSet;
+import java.net.URI;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.service.ExternalUsers;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.Secrets;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Signing in by an OpenID Connect provider: authorisation code with PKCE, state and nonce, each good once, for ten minutes
+ * and in the browser that began. Any thread.
+ */
+public final class OidcSignIn {
+    private static final Logger LOG = LoggerFactory.getLogger(OidcSignIn.class);
+    private static final Duration LONGEST = Duration.ofMinutes(10);
+    private static final int MOST_BEGUN = 10_000;
+
+    private final OidcSettings settings;
+    private final OidcProvider provider;
+    private final Authentication authentication;
+    private final ExternalUsers users;
+    private final Clock clock;
+    private final Secrets secrets = new Secrets();
+
+    /** Guarded by this: by state; the eldest goes when it is full. */
+    private final Map<String, Begun> begun = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Begun> eldest) {
+            return size() > MOST_BEGUN;
+        }
+    };
+
+    private record Begun(OidcProvider.Secrets secrets, String browserHash, Instant until) {}
+
+    /** Where the browser goes now, and what it has to keep to come back. */
+    public record Start(URI address, String browser) {}
+
+    /** What the browser came back with. */
+    public record Return(
+            @Nullable String code,
+            @Nullable String state,
+            @Nullable String browser) {}
+
+    public OidcSignIn(OidcSettings settings, Authentication authentication, ExternalUsers users, Clock clock) {
+        this.settings = settings;
+        this.provider = new OidcProvider(settings);
+        this.authentication = authentication;
+        this.users = users;
+        this.clock = clock;
+    }
+
+    /** What the page's button names. */
+    public String label() {
+        return settings.label();
+    }
+
+    public Start start() {
+        OidcProvider.Secrets fresh = OidcProvider.Secrets.random();
+        String browser = secrets.token();
+        try {
+            URI address = provider.signInAddress(fresh);
+            remember(fresh, browser);
+            return new Start(address, browser);
+        } catch (OidcRefusal e) {
+            LOG.warn("Nobody can sign in with {}: {}", settings.label(), e.getMessage());
+            throw new Rejection(
+                    RejectionKind.UNAVAILABLE, settings.label() + " cannot be asked at the moment; try again later.");
+        }
+    }
+
+    private synchronized void remember(OidcProvider.Secrets fresh, String browser) {
+        Instant now = clock.instant();
+        begun.values().removeIf(one -> !one.until().isAfter(now));
+        begun.put(fresh.state().getValue(), new Begun(fresh, Secrets.hash(browser), now.plus(LONGEST)));
+    }
+
+    /**
+     * Ends what {@link #start} began, with a session.
+     *
+     * @throws Rejection when nothing is proved, or the account may not sign in
+     */
+    public Authentication.NewSession finish(Return back) {
+        try {
+            Begun start = take(back);
+            String code = back.code();
+            if (code == null) {
+                throw new OidcRefusal("the provider sent no code");
+            }
+            IDTokenClaimsSet claims = provider.prove(code, start.secrets());
+            User user = users.admit(
+                    new ExternalUsers.Identity(
+                            claims.getIssuer().getValue(), claims.getSubject().getValue(), name(claims), role(claims)),
+                    settings.newAccounts());
+            return authentication.signInProved(user);
+        } catch (OidcRefusal e) {
+            LOG.warn("A sign-in with {} was refused: {}", settings.label(), e.getMessage());
+            throw Rejection.notSignedIn("The sign-in with " + settings.label() + " was not successful; try again.");
+        }
+    }
+
+    private synchronized Begun take(Return back) throws OidcRefusal {
+        Begun start = back.state() == null ? null : begun.remove(back.state());
+        if (start == null || !start.until().isAfter(clock.instant())) {
+            throw new OidcRefusal("it was not begun here, took too long, or was ended already");
+        }
+        if (back.browser() == null || !start.browserHash().equals(Secrets.hash(back.browser()))) {
+            throw new OidcRefusal("another browser began it");
+        }
+        return start;
+    }
+
+    private static @Nullable String name(IDTokenClaimsSet claims) {
+        return Stream.of("preferred_username", "name", "email")
+                .map(claims::getStringClaim)
+                .filter(value -> value != null && !value.isBlank())
+                .findFirst()
+                .orElse(null);
+    }
+
+    /** The highest that the claim gives; null where roles are given here. */
+    private @Nullable Role role(IDTokenClaimsSet claims) throws OidcRefusal {
+        String claim = settings.roles().claim();
+        if (claim == null) {
+            return null;
+        }
+        Object value = claims.getClaim(claim);
+        List<?> values = value instanceof List<?> many ? many : value == null ? List.of() : List.of(value);
+        Optional<Role> highest = values.stream()
+                .map(one -> settings.roles().byValue().get(String.valueOf(one)))
+                .filter(java.util.Objects::nonNull)
+                .max(Comparator.naturalOrder());
+        return highest.orElseThrow(() -> new OidcRefusal("the claim " + claim + " gives none of the roles"));
+    }
+}

@@ -1,0 +1,283 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RawClient;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.service.Rates;
+import org.dronemap.ws.service.Work;
+import org.dronemap.ws.wiring.Settings;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tools.jackson.databind.JsonNode;
+
+/** Too much of anything, from strangers or from users, is refused quickly and in words; the service goes on. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class FloodTest {
+    private static final int TEN_MEGABYTES = 10_000_000;
+    /** Ten of each at once, then so few that no machine refills the budget while a test runs. */
+    private static final Rates FEW =
+            new Rates(Map.of(Work.REQUEST, 10.0, Work.COMMAND, 1.0, Work.EXPORT, 0.2, Work.SIGN_IN, 4.0));
+
+    private TestHouse house;
+    private TestHouse thrifty;
+    private ScriptedVehicle vehicle;
+
+    @BeforeAll
+    void open(@TempDir Path data, @TempDir Path other) {
+        house = new TestHouse(data, false);
+        thrifty =
+                new TestHouse(other, TestHouse.Choices.protectedBy(new Settings.Protection(ClientLimits.DEFAULT, FEW)));
+        vehicle = ScriptedVehicle.connect(thrifty.cloud(), 15_701);
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+        thrifty.close();
+    }
+
+    static Stream<Arguments> takers() {
+        return Stream.of(
+                Arguments.of("/api/v1/session", "application/json"),
+                Arguments.of("/api/v1/registrations", "application/json"),
+                Arguments.of("/api/v1/missions", "application/json"),
+                Arguments.of("/api/v1/missions", "application/x-www-form-urlencoded"),
+                Arguments.of("/api/v1/missions", "multipart/form-data; boundary=x"),
+                Arguments.of("/api/v1/zones/import", "application/vnd.google-earth.kml+xml"),
+                Arguments.of("/services/MAVLinkControllerService", "text/xml"),
+                Arguments.of("/services/MAVLinkControllerService", "multipart/related; boundary=x"));
+    }
+
+    @ParameterizedTest(name = "{0} {1}")
+    @MethodSource("takers")
+    void refusesTenMegabytesBeforeTheyAreSent(String path, String type) {
+        try (RawClient client = new RawClient(house.httpPort())) {
+            client.say(head(path, type) + "Content-Length: " + TEN_MEGABYTES + "\r\n\r\n");
+
+            assertThat(client.hearLine()).startsWith("HTTP/1.1 413");
+        }
+    }
+
+    @ParameterizedTest(name = "{0} {1}")
+    @MethodSource("takers")
+    void refusesTenMegabytesThatWereNotAnnounced(String path, String type) {
+        try (RawClient client = new RawClient(house.httpPort())) {
+            client.say(head(path, type) + "Transfer-Encoding: chunked\r\n\r\n");
+            String piece = "2710\r\n"
+                    + (type.contains("json") ? "{\"name\":\"" : "<a>")
+                            .concat("a".repeat(10_000))
+                            .substring(0, 10_000) + "\r\n";
+            for (int said = 0; said < TEN_MEGABYTES && client.say(piece); said += 10_000) {
+                assertThat(said).isLessThan(TEN_MEGABYTES);
+            }
+            client.say("0\r\n\r\n");
+
+            assertThat(client.hearLine())
+                    .matches(path.startsWith("/services") ? "|HTTP/1.1 (4\\d\\d|500).*" : "|HTTP/1.1 4\\d\\d.*");
+        }
+        assertThat(new Http(house, house.key(Role.VIEWER)).get("/api/v1/drones").status())
+                .isEqualTo(200);
+    }
+
+    private String head(String path, String type) {
+        return "POST " + path + " HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer " + house.key(Role.SUPERVISOR)
+                + "\r\nContent-Type: " + type + "\r\n";
+    }
+
+    @Test
+    void closesAStreamThatSendsTenMegabytesAtOnce() {
+        try (StreamListener stream = StreamListener.withKey(house, house.key(Role.VIEWER))) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+            stream.send("x".repeat(TEN_MEGABYTES));
+
+            assertThat(stream.awaitClose()).isNotNull();
+        }
+    }
+
+    @Test
+    void refusesAThousandTriesToSignInWithoutTryingThemAll() throws Exception {
+        ExecutorService guessers = Executors.newFixedThreadPool(16);
+        Map<Integer, Integer> answers = new ConcurrentHashMap<>();
+        long began = System.nanoTime();
+        try {
+            List<Future<Integer>> tries = IntStream.range(0, 1_000)
+                    .mapToObj(number -> guessers.submit(() -> signIn("guess" + number)))
+                    .toList();
+            for (Future<Integer> one : tries) {
+                answers.merge(one.get(), 1, Integer::sum);
+            }
+        } finally {
+            guessers.shutdownNow();
+        }
+
+        assertThat(new TreeMap<>(answers).keySet()).isSubsetOf(401, 429, 503);
+        assertThat(answers.getOrDefault(401, 0)).as("passwords compared").isBetween(1, 60);
+        assertThat(Duration.ofNanos(System.nanoTime() - began)).isLessThan(Duration.ofSeconds(60));
+        assertThat(new Http(house, house.key(Role.VIEWER)).get("/api/v1/drones").status())
+                .isEqualTo(200);
+    }
+
+    private int signIn(String password) {
+        return new Http(house, "")
+                .post("/api/v1/session", "{\"name\":\"admin\",\"password\":\"" + password + "\"}")
+                .status();
+    }
+
+    @Test
+    void refusesMoreRequestsThanAUsersBudgetAndTellsHowLongToWait() {
+        Http busy = new Http(thrifty, thrifty.key(Role.VIEWER));
+
+        Http.Answer refused = untilRefused(() -> busy.get("/api/v1/drones"));
+
+        assertThat(refused.text("detail"))
+                .matches("More than 10 requests a second for a while; wait \\d+ s and try again\\.");
+        assertThat(refused.json().path("retryAfterSeconds").asInt()).isPositive();
+        assertThat(refused.raw().headers().firstValue("Retry-After"))
+                .hasValue(refused.json().path("retryAfterSeconds").asString());
+        assertThat(new Http(thrifty, thrifty.key(Role.VIEWER))
+                        .get("/api/v1/drones")
+                        .status())
+                .as("another user")
+                .isEqualTo(200);
+    }
+
+    private static Http.Answer untilRefused(java.util.function.Supplier<Http.Answer> ask) {
+        for (int times = 0; times < 2_000; times++) {
+            Http.Answer answer = ask.get();
+            if (answer.status() == 429) {
+                return answer;
+            }
+        }
+        throw new AssertionError("never refused");
+    }
+
+    @Test
+    void refusesMoreCommandsThanABudgetInEveryFace() {
+        String key = thrifty.key(Role.OPERATOR);
+        Http operator = new Http(thrifty, key);
+
+        Http.Answer rest = spent(operator);
+        Http.Answer broadcast =
+                operator.post("/api/v1/commands", "{\"drones\":[\"all\"],\"command\":{\"type\":\"arm\"}}");
+
+        assertThat(rest.text("detail")).startsWith("More than 1 commands a second");
+        assertThat(broadcast.status()).isEqualTo(429);
+        assertThat(bySoap(operator, "arm"))
+                .contains("<code>throttled</code>", "<retryAfterSeconds>")
+                .containsPattern("<faultcode>\\w+:Client</faultcode>");
+        try (StreamListener stream = StreamListener.withKey(thrifty, key)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+            assertThat(answer(stream, "arm")
+                            .path("problem")
+                            .path("retryAfterSeconds")
+                            .asInt())
+                    .isPositive();
+        }
+    }
+
+    @Test
+    void neverKeepsCommandsForSafetyWaiting() {
+        String key = thrifty.key(Role.OPERATOR);
+        Http operator = new Http(thrifty, key);
+        spent(operator);
+
+        try (StreamListener stream = StreamListener.withKey(thrifty, key)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+            for (String safety : List.of("land", "returnToLaunch", "hold", "pauseMission")) {
+                assertThat(operator.post(commands(), "{\"type\":\"" + safety + "\"}")
+                                .status())
+                        .as(safety)
+                        .isNotEqualTo(429);
+                assertThat(answer(stream, safety).path("problem").path("status").asInt())
+                        .as(safety)
+                        .isNotEqualTo(429);
+            }
+        }
+        assertThat(bySoap(operator, "land")).contains("landResponse");
+    }
+
+    private String commands() {
+        return "/api/v1/drones/" + vehicle.id() + "/commands";
+    }
+
+    private Http.Answer spent(Http operator) {
+        return untilRefused(() -> operator.post(commands(), "{\"type\":\"setMode\",\"mode\":\"GUIDED\"}"));
+    }
+
+    private String bySoap(Http operator, String operation) {
+        return operator.send(
+                        "/services/MAVLinkControllerService",
+                        request -> request.header("Content-Type", "text/xml")
+                                .POST(HttpRequest.BodyPublishers.ofString(soap(operation))))
+                .raw()
+                .body();
+    }
+
+    private String soap(String operation) {
+        return "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + "><droneId>" + vehicle.id()
+                + "</droneId></w:" + operation + "></s:Body></s:Envelope>";
+    }
+
+    private JsonNode answer(StreamListener stream, String command) {
+        stream.send("{\"type\":\"command\",\"requestId\":\"" + command + "\",\"drone\":\"" + vehicle.id()
+                + "\",\"command\":{\"type\":\"" + command + "\"}}");
+        return stream.await(message -> message.path("requestId").asString("").equals(command));
+    }
+
+    @Test
+    void keepsControlWhenAUserAsksTooMuch() {
+        Http operator = new Http(thrifty, thrifty.key(Role.OPERATOR));
+        untilRefused(() -> operator.get("/api/v1/drones"));
+
+        assertThat(operator.post("/api/v1/drones/" + vehicle.id() + "/control/heartbeat", "{}")
+                        .status())
+                .isNotEqualTo(429);
+    }
+
+    @Test
+    void countsFilesAndExportsApart() {
+        Http viewer = new Http(thrifty, thrifty.key(Role.VIEWER));
+
+        Http.Answer refused = untilRefused(() -> viewer.get("/api/v1/recordings/nosuchrecording/file"));
+
+        assertThat(refused.text("detail")).startsWith("More than 0.2 exports a second");
+    }
+
+    @Test
+    void countsWhatWasRefusedForMonitoring() {
+        Http viewer = new Http(thrifty, thrifty.key(Role.VIEWER));
+        untilRefused(() -> viewer.get("/api/v1/recordings/nosuchrecording/file"));
+
+        assertThat(new Http(thrifty, thrifty.key(Role.VIEWER))
+                        .get("/metrics")
+                        .raw()
+                        .body())
+                .containsPattern("dronemap_refused_work_total\\{work=\"export\"} [1-9]")
+                .contains("dronemap_clients_cut_total");
+    }
+}

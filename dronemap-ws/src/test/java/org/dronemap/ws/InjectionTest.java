@@ -1,0 +1,380 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.net.URLEncoder;
+import java.net.http.HttpRequest;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Injections;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Every text field that the running server describes takes hostile texts as texts, or refuses them in words. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class InjectionTest {
+    private static final Pattern INSIDE =
+            Pattern.compile("Exception|\\tat |org\\.springframework|java\\.lang|SQLSTATE|psql");
+    private static final String SCHEMA = "http://www.w3.org/2001/XMLSchema";
+
+    private final JsonMapper json = new JsonMapper();
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private Http administrator;
+    private String key;
+
+    @BeforeAll
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15_702);
+        key = house.key(Role.ADMINISTRATOR);
+        administrator = new Http(house, key);
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void takesThemInEveryAddressAndBodyOfRest() {
+        JsonNode description = administrator.get("/api/openapi.json").json();
+        int tried = 0;
+        for (Map.Entry<String, JsonNode> path : description.path("paths").properties()) {
+            for (Map.Entry<String, JsonNode> operation : path.getValue().properties()) {
+                String method = operation.getKey().toUpperCase(Locale.ROOT);
+                tried += inAddress(method, path.getKey(), operation.getValue());
+                tried += inBody(method, path.getKey(), operation.getValue(), description);
+            }
+        }
+
+        assertThat(tried).isGreaterThan(2_000);
+        isUnharmed();
+    }
+
+    private int inAddress(String method, String path, JsonNode operation) {
+        int tried = 0;
+        for (JsonNode parameter : operation.path("parameters")) {
+            String name = parameter.path("name").asString();
+            for (String text : Injections.ALL) {
+                String encoded =
+                        URLEncoder.encode(text.substring(0, Math.min(3_000, text.length())), StandardCharsets.UTF_8);
+                String address = parameter.path("in").asString().equals("path")
+                        ? filled(path.replace("{" + name + "}", encoded))
+                        : filled(path) + "?" + name + "=" + encoded;
+                check(method + " " + address, ask(method, address, "{}"));
+                tried++;
+            }
+        }
+        return tried;
+    }
+
+    /** Of things that are there where there is one. */
+    private String filled(String path) {
+        return path.replace("/drones/{id}", "/drones/" + vehicle.id())
+                .replaceAll("\\{number}", "1")
+                .replaceAll("\\{\\w+}", "nosuchthing");
+    }
+
+    private int inBody(String method, String path, JsonNode operation, JsonNode description) {
+        JsonNode schema = operation
+                .path("requestBody")
+                .path("content")
+                .path("application/json")
+                .path("schema");
+        if (schema.isMissingNode()) {
+            return 0;
+        }
+        JsonNode usual = Sample.of(schema, description);
+        int tried = 0;
+        for (String at : usual.isObject() ? Sample.texts(usual) : List.<String>of()) {
+            for (String text : Injections.ALL) {
+                String body = Sample.with(usual, at, text).toString();
+                check(method + " " + path + " " + at, ask(method, filled(path), body));
+                tried++;
+            }
+        }
+        return tried;
+    }
+
+    private Http.Answer ask(String method, String address, String body) {
+        return administrator.send(
+                address,
+                request -> request.header("Content-Type", "application/json")
+                        .method(method, HttpRequest.BodyPublishers.ofString(method.equals("GET") ? "" : body)));
+    }
+
+    private static void check(String what, Http.Answer answer) {
+        assertThat(answer.status()).as(what + ": " + answer.raw().body()).isLessThan(500);
+        assertThat(answer.raw().headers().firstValue("Set-Cookie").orElse("")).doesNotContain("planted");
+        assertThat(answer.raw().headers().firstValue("Content-Type").orElse(""))
+                .as(what)
+                .doesNotContain("html");
+        assertThat(answer.raw().body().length()).isLessThan(200_000);
+        assertThat(INSIDE.matcher(answer.raw().body()).find())
+                .as(what + ": " + answer.raw().body())
+                .isFalse();
+    }
+
+    @Test
+    void takesThemInEveryElementOfSoap() throws Exception {
+        int tried = 0;
+        for (Map.Entry<String, List<String>> operation : soapOperations().entrySet()) {
+            for (String element : operation.getValue()) {
+                for (String text : Injections.ALL) {
+                    Http.Answer answer = call(operation.getKey(), element, text);
+                    String what = operation.getKey() + " " + element + ": "
+                            + answer.raw().body();
+                    assertThat(answer.status() == 200 || answer.raw().body().contains(":Client</faultcode>"))
+                            .as(what)
+                            .isTrue();
+                    assertThat(INSIDE.matcher(answer.raw().body()).find())
+                            .as(what)
+                            .isFalse();
+                    tried++;
+                }
+            }
+        }
+
+        assertThat(tried).isGreaterThan(500);
+        isUnharmed();
+    }
+
+    private Http.Answer call(String operation, String element, String text) {
+        String value = text.replace("&", "&amp;").replace("<", "&lt;");
+        String drone = element.equals("droneId") ? "" : "<droneId>" + vehicle.id() + "</droneId>";
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + drone + "<" + element
+                + ">"
+                + value + "</" + element + "></w:" + operation + "></s:Body></s:Envelope>";
+        return administrator.send(
+                "/services/MAVLinkControllerService",
+                request ->
+                        request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
+    }
+
+    /** The texts that each operation takes, by the description. */
+    private Map<String, List<String>> soapOperations() throws Exception {
+        Map<String, List<String>> operations = new LinkedHashMap<>();
+        for (String part : List.of("?wsdl", "?wsdl=MAVLinkController.wsdl")) {
+            Http.Answer answer = administrator.get("/services/MAVLinkControllerService" + part);
+            if (answer.status() == 200) {
+                collect(answer.raw().body(), operations);
+            }
+        }
+        return operations;
+    }
+
+    private static void collect(String wsdl, Map<String, List<String>> operations) throws Exception {
+        DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
+        factory.setNamespaceAware(true);
+        Document document =
+                factory.newDocumentBuilder().parse(new ByteArrayInputStream(wsdl.getBytes(StandardCharsets.UTF_8)));
+        NodeList types = document.getElementsByTagNameNS(SCHEMA, "complexType");
+        for (int i = 0; i < types.getLength(); i++) {
+            Element type = (Element) types.item(i);
+            String name = type.getAttribute("name");
+            List<String> texts = new ArrayList<>();
+            NodeList elements = type.getElementsByTagNameNS(SCHEMA, "element");
+            for (int k = 0; k < elements.getLength(); k++) {
+                Element element = (Element) elements.item(k);
+                if (element.getAttribute("type").endsWith(":string")) {
+                    texts.add(element.getAttribute("name"));
+                }
+            }
+            if (document.getElementsByTagNameNS("*", "operation").getLength() > 0 && isOperation(document, name)) {
+                operations.put(name, texts);
+            }
+        }
+    }
+
+    private static boolean isOperation(Document document, String name) {
+        NodeList operations = document.getElementsByTagNameNS("http://schemas.xmlsoap.org/wsdl/", "operation");
+        for (int i = 0; i < operations.getLength(); i++) {
+            if (((Element) operations.item(i)).getAttribute("name").equals(name)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Test
+    void takesThemInEveryMemberThatTheStreamKnows() {
+        int tried = 0;
+        for (String type : List.of("ping", "subscribe", "command", "control")) {
+            for (String member : members()) {
+                for (String text : Injections.ALL) {
+                    ObjectNode message = json.createObjectNode();
+                    message.put("type", type).put("drone", vehicle.id()).put(member, text);
+                    tried += say(message.toString());
+                    ObjectNode inside = json.createObjectNode();
+                    inside.put("type", "command").put("drone", vehicle.id());
+                    inside.putObject("command").put("type", "setMode").put(type.equals("ping") ? "mode" : "type", text);
+                    if (member.equals("command")) {
+                        tried += say(inside.toString());
+                    }
+                }
+            }
+        }
+
+        assertThat(tried).isGreaterThan(500);
+        isUnharmed();
+    }
+
+    private List<String> members() {
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.send("{\"nosuchmember\":1}");
+            JsonNode problem =
+                    stream.await(message -> message.path("type").asString().equals("error"));
+            List<String> members =
+                    List.of(problem.path("problem").path("allowed").asString().split(", ", -1));
+            assertThat(members).contains("type", "drone", "requestId");
+            return members;
+        }
+    }
+
+    private @org.jspecify.annotations.Nullable StreamListener talking;
+
+    private int say(String message) {
+        if (talking == null) {
+            talking = StreamListener.withKey(house, key);
+        }
+        talking.send(message);
+        return 1;
+    }
+
+    /** Everybody is still served, nothing was planted, and no text has become anything else. */
+    private void isUnharmed() {
+        StreamListener stream = talking;
+        if (stream != null) {
+            stream.send("{\"type\":\"ping\",\"requestId\":\"last\"}");
+            stream.await(message -> message.path("type").asString().equals("pong"));
+            assertThat(stream.heard().stream()
+                            .filter(message ->
+                                    message.path("problem").path("status").asInt() >= 500)
+                            .toList())
+                    .isEmpty();
+            stream.close();
+            talking = null;
+        }
+        assertThat(administrator.get("/api/v1/health").text("status")).isEqualTo("up");
+        assertThat(administrator.get("/api/v1/drones/" + vehicle.id()).status()).isEqualTo(200);
+        assertThat(house.data().getParent().resolve("etc")).doesNotExist();
+    }
+
+    @Test
+    void keepsAndShowsThemAsTheyAre() {
+        for (String text : Injections.ALL) {
+            ObjectNode body = json.createObjectNode().put("name", text);
+            Http.Answer renamed = ask("PATCH", "/api/v1/drones/" + vehicle.id(), body.toString());
+            Http.Answer mission = ask(
+                    "POST",
+                    "/api/v1/missions",
+                    body.set("items", json.readTree("[{\"type\":\"takeOff\",\"altitude\":20}]"))
+                            .toString());
+
+            isTheSameOrRefused(text, renamed, "/api/v1/drones/" + vehicle.id());
+            isTheSameOrRefused(text, mission, "/api/v1/missions/" + mission.text("id"));
+        }
+    }
+
+    private void isTheSameOrRefused(String text, Http.Answer changed, String address) {
+        if (changed.status() < 300) {
+            Http.Answer shown = administrator.get(address);
+            assertThat(shown.text("name")).isEqualTo(text.strip());
+            assertThat(shown.raw().headers().firstValue("Content-Type").orElse(""))
+                    .startsWith("application/json");
+            assertThat(shown.raw().headers().firstValue("X-Content-Type-Options"))
+                    .hasValue("nosniff");
+        } else {
+            assertThat(changed.status()).as(text).isBetween(400, 422);
+            assertThat(changed.text("detail")).isNotEmpty();
+        }
+    }
+
+    /** Bodies made from a description. */
+    private static final class Sample {
+        private static final int DEEPEST = 5;
+
+        static JsonNode of(JsonNode schema, JsonNode description) {
+            return of(schema, description, 0);
+        }
+
+        private static JsonNode of(JsonNode schema, JsonNode description, int depth) {
+            JsonMapper mapper = new JsonMapper();
+            JsonNode known = Optional.of(schema.path("$ref").asString(""))
+                    .filter(reference -> !reference.isEmpty())
+                    .map(reference -> description.at(reference.substring(1)))
+                    .orElse(schema);
+            if (known.has("properties") && depth < DEEPEST) {
+                ObjectNode object = mapper.createObjectNode();
+                known.path("properties")
+                        .properties()
+                        .forEach(member -> object.set(member.getKey(), of(member.getValue(), description, depth + 1)));
+                return object;
+            }
+            String type = known.path("type").asString("");
+            return switch (type) {
+                case "array" -> mapper.createArrayNode().add(of(known.path("items"), description, depth + 1));
+                case "integer", "number" -> mapper.getNodeFactory().numberNode(1);
+                case "boolean" -> mapper.getNodeFactory().booleanNode(true);
+                case "object" -> mapper.createObjectNode();
+                default -> mapper.getNodeFactory().stringNode("text");
+            };
+        }
+
+        /** Where texts stand, as pointers. */
+        static List<String> texts(JsonNode node) {
+            List<String> found = new ArrayList<>();
+            collect(node, "", found);
+            return found;
+        }
+
+        private static void collect(JsonNode node, String at, List<String> found) {
+            if (node.isString()) {
+                found.add(at);
+            }
+            node.properties().forEach(member -> collect(member.getValue(), at + "/" + member.getKey(), found));
+            for (int i = 0; node.isArray() && i < node.size(); i++) {
+                collect(node.get(i), at + "/" + i, found);
+            }
+        }
+
+        static JsonNode with(JsonNode usual, String at, String text) {
+            JsonNode copy = usual.deepCopy();
+            int last = at.lastIndexOf('/');
+            JsonNode parent = copy.at(at.substring(0, last));
+            String name = at.substring(last + 1);
+            if (parent instanceof ObjectNode object) {
+                object.put(name, text);
+            } else if (parent instanceof ArrayNode array) {
+                array.set(Integer.parseInt(name), text);
+            }
+            return copy;
+        }
+    }
+}

@@ -1,0 +1,261 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.nimbusds.jwt.JWTClaimsSet;
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Date;
+import java.util.List;
+import java.util.Map;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.StandInProvider;
+import org.dronemap.ws.house.StandInProvider.Signature;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.security.oidc.OidcSettings;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Signing in with an OpenID Connect provider: who is proved comes in, and nobody else. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class OidcTest {
+    private static final String CALLBACK = "/api/v1/session/oidc/callback";
+
+    private StandInProvider provider;
+    private TestHouse house;
+    private TestHouse careful;
+    private Http nobody;
+
+    @BeforeAll
+    void open(@TempDir Path data, @TempDir Path other) {
+        provider = new StandInProvider();
+        OidcSettings.Roles roles =
+                new OidcSettings.Roles("groups", Map.of("pilots", Role.OPERATOR, "office", Role.VIEWER));
+        house = new TestHouse(data, TestHouse.Choices.signingInWith(settings(AccountState.ACTIVE, roles)));
+        careful = new TestHouse(
+                other, TestHouse.Choices.signingInWith(settings(AccountState.WAITING, OidcSettings.Roles.OURS)));
+        nobody = new Http(house, "");
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+        careful.close();
+        provider.close();
+    }
+
+    private OidcSettings settings(AccountState accounts, OidcSettings.Roles roles) {
+        return new OidcSettings(
+                URI.create(provider.issuer()),
+                new OidcSettings.Client(StandInProvider.CLIENT, StandInProvider.SECRET),
+                URI.create("http://localhost" + CALLBACK),
+                "the stand-in",
+                accounts,
+                roles);
+    }
+
+    private static UnaryOperator<JWTClaimsSet.Builder> person(String subject, String... groups) {
+        return claims -> claims.subject(subject).claim("groups", List.of(groups));
+    }
+
+    /** There and back as a browser does it. */
+    private Http.Answer signIn(Http browser) {
+        Http.Answer there = browser.get("/api/v1/session/oidc");
+        assertThat(there.status()).isEqualTo(302);
+        return back(browser, provider.visit(location(there)), cookie(there));
+    }
+
+    private static Http.Answer back(Http browser, String query, String cookie) {
+        return browser.send(
+                CALLBACK + "?" + query,
+                request -> request.header("Cookie", cookie).GET());
+    }
+
+    private static URI location(Http.Answer answer) {
+        return URI.create(answer.raw().headers().firstValue("Location").orElseThrow());
+    }
+
+    private static String cookie(Http.Answer answer) {
+        return answer.raw().headers().allValues("Set-Cookie").stream()
+                .map(header -> header.split(";", 2)[0])
+                .filter(pair -> !pair.endsWith("="))
+                .findFirst()
+                .orElse("none=none");
+    }
+
+    private static boolean isIn(Http browser, Http.Answer back) {
+        return browser.send(
+                                "/api/v1/drones",
+                                request ->
+                                        request.header("Cookie", cookie(back)).GET())
+                        .status()
+                == 200;
+    }
+
+    @Test
+    void asksTheProviderWithStateNonceAndChallenge() {
+        Http.Answer there = nobody.get("/api/v1/session/oidc");
+
+        assertThat(location(there).toString())
+                .startsWith(provider.issuer() + "/authorize?")
+                .contains("response_type=code", "state=", "nonce=", "code_challenge_method=S256", "code_challenge=")
+                .doesNotContain(StandInProvider.SECRET);
+        assertThat(there.raw().headers().firstValue("Set-Cookie").orElse(""))
+                .contains("dronemap-oidc=", "HttpOnly", "SameSite=Lax", "Path=/api/v1/session/oidc");
+    }
+
+    @Test
+    void letsInWhoIsProvedWithTheRoleThatTheClaimGives() {
+        provider.says(person("pilot-1", "others", "pilots", "office"));
+        Http.Answer back = signIn(nobody);
+
+        assertThat(location(back)).hasToString("/");
+        assertThat(back.raw().headers().allValues("Set-Cookie").toString()).contains("SameSite=Strict", "HttpOnly");
+        Http.Answer session = nobody.send(
+                "/api/v1/session",
+                request -> request.header("Cookie", cookie(back)).GET());
+        assertThat(session.text("role")).isEqualTo("operator");
+        assertThat(session.text("name")).matches("ann~[0-9a-f]{16}");
+    }
+
+    @Test
+    void takesARoleAwayWithTheClaimAndFindsTheSameAccount() {
+        provider.says(person("pilot-2", "pilots"));
+        String before = name(signIn(nobody));
+        provider.says(person("pilot-2", "office").andThen(claims -> claims.claim("preferred_username", "anna"))::apply);
+        Http.Answer back = signIn(nobody);
+
+        assertThat(name(back)).isEqualTo(before);
+        assertThat(nobody.send(
+                                "/api/v1/session",
+                                request ->
+                                        request.header("Cookie", cookie(back)).GET())
+                        .text("role"))
+                .isEqualTo("viewer");
+    }
+
+    private String name(Http.Answer back) {
+        return nobody.send(
+                        "/api/v1/session",
+                        request -> request.header("Cookie", cookie(back)).GET())
+                .text("name");
+    }
+
+    @Test
+    void doesNotLetInWhomTheClaimGivesNoRole() {
+        provider.says(person("stranger", "others"));
+        refused(signIn(nobody));
+    }
+
+    @Test
+    void neverTakesAnAccountByAName() {
+        provider.says(claims ->
+                claims.subject("evil").claim("preferred_username", "admin").claim("groups", List.of("office")));
+        Http.Answer back = signIn(nobody);
+
+        assertThat(name(back)).startsWith("admin~");
+    }
+
+    @Test
+    void makesAnAccountThatWaits() {
+        provider.says(person("new one"));
+        Http browser = new Http(careful, "");
+        Http.Answer back = signIn(browser);
+
+        assertThat(location(back)).hasToString("/?signIn=closed");
+        assertThat(isIn(browser, back)).isFalse();
+        assertThat(new Http(careful, careful.key(Role.ADMINISTRATOR))
+                        .get("/api/v1/users")
+                        .raw()
+                        .body())
+                .containsPattern("ann~[0-9a-f]{16}\",\"role\":\"viewer\",\"state\":\"waiting\"");
+    }
+
+    static Stream<Arguments> wrongClaims() {
+        Date past = Date.from(Instant.now().minusSeconds(600));
+        return Stream.of(
+                Arguments.of("another issuer", change(claims -> claims.issuer("https://evil.example"))),
+                Arguments.of("another audience", change(claims -> claims.audience("another-client"))),
+                Arguments.of("another nonce", change(claims -> claims.claim("nonce", "of another sign-in"))),
+                Arguments.of("no nonce", change(claims -> claims.claim("nonce", null))),
+                Arguments.of("expired", change(claims -> claims.expirationTime(past))),
+                Arguments.of("no end", change(claims -> claims.expirationTime(null))),
+                Arguments.of("nobody", change(claims -> claims.subject(null))));
+    }
+
+    private static UnaryOperator<JWTClaimsSet.Builder> change(UnaryOperator<JWTClaimsSet.Builder> change) {
+        return claims -> change.apply(claims.claim("groups", List.of("office")));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("wrongClaims")
+    void refusesATokenWithWrongClaims(String what, UnaryOperator<JWTClaimsSet.Builder> claims) {
+        provider.says(claims);
+        refused(signIn(nobody));
+    }
+
+    @ParameterizedTest
+    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "OWN_KEY")
+    void refusesATokenThatTheProvidersKeyDidNotSign(Signature signature) {
+        provider.says(person("pilot-1", "office"));
+        provider.signsWith(signature);
+        refused(signIn(nobody));
+    }
+
+    @Test
+    void refusesACodeASecondTime() {
+        provider.says(person("pilot-1", "office"));
+        Http.Answer there = nobody.get("/api/v1/session/oidc");
+        String query = provider.visit(location(there));
+        assertThat(isIn(nobody, back(nobody, query, cookie(there)))).isTrue();
+
+        refused(back(nobody, query, cookie(there)));
+        Http.Answer again = nobody.get("/api/v1/session/oidc");
+        String state = location(again).getRawQuery().replaceFirst(".*state=([^&]+).*", "$1");
+        refused(back(nobody, query.replaceFirst("state=.*", "state=" + state), cookie(again)));
+    }
+
+    @Test
+    void refusesAnswersToWhatAnotherBrowserBegan() {
+        provider.says(person("pilot-1", "office"));
+        String mine = provider.visit(location(nobody.get("/api/v1/session/oidc")));
+
+        refused(back(nobody, mine, cookie(nobody.get("/api/v1/session/oidc"))));
+        refused(back(nobody, "code=made-up&state=made-up", "none=none"));
+        refused(back(nobody, "error=access_denied", "none=none"));
+    }
+
+    private void refused(Http.Answer back) {
+        assertThat(back.status()).isEqualTo(302);
+        assertThat(location(back)).hasToString("/?signIn=failed");
+        assertThat(back.raw().headers().allValues("Set-Cookie").toString()).doesNotContain("dronemap-session");
+        assertThat(back.raw().body()).doesNotContain(StandInProvider.SECRET);
+    }
+
+    @Test
+    void tellsThePageOfTheProviderOnlyWhereThereIsOne(@TempDir Path data) {
+        assertThat(nobody.get("/api/v1/registrations").text("signInWith")).isEqualTo("the stand-in");
+        try (TestHouse without = new TestHouse(data, false)) {
+            Http browser = new Http(without, "");
+            assertThat(browser.get("/api/v1/registrations")
+                            .json()
+                            .path("signInWith")
+                            .isNull())
+                    .isTrue();
+            assertThat(browser.get("/api/v1/session/oidc").status()).isEqualTo(404);
+            assertThat(browser.get(CALLBACK).status()).isEqualTo(404);
+        }
+    }
+}
