@@ -9,6 +9,7 @@ function grant(more: Partial<Grant> = {}): Grant {
     user: 'ann',
     group: null,
     all: true,
+    virtual: false,
     drones: null,
     fleet: null,
     operations: ['view', 'command'],

@@ -65,6 +65,9 @@ function dronesLine(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: stri
   if (grant.fleet !== null) {
     return fleets.find((fleet) => fleet.id === grant.fleet)?.name ?? 'a fleet';
   }
+  if (grant.virtual) {
+    return 'their own virtual drones';
+  }
   if (grant.drones === null) {
     return 'all drones';
   }

@@ -23,6 +23,8 @@ export interface Subject {
 export interface Grant extends Subject {
   id: string;
   all: boolean;
+  /** Their own virtual drones alone. */
+  virtual: boolean;
   drones: string[] | null;
   /** The id of a fleet. */
   fleet: string | null;
@@ -35,11 +37,12 @@ export interface Grant extends Subject {
   at: string;
 }
 
-/** From now on, with exactly one of all, drones and fleet. */
+/** From now on, with exactly one of all, virtual, drones and fleet. */
 export interface GrantRequest {
   user?: string;
   group?: string;
   all?: true;
+  virtual?: true;
   drones?: string[];
   fleet?: string;
   operations: KeyOperation[];

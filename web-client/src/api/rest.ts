@@ -17,6 +17,7 @@ import type {
   Settings,
 } from './types';
 import type { WaitingVehicle } from './waiting';
+import { VirtualCalls } from './virtual';
 import { ZoneCalls } from './zones';
 
 /** `epoch`: of the control that the page believes to have. */
@@ -32,6 +33,7 @@ export class RestClient {
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
   readonly grants = new GrantCalls((method, path, body) => this.#call(method, path, body));
+  readonly virtuals = new VirtualCalls((method, path, body) => this.#call(method, path, body));
   readonly zones = new ZoneCalls((method, path, body) => this.#call(method, path, body));
 
   constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {

@@ -2,6 +2,7 @@
 
 import type { Role } from './accounts';
 import type { Control } from './control';
+import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 
 /** `ended`: the recording that it comes from has been played to its end. */
@@ -259,6 +260,8 @@ export type StreamMessage =
   | { type: 'droneRemoved'; id: string }
   | { type: 'zone'; zone: Zone }
   | { type: 'zoneRemoved'; id: string }
+  | { type: 'virtualDrone'; virtualDrone: VirtualDrone }
+  | { type: 'virtualDroneRemoved'; id: string }
   | { type: 'command'; command: Command }
   | { type: 'control'; drone: string; control: Control }
   | { type: 'ping'; at: string }

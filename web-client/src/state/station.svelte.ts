@@ -12,6 +12,7 @@ import { Desk } from './desk.svelte';
 import { Fleet } from './fleet.svelte';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
+import { Virtuals } from './virtuals.svelte';
 import { Zones } from './zones.svelte';
 
 /** The context key; tests put a station of their own under it. */
@@ -36,6 +37,7 @@ export class Station {
   readonly desk = new Desk();
   readonly preferences = new Preferences();
   readonly zones = new Zones(this.rest.zones);
+  readonly virtuals = new Virtuals(this.rest.virtuals);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
   /** Why nobody is signed in any more, when that was not their wish. */
@@ -148,12 +150,14 @@ export class Station {
     this.desk.deselect();
     this.desk.page = 'map';
     this.zones.clear();
+    this.virtuals.clear();
   }
 
   #streamUp(): void {
     this.connection.up();
     void this.commands.catchUp();
     void this.zones.load();
+    void this.virtuals.load();
   }
 
   /** An administrator may have given another one since the sign-in. */
@@ -183,6 +187,12 @@ export class Station {
         break;
       case 'zoneRemoved':
         this.zones.forget(message.id);
+        break;
+      case 'virtualDrone':
+        this.virtuals.hear(message.virtualDrone);
+        break;
+      case 'virtualDroneRemoved':
+        this.virtuals.forget(message.id);
         break;
       case 'command':
         this.commands.hear(message.command);

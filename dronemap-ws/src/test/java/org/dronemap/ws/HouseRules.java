@@ -57,19 +57,24 @@ final class HouseRules {
                     "org.dronemap.core.recording..",
                     "org.dronemap.core.link..",
                     "org.dronemap.core.lease..",
-                    "org.dronemap.core.zone..")
+                    "org.dronemap.core.zone..",
+                    "org.dronemap.core.virtual..")
             .layer("cloud")
             .definedBy("org.dronemap.core.cloud..")
-            .whereLayer("cloud")
+            .layer("conduct")
+            .definedBy("org.dronemap.core.conduct..")
+            .whereLayer("conduct")
             .mayNotBeAccessedByAnyLayer()
+            .whereLayer("cloud")
+            .mayOnlyBeAccessedByLayers("conduct")
             .whereLayer("words")
-            .mayOnlyBeAccessedByLayers("cloud")
+            .mayOnlyBeAccessedByLayers("cloud", "conduct")
             .whereLayer("drone")
-            .mayOnlyBeAccessedByLayers("words", "cloud")
+            .mayOnlyBeAccessedByLayers("words", "cloud", "conduct")
             .whereLayer("parameter")
-            .mayOnlyBeAccessedByLayers("drone", "words", "cloud")
+            .mayOnlyBeAccessedByLayers("drone", "words", "cloud", "conduct")
             .whereLayer("mission")
-            .mayOnlyBeAccessedByLayers("drone", "words", "cloud");
+            .mayOnlyBeAccessedByLayers("drone", "words", "cloud", "conduct");
 
     static final ArchRule FLOORS_OF_WS = layeredArchitecture()
             .consideringOnlyDependenciesInLayers()

@@ -124,6 +124,12 @@ public final class GrantBook {
         }
 
         @Override
+        public Set<Permission> virtually() {
+            List<GrantPicture.Held> held = user == null ? null : book.picture.held(user);
+            return held == null ? ALL : GrantPicture.virtually(held, book.clock.instant());
+        }
+
+        @Override
         public boolean isWhole() {
             return user == null || book.picture.held(user) == null;
         }

@@ -8,6 +8,9 @@ public sealed interface GrantObject {
     /** All drones of the organisation, also those to come. */
     record Everything() implements GrantObject {}
 
+    /** The user's own virtual drones, and with them whichever drone serves them, unseen. */
+    record Virtual() implements GrantObject {}
+
     /** These drones. */
     record Drones(Set<DroneId> ids) implements GrantObject {
         public Drones {

@@ -89,6 +89,19 @@ final class GrantPicture {
         return all;
     }
 
+    /** With virtual drones, which any drone of the organisation may serve. */
+    static Set<Permission> virtually(List<Held> held, Instant now) {
+        EnumSet<Permission> all = EnumSet.noneOf(Permission.class);
+        for (Held each : held) {
+            GrantObject object = each.grant().object();
+            boolean virtual = object instanceof GrantObject.Virtual || object instanceof GrantObject.Everything;
+            if (virtual && each.grant().isInForce(now)) {
+                all.addAll(each.grant().permissions());
+            }
+        }
+        return all;
+    }
+
     private static Map<String, List<Held>> held(Holdings holdings) {
         Map<String, Set<String>> members =
                 holdings.groups().stream().collect(Collectors.toMap(UserGroup::id, UserGroup::members));
@@ -120,6 +133,9 @@ final class GrantPicture {
     private static @Nullable Set<DroneId> drones(GrantObject object, Map<String, Set<DroneId>> fleets) {
         if (object instanceof GrantObject.Everything) {
             return null;
+        }
+        if (object instanceof GrantObject.Virtual) {
+            return Set.of();
         }
         return object instanceof GrantObject.Drones drones
                 ? drones.ids()

@@ -38,6 +38,15 @@ public record Principal(
                 && (permission == null || permissions(drone).contains(permission));
     }
 
+    /** With virtual drones, which any drone may serve: a proof that reaches certain drones reaches none of them. */
+    public boolean mayVirtually(Role needed) {
+        Permission permission = needed.permission();
+        return role.includes(needed)
+                && scope.permits(needed)
+                && scope.coversAllDrones()
+                && (permission == null || reach.virtually().contains(permission));
+    }
+
     /** Other drones do not exist for this one. */
     public boolean sees(DroneId drone) {
         return scope.covers(drone) && !reach.of(drone).isEmpty();

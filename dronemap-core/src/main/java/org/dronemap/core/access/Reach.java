@@ -29,6 +29,11 @@ public interface Reach {
         }
 
         @Override
+        public Set<Permission> virtually() {
+            return ALL;
+        }
+
+        @Override
         public boolean isWhole() {
             return true;
         }
@@ -41,6 +46,9 @@ public interface Reach {
 
     /** What may be done with some drone or other; looking always is among it, for there may be nothing to see. */
     Set<Permission> somewhere();
+
+    /** What may be done with one's own virtual drones, if the role allows it; empty: there are none. */
+    Set<Permission> virtually();
 
     /** All drones of the organisation, with all that the role allows. */
     boolean isWhole();

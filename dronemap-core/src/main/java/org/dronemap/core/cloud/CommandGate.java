@@ -19,6 +19,7 @@ import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
@@ -31,9 +32,6 @@ import org.slf4j.LoggerFactory;
  */
 public final class CommandGate {
     private static final Logger LOG = LoggerFactory.getLogger(CommandGate.class);
-    /** No command goes without a sign for longer than this. */
-    private static final long LONGEST_SILENCE_NANOS = Duration.ofSeconds(90).toNanos();
-
     private static final String GATE = "gate";
 
     private final DroneRegistry registry;
@@ -49,11 +47,20 @@ public final class CommandGate {
     /** So long a change of mode may be the late effect of a command. */
     private static final long EFFECT_NANOS = Duration.ofSeconds(5).toNanos();
 
-    /** Who asks, through which face; {@code epoch} of the control that the client believes to have, null: says nothing. */
+    /**
+     * Who asks, through which face.
+     *
+     * @param epoch of the control that the client believes to have; null: says nothing
+     * @param operation what the cloud conducts for that user and commands this; null: the user does
+     */
     public record Source(
-            Principal principal, String face, @Nullable Long epoch) {
+            Principal principal, String face, @Nullable Long epoch, Holder.@Nullable Operation operation) {
         public Source(Principal principal, String face) {
-            this(principal, face, null);
+            this(principal, face, null, null);
+        }
+
+        public Source(Principal principal, String face, @Nullable Long epoch) {
+            this(principal, face, epoch, null);
         }
     }
 
@@ -107,7 +114,7 @@ public final class CommandGate {
         if (why.isPresent()) {
             return refuse(record, why.get());
         }
-        Passage passage = managed.control().enter(source.principal(), command, source.epoch());
+        Passage passage = managed.control().enter(source, command);
         if (passage instanceof Passage.Closed closed) {
             return refuse(record, closed.why());
         }
@@ -278,9 +285,14 @@ public final class CommandGate {
             end(entry, new Outcome.Refused(GATE, busy));
             return;
         }
-        Lane.Ticker guard = new Overdue(entry, channel.get());
+        Lane.Ticker guard = new Overdue(entry.open(), entry.drone().lane(), () -> giveUp(entry, channel.get()));
         entry.drone().lane().addTicker(guard);
         channel.get().perform(entry.mandate(), entry.open().command(), new Reporter(entry, guard));
+    }
+
+    private void giveUp(Underway entry, VehicleChannel channel) {
+        channel.cancel(entry.open().record().id());
+        end(entry, new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone."));
     }
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */
@@ -366,29 +378,6 @@ public final class CommandGate {
             if (entry.open().record().outcome() == null) {
                 entry.open().update(newer, entry.drone().lane().activeNanos());
                 listener.commandChanged(newer);
-            }
-        }
-    }
-
-    /** Ends a command that nobody says anything about any more, so that none is silently lost. */
-    private final class Overdue implements Lane.Ticker {
-        private final Underway entry;
-        private final VehicleChannel channel;
-
-        Overdue(Underway entry, VehicleChannel channel) {
-            this.entry = entry;
-            this.channel = channel;
-        }
-
-        @Override
-        public void tick() {
-            Lane lane = entry.drone().lane();
-            if (entry.open().record().outcome() != null) {
-                lane.removeTicker(this);
-            } else if (entry.open().silentFor(lane.activeNanos(), LONGEST_SILENCE_NANOS)) {
-                lane.removeTicker(this);
-                channel.cancel(entry.open().record().id());
-                end(entry, new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone."));
             }
         }
     }

@@ -19,6 +19,7 @@ import org.dronemap.core.lease.LeaseStep;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.Moment;
 import org.dronemap.core.lease.SavedLease;
+import org.dronemap.core.lease.Tenure;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -78,19 +79,32 @@ final class DroneControl {
         return new Decision(step, durable);
     }
 
-    /** Asks for the control that a command needs, and takes it where it is free. */
-    synchronized Passage enter(Principal principal, Command command, @Nullable Long claimed) {
+    /** Asks for the control that a command needs, and takes it where it is free; operations have it, or command nothing. */
+    synchronized Passage enter(CommandGate.Source source, Command command) {
+        Principal principal = source.principal();
+        Holder.Operation operation = source.operation();
+        if (operation != null) {
+            return enter(operation);
+        }
         if (ControlRules.onlyReads(command)) {
             return new Passage.Open(epoch(), Fence.NONE);
         }
-        LeaseAnswer answer =
-                apply(new LeaseEvent.Command(principal.name(), claimed)).step().answer();
+        LeaseAnswer answer = apply(new LeaseEvent.Command(principal.name(), source.epoch()))
+                .step()
+                .answer();
         if (!(answer instanceof LeaseAnswer.Denied denied)) {
             return fenced();
         }
         return ControlRules.isOpenTo(principal, drone, command)
                 ? new Passage.Open(epoch(), Fence.NONE)
                 : new Passage.Closed(denied.why());
+    }
+
+    private Passage enter(Holder.Operation operation) {
+        Tenure tenure = control.tenure();
+        return tenure != null && tenure.holder().isOperation(operation.id())
+                ? fenced()
+                : new Passage.Closed(control.sentence());
     }
 
     /** For what a rule of safety commands; empty when somebody has control. */

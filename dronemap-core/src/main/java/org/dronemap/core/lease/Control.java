@@ -59,7 +59,9 @@ public record Control(
         return tenure.holder().words() + " has had control of it since " + TIME.format(tenure.since())
                 + (tenure.holder() instanceof Holder.Pilot
                         ? "; take control to command it again."
-                        : "; ask for it, or wait until it is given back.");
+                        : tenure.holder() instanceof Holder.Operation
+                                ? "; end that first, or let a supervisor take over."
+                                : "; ask for it, or wait until it is given back.");
     }
 
     Control with(@Nullable Tenure now) {

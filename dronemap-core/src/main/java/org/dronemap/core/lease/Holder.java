@@ -5,12 +5,27 @@ public sealed interface Holder {
     /** A user, with whatever client. */
     record Person(String name) implements Holder {}
 
+    /**
+     * Something that the cloud conducts for a user; comes after people, and ends when it is over, not by silence.
+     *
+     * @param words the beginning of a sentence, such as: The virtual drone “Survey” of ann
+     */
+    record Operation(String id, String user, String words) implements Holder {}
+
     /** Whoever flies it with a remote control or on board: goes before everybody here. */
     record Pilot() implements Holder {}
 
     /** The beginning of a sentence. */
     default String words() {
-        return this instanceof Person person ? person.name() : "The pilot at the vehicle";
+        if (this instanceof Person person) {
+            return person.name();
+        }
+        return this instanceof Operation operation ? operation.words() : "The pilot at the vehicle";
+    }
+
+    /** The same operation, whatever it is called by now. */
+    default boolean isOperation(String id) {
+        return this instanceof Operation operation && operation.id().equals(id);
     }
 
     default boolean is(String user) {

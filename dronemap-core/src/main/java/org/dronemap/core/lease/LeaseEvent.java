@@ -30,6 +30,12 @@ public sealed interface LeaseEvent {
 
     record Release(String user) implements LeaseEvent {}
 
+    /** An operation wants control, if it is free; what it has already it keeps. */
+    record Engage(Holder.Operation by) implements LeaseEvent {}
+
+    /** An operation is over. */
+    record Disengage(String operation) implements LeaseEvent {}
+
     /** This user may command no more. */
     record Expel(String user) implements LeaseEvent {}
 

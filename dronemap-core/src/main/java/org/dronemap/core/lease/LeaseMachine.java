@@ -69,6 +69,12 @@ public final class LeaseMachine {
         if (event instanceof LeaseEvent.Expel expel) {
             return expel(control, expel.user(), now);
         }
+        if (event instanceof LeaseEvent.Engage engage) {
+            return engage(control, engage.by(), now);
+        }
+        if (event instanceof LeaseEvent.Disengage disengage) {
+            return disengage(control, disengage.operation());
+        }
         if (event instanceof LeaseEvent.PilotActed pilot) {
             return pilotActed(control, pilot.what(), now);
         }
@@ -196,6 +202,23 @@ public final class LeaseMachine {
         }
         Lapse lapse = tenure.explicit() ? new Lapse(user, now.nanos(), false) : null;
         return LeaseStep.granted(freed(epochs.getAsLong(), lapse), change(Kind.EXPELLED, tenure.holder(), null));
+    }
+
+    private LeaseStep engage(Control control, Holder.Operation operation, Moment now) {
+        Tenure tenure = control.tenure();
+        if (tenure != null) {
+            return tenure.holder().isOperation(operation.id())
+                    ? LeaseStep.granted(control)
+                    : LeaseStep.denied(control, control.sentence());
+        }
+        return LeaseStep.granted(begin(control, operation, true, now), change(Kind.TAKEN, operation, null));
+    }
+
+    private static LeaseStep disengage(Control control, String operation) {
+        Tenure tenure = control.tenure();
+        return tenure == null || !tenure.holder().isOperation(operation)
+                ? LeaseStep.granted(control)
+                : LeaseStep.granted(freed(control.epoch(), null), change(Kind.RELEASED, tenure.holder(), null));
     }
 
     private LeaseStep pilotActed(Control control, String what, Moment now) {

@@ -18,6 +18,7 @@ import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingStore;
+import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.own.OwnPostgres;
@@ -112,6 +113,10 @@ public final class Database implements AutoCloseable {
 
     public LeaseStore leases() {
         return new PostgresLeaseStore(pool);
+    }
+
+    public VirtualDroneStore virtualDrones() {
+        return new PostgresVirtualDroneStore(pool);
     }
 
     public Backup backup() {

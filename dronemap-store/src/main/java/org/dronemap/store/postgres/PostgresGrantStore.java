@@ -133,8 +133,8 @@ public final class PostgresGrantStore implements GrantStore {
         sql.update(
                 """
                 INSERT INTO access_grant (id, organisation, account_name, group_id, fleet_id, drones, permissions,
-                    begins_at, ends_at, made_by, made_at)
-                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)""",
+                    begins_at, ends_at, made_by, made_at, of_virtual_drones)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)""",
                 grant.id(),
                 OrganisationColumn.stored(grant.organisation()),
                 user(grant.subject()),
@@ -145,7 +145,8 @@ public final class PostgresGrantStore implements GrantStore {
                 grant.from(),
                 grant.until(),
                 grant.madeBy(),
-                grant.madeAt());
+                grant.madeAt(),
+                grant.object() instanceof GrantObject.Virtual);
     }
 
     @Override
@@ -201,7 +202,9 @@ public final class PostgresGrantStore implements GrantStore {
                 row.text("id"),
                 OrganisationColumn.read(row),
                 subject(row),
-                object(row.textOrNull("fleet_id"), row.textOrNull("drones")),
+                row.bool("of_virtual_drones")
+                        ? new GrantObject.Virtual()
+                        : object(row.textOrNull("fleet_id"), row.textOrNull("drones")),
                 KeyScopeText.permissions(row.text("permissions")),
                 row.time("begins_at"),
                 row.timeOrNull("ends_at"),

@@ -143,15 +143,17 @@ public abstract class GrantStoreContract {
                 null,
                 "root",
                 NOON.plusSeconds(1));
+        Grant virtual = grant("d", new Subject.OfUser("ann"), new GrantObject.Virtual());
+        store.add(virtual);
         store.add(fleet);
         store.add(some);
         store.add(all);
-        assertThat(store.holdings().grants()).containsExactly(all, some, fleet);
+        assertThat(store.holdings().grants()).containsExactly(all, some, virtual, fleet);
 
         assertThat(store.deleteGrant("b")).isTrue();
         assertThat(store.deleteGrant("b")).isFalse();
 
-        assertThat(store.holdings().grants()).containsExactly(all, fleet);
+        assertThat(store.holdings().grants()).containsExactly(all, virtual, fleet);
     }
 
     @Test

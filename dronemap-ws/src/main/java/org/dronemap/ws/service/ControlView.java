@@ -70,6 +70,9 @@ public record ControlView(
     }
 
     static @Nullable String name(@Nullable Holder holder) {
+        if (holder instanceof Holder.Operation operation) {
+            return operation.words();
+        }
         return holder instanceof Holder.Person person ? person.name() : null;
     }
 

@@ -102,7 +102,7 @@ public final class DroneViews {
         return value == null ? null : (Double) ((double) Math.round(value * parts) / parts);
     }
 
-    private static DroneView.@Nullable PositionView position(@Nullable Position position) {
+    static DroneView.@Nullable PositionView position(@Nullable Position position) {
         if (position == null) {
             return null;
         }
@@ -114,7 +114,7 @@ public final class DroneViews {
                 position.altitudeAboveHomeMeters());
     }
 
-    private static DroneView.@Nullable MotionView motion(DroneState state) {
+    static DroneView.@Nullable MotionView motion(DroneState state) {
         var motion = state.motion();
         return motion == null
                 ? null

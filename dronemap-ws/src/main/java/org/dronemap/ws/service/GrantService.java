@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 public final class GrantService {
     private static final int MOST = 2_000;
     private static final String ONE_SUBJECT = "a user or a group, and not both";
-    private static final String ONE_OBJECT = "one of drones, fleet or \"all\": true";
+    private static final String ONE_OBJECT = "one of drones, fleet, \"virtual\": true or \"all\": true";
     private static final String MOMENT = "a time such as 2026-07-01T12:00:00Z";
 
     private final GrantChanges grants;
@@ -33,6 +33,7 @@ public final class GrantService {
             @Nullable String user,
             @Nullable String group,
             @Nullable Boolean all,
+            @Nullable Boolean virtual,
             @Nullable List<@Nullable String> drones,
             @Nullable String fleet,
             @Nullable List<@Nullable String> operations,
@@ -45,6 +46,7 @@ public final class GrantService {
     /**
      * A grant as administrators see it.
      *
+     * @param virtual the user's own virtual drones alone
      * @param drones null: not by their ids
      * @param state inForce, toCome or over
      */
@@ -53,6 +55,7 @@ public final class GrantService {
             @Nullable String user,
             @Nullable String group,
             boolean all,
+            boolean virtual,
             @Nullable List<String> drones,
             @Nullable String fleet,
             List<String> operations,
@@ -173,16 +176,17 @@ public final class GrantService {
 
     private GrantObject object(Principal principal, GrantRequest request) {
         boolean all = Boolean.TRUE.equals(request.all());
+        boolean virtual = Boolean.TRUE.equals(request.virtual());
         String fleet = request.fleet();
         List<@Nullable String> drones = request.drones();
-        if ((all ? 1 : 0) + (fleet == null ? 0 : 1) + (drones == null ? 0 : 1) != 1) {
+        if ((all ? 1 : 0) + (virtual ? 1 : 0) + (fleet == null ? 0 : 1) + (drones == null ? 0 : 1) != 1) {
             throw new InvalidInput("drones", ONE_OBJECT, "A grant needs " + ONE_OBJECT + ".");
         }
         if (fleet != null) {
             return new GrantObject.OfFleet(groups.fleet(principal, fleet).id());
         }
         if (drones == null) {
-            return new GrantObject.Everything();
+            return virtual ? new GrantObject.Virtual() : new GrantObject.Everything();
         }
         if (drones.isEmpty()) {
             throw InvalidInput.missing("drones", "ids of drones");
@@ -205,6 +209,7 @@ public final class GrantService {
                 grant.subject() instanceof Subject.OfUser user ? user.name() : null,
                 grant.subject() instanceof Subject.OfGroup group ? group.id() : null,
                 object instanceof GrantObject.Everything,
+                object instanceof GrantObject.Virtual,
                 object instanceof GrantObject.Drones drones
                         ? drones.ids().stream().map(DroneId::value).sorted().toList()
                         : null,

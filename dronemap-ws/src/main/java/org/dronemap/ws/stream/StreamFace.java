@@ -17,6 +17,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Control;
@@ -38,6 +39,7 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
 import org.java_websocket.WebSocketServerFactory;
@@ -54,6 +56,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private final StreamServer server;
     private final StreamRequests requests;
     private final DroneFeed feed;
+    private final VirtualFeed virtualFeed;
     private final Clock clock;
     private final Pump pump = new Pump("stream-pump", this::round);
     private final Queue<DroneId> removed = new ConcurrentLinkedQueue<>();
@@ -65,7 +68,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     public record Services(
             Entrance entrance,
             DroneService drones,
-            DroneViews views,
+            Pictures pictures,
             CommandService commands,
             ControlService controls,
             JsonReader json) {}
@@ -78,6 +81,9 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             Budgets budgets,
             GrantBook grants) {}
 
+    /** What is shown, and how. */
+    public record Pictures(DroneViews drones, VirtualDrones virtuals, VirtualDroneViews virtualViews) {}
+
     public StreamFace(
             CloudManager cloud,
             Services services,
@@ -87,8 +93,9 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.cloud = cloud;
         this.services = services;
         this.clock = clock;
-        this.feed = new DroneFeed(services.views(), services.json());
+        this.feed = new DroneFeed(services.pictures().drones(), services.json());
         this.sight = new StreamSight(cloud, services.entrance().grants(), feed, services.json());
+        this.virtualFeed = new VirtualFeed(services.pictures(), services.json(), this::wake);
         this.requests = new StreamRequests(
                 services.entrance().authentication(),
                 services.entrance().budgets(),
@@ -112,6 +119,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         int port = awaitListening();
         cloud.addListener(this);
         cloud.zones().onChange(this::zonesChanged);
+        services.pictures().virtuals().addListener(virtualFeed);
         pump.start();
         return port;
     }
@@ -132,6 +140,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     @Override
     public void droneChanged(DroneState state) {
         feed.changed(state);
+        virtualFeed.moved(state);
         wake();
     }
 
@@ -234,6 +243,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             tellRemoved(id);
         }
         sight.settle(server.clients());
+        virtualFeed.publish(server.clients(), now);
         Pump.Pause pause = feed.publish(server.clients(), now);
         boolean pingDue = now - lastPingNanos >= PING_NANOS;
         if (pingDue) {

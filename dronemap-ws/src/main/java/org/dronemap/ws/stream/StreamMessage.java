@@ -8,6 +8,7 @@ import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.VirtualDroneView;
 import org.dronemap.ws.service.ZoneFeature;
 import org.jspecify.annotations.Nullable;
 
@@ -62,6 +63,18 @@ final class StreamMessage {
     record ZoneRemoved(String type, String id) {
         ZoneRemoved(String id) {
             this("zoneRemoved", id);
+        }
+    }
+
+    record VirtualDroneChanged(String type, VirtualDroneView virtualDrone) {
+        VirtualDroneChanged(VirtualDroneView virtualDrone) {
+            this("virtualDrone", virtualDrone);
+        }
+    }
+
+    record VirtualDroneRemoved(String type, String id) {
+        VirtualDroneRemoved(String id) {
+            this("virtualDroneRemoved", id);
         }
     }
 

@@ -3,12 +3,14 @@ package org.dronemap.ws.wiring;
 import java.time.Duration;
 import java.util.Map;
 import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.virtual.RunMachine;
 
 /** What the environment says about the control of drones. */
 final class ControlSettings {
     private static final String SILENCE = "DRONEMAP_CONTROL_LOST_SECONDS";
     private static final String IDLE = "DRONEMAP_CONTROL_IDLE_SECONDS";
     private static final String ON_LOSS = "DRONEMAP_CONTROL_LOST";
+    private static final String VIRTUAL_SILENCE = "DRONEMAP_VIRTUAL_SILENT_SECONDS";
     private static final String UNTIL_RETURN = "DRONEMAP_CONTROL_RETURN_SECONDS";
 
     private ControlSettings() {}
@@ -21,6 +23,10 @@ final class ControlSettings {
                 otherwise.asking(),
                 onLoss(environment.getOrDefault(ON_LOSS, "").strip()),
                 seconds(environment, UNTIL_RETURN, otherwise.untilReturn(), 0, 600));
+    }
+
+    static Duration virtualSilence(Map<String, String> environment) {
+        return seconds(environment, VIRTUAL_SILENCE, RunMachine.USUAL_SILENCE, 10, 900);
     }
 
     private static LeaseRules.OnLoss onLoss(String value) {

@@ -12,6 +12,7 @@ import org.springframework.context.annotation.Import;
     RestConfiguration.class,
     GrantConfiguration.class,
     StreamConfiguration.class,
-    SoapConfiguration.class
+    SoapConfiguration.class,
+    VirtualConfiguration.class
 })
 public class FacesApplication {}

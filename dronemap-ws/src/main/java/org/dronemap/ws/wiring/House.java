@@ -5,6 +5,7 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingArchive;
@@ -28,7 +29,8 @@ public record House(
         BackupService.BackupWriter backups,
         LinkSecurityControl linkSecurity,
         GrantStore grants,
-        GrantBook grantBook) {
+        GrantBook grantBook,
+        VirtualDrones virtuals) {
 
     /** The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with. */
     public record LinkSide(VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys) {}

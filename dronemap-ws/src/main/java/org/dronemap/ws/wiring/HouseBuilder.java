@@ -15,11 +15,13 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
+import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
@@ -65,12 +67,7 @@ final class HouseBuilder {
         Journal journal = new Journal();
         closing.add("the journal", journal);
         closing.add("the lanes", lanes);
-        CloudManager cloud = new CloudManager(
-                lanes,
-                new CloudManager.Rules(settings.watchdog(), settings.control()),
-                clock,
-                new CloudManager.Keeping(database.drones(), database.commands(), database.leases(), journal),
-                new DroneIds());
+        CloudManager cloud = cloud(database, journal, clock);
         GrantBook grants = grants(database, cloud, clock);
         SecretBox box = ServerSecret.box(
                 settings.linkSecret() == null ? null : settings.linkSecret().text(),
@@ -95,7 +92,17 @@ final class HouseBuilder {
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()),
                 database.grants(),
-                grants);
+                grants,
+                virtualDrones(cloud, database, grants, clock));
+    }
+
+    private CloudManager cloud(Database database, Journal journal, Clock clock) {
+        return new CloudManager(
+                lanes,
+                new CloudManager.Rules(settings.watchdog(), settings.control()),
+                clock,
+                new CloudManager.Keeping(database.drones(), database.commands(), database.leases(), journal),
+                new DroneIds());
     }
 
     /** In force before anybody can ask, or any vehicle is heard. */
@@ -105,6 +112,19 @@ final class HouseBuilder {
         cloud.zones().ownersBy(grants::owner);
         cloud.zones().put(database.zones().zones());
         return grants;
+    }
+
+    /** Takes up what was under way, before any vehicle is heard and anybody else can command. */
+    private VirtualDrones virtualDrones(CloudManager cloud, Database database, GrantBook grants, Clock clock) {
+        VirtualDrones virtuals = new VirtualDrones(
+                cloud,
+                database.virtualDrones(),
+                new RunMachine(settings.virtualSilence()),
+                new AccountRights(database.access(), grants),
+                clock);
+        virtuals.start();
+        closing.add("the virtual drones", virtuals);
+        return virtuals;
     }
 
     private static void endUnfinished(Database database, Clock clock) {

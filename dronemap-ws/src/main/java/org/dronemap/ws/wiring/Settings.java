@@ -29,6 +29,7 @@ import org.jspecify.annotations.Nullable;
  * @param registration who may make an account
  * @param protection how much clients may cost
  * @param oidc the provider that users may sign in with; null: none
+ * @param virtualSilence so long a silent drone that serves a virtual one counts as flying, beside its mission
  */
 public record Settings(
         Path dataDirectory,
@@ -47,7 +48,8 @@ public record Settings(
         @Nullable Hidden linkSecret,
         Registration registration,
         Protection protection,
-        @Nullable OidcSettings oidc) {
+        @Nullable OidcSettings oidc,
+        Duration virtualSilence) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
     private static final int DEFAULT_STREAM_PORT = 8081;
@@ -105,7 +107,8 @@ public record Settings(
                 hidden(environment, "DRONEMAP_LINK_SECRET"),
                 registration(environment),
                 ProtectionSettings.of(environment),
-                OidcEnvironment.of(environment));
+                OidcEnvironment.of(environment),
+                ControlSettings.virtualSilence(environment));
     }
 
     private static Registration registration(Map<String, String> environment) {

@@ -17,6 +17,7 @@ import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.stream.StreamFace;
 import org.jspecify.annotations.Nullable;
 import org.springframework.context.annotation.Bean;
@@ -41,11 +42,16 @@ public class StreamConfiguration {
     StreamFace.Services streamServices(
             StreamFace.Entrance entrance,
             DroneService drones,
-            DroneViews views,
+            StreamFace.Pictures pictures,
             CommandService commands,
             ControlService controls,
             JsonReader json) {
-        return new StreamFace.Services(entrance, drones, views, commands, controls, json);
+        return new StreamFace.Services(entrance, drones, pictures, commands, controls, json);
+    }
+
+    @Bean
+    StreamFace.Pictures streamPictures(House house, DroneViews views, VirtualDroneViews virtualViews) {
+        return new StreamFace.Pictures(views, house.virtuals(), virtualViews);
     }
 
     @Bean

@@ -34,10 +34,9 @@ public final class ScriptedVehicle implements VehicleChannel {
     private volatile Function<Command, Outcome> script = command -> new Outcome.Succeeded();
     private final DroneLink link;
 
-    private ScriptedVehicle(CloudManager cloud, int port) {
-        DroneKey key = new DroneKey("127.0.0.1", port, 1);
-        LinkSession session = new LinkSession(key, "udp", false, "Copter " + port, this);
-        if (!(cloud.admit(new Claim(session, COPTER, null, true, 0)) instanceof Admission.Bound bound)) {
+    private ScriptedVehicle(CloudManager cloud, DroneKey key, String name, Identification identification) {
+        LinkSession session = new LinkSession(key, "udp", false, name, this);
+        if (!(cloud.admit(new Claim(session, identification, null, true, 0)) instanceof Admission.Bound bound)) {
             throw new AssertionError("it was not let in");
         }
         link = bound.link();
@@ -45,7 +44,8 @@ public final class ScriptedVehicle implements VehicleChannel {
 
     /** In contact, at a place near Zürich, disarmed on the ground. */
     public static ScriptedVehicle connect(CloudManager cloud, int port) {
-        ScriptedVehicle vehicle = new ScriptedVehicle(cloud, port);
+        ScriptedVehicle vehicle =
+                new ScriptedVehicle(cloud, new DroneKey("127.0.0.1", port, 1), "Copter " + port, COPTER);
         vehicle.says(new DroneEvent.Identified(COPTER, ALL));
         vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
         vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 488.0, 0.0)));
@@ -53,6 +53,11 @@ public final class ScriptedVehicle implements VehicleChannel {
         Waiting.until(
                 "the vehicle is known", () -> cloud.drone(vehicle.link.id()).filter(state -> state.position() != null));
         return vehicle;
+    }
+
+    /** In contact, and nothing more said yet. */
+    public static ScriptedVehicle silent(CloudManager cloud, DroneKey key, String name, Identification identification) {
+        return new ScriptedVehicle(cloud, key, name, identification);
     }
 
     public String id() {

@@ -20,10 +20,12 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.memory.MemoryAccessStore;
@@ -34,6 +36,7 @@ import org.dronemap.store.memory.MemoryLeaseStore;
 import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
+import org.dronemap.store.memory.MemoryVirtualDroneStore;
 import org.dronemap.store.memory.MemoryZoneStore;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.guard.ClientLimits;
@@ -42,6 +45,7 @@ import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.wiring.AccountRights;
 import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
 import org.dronemap.ws.wiring.House;
@@ -67,6 +71,7 @@ public final class TestHouse implements AutoCloseable {
     private final SteppingClock clock = new SteppingClock();
     private final GrantBook grants = new GrantBook(clock);
     private final ConfigurableApplicationContext faces;
+    private final VirtualDrones virtuals;
     private final Path data;
     private final Recorder recorder;
 
@@ -111,6 +116,13 @@ public final class TestHouse implements AutoCloseable {
                 new Recorder.Keeping(new MemoryRecordingStore(), journal, DroneId::value),
                 Clock.systemUTC());
         startRecorder();
+        virtuals = new VirtualDrones(
+                cloud,
+                new MemoryVirtualDroneStore(),
+                new RunMachine(RunMachine.USUAL_SILENCE),
+                new AccountRights(access, grants),
+                Clock.systemUTC());
+        virtuals.start();
         House house = new House(
                 cloud,
                 access,
@@ -123,7 +135,8 @@ public final class TestHouse implements AutoCloseable {
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
                 new RecordedLinkSecurity(),
                 new MemoryGrantStore(),
-                grants);
+                grants,
+                virtuals);
         faces = FacesServer.start(settings(choices), house);
     }
 
@@ -145,7 +158,8 @@ public final class TestHouse implements AutoCloseable {
                 null,
                 choices.registration(),
                 choices.protection(),
-                choices.oidc());
+                choices.oidc(),
+                RunMachine.USUAL_SILENCE);
     }
 
     private void startRecorder() {
@@ -245,6 +259,7 @@ public final class TestHouse implements AutoCloseable {
     @Override
     public void close() {
         faces.close();
+        virtuals.close();
         recorder.close();
         lanes.close();
         journal.close();

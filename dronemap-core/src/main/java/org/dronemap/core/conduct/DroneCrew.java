@@ -1,0 +1,86 @@
+package org.dronemap.core.conduct;
+
+import java.util.Optional;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.CommandGate;
+import org.dronemap.core.cloud.UnknownDroneException;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.LeaseAnswer;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.jspecify.annotations.Nullable;
+
+/** Takes control of drones for virtual ones, commands them through the gate, and gives control back. */
+final class DroneCrew {
+    /** The way in that commands of virtual drones come by. */
+    static final String FACE = "virtual";
+
+    private final CloudManager cloud;
+
+    DroneCrew(CloudManager cloud) {
+        this.cloud = cloud;
+    }
+
+    /** Why control cannot be had, as a sentence; empty when it is there. */
+    Optional<String> engage(VirtualDrone by, DroneId drone) {
+        try {
+            LeaseAnswer answer = cloud.controls()
+                    .apply(drone, new LeaseEvent.Engage(operation(by)))
+                    .answer();
+            return answer instanceof LeaseAnswer.Denied denied ? Optional.of(denied.why()) : Optional.empty();
+        } catch (UnknownDroneException removed) {
+            return Optional.of("There is no such drone any more.");
+        }
+    }
+
+    void release(VirtualDrone by, DroneId drone) {
+        if (cloud.drone(drone).isPresent()) {
+            cloud.controls().apply(drone, new LeaseEvent.Disengage(by.id().value()));
+        }
+    }
+
+    /** Why this one does not have control, as a sentence; null: it has. */
+    @Nullable
+    String takenBy(VirtualDrone by, DroneId drone) {
+        Control control = cloud.controls().control(drone);
+        boolean has = control.tenure() != null
+                && control.tenure().holder().isOperation(by.id().value());
+        return has ? null : control.sentence();
+    }
+
+    /** Somebody, or something, has control. */
+    Optional<String> busy(DroneId drone) {
+        Control control = cloud.controls().control(drone);
+        return control.tenure() == null ? Optional.empty() : Optional.of(control.sentence());
+    }
+
+    /** What the gate would say. */
+    Optional<String> refusal(VirtualDrone by, DroneState drone, Command command) {
+        return cloud.gate().whyNot(principal(by), drone, command);
+    }
+
+    void command(VirtualDrone by, DroneId drone, CommandId id, Command command) {
+        cloud.gate().submit(new CommandGate.Source(principal(by), FACE, null, operation(by)), drone, id, command);
+    }
+
+    Optional<CommandRecord> record(CommandId id) {
+        return cloud.gate().find(id);
+    }
+
+    private static Principal principal(VirtualDrone by) {
+        return new Principal(by.owner(), Role.OPERATOR);
+    }
+
+    private static Holder.Operation operation(VirtualDrone by) {
+        return new Holder.Operation(
+                by.id().value(), by.owner(), "The virtual drone “" + by.name() + "” of " + by.owner());
+    }
+}

@@ -1,0 +1,208 @@
+package org.dronemap.core.conduct;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.virtual.Assignment;
+import org.dronemap.core.virtual.Candidate;
+import org.dronemap.core.virtual.Choice;
+import org.dronemap.core.virtual.Demand;
+import org.dronemap.core.virtual.Run;
+import org.dronemap.core.virtual.RunMachine;
+import org.dronemap.core.virtual.Selection;
+import org.dronemap.core.virtual.Share;
+import org.dronemap.core.virtual.Sight;
+import org.dronemap.core.virtual.Step;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+
+/** Drives all runs a step at a time: bound ones go on, waiting ones are bound in turn. Owned by the conductor's thread. */
+final class Runs {
+    private static final int MOST_STEPS = 8;
+
+    private final CloudManager cloud;
+    private final VirtualBook book;
+    private final DroneCrew crew;
+    private final RunMachine machine;
+    private final VirtualRights rights;
+    private final Clock clock;
+    private final LongSupplier nanoTime;
+    private final Stillness stillness;
+    private final Map<DroneId, Long> silentSince = new HashMap<>();
+    private final ConcurrentHashMap<VirtualDroneId, List<Choice.Unfit>> waitingFor = new ConcurrentHashMap<>();
+
+    /** What runs are driven by. */
+    record Means(RunMachine machine, VirtualRights rights, Clock clock, LongSupplier nanoTime) {}
+
+    Runs(CloudManager cloud, VirtualBook book, DroneCrew crew, Means means) {
+        this.cloud = cloud;
+        this.book = book;
+        this.crew = crew;
+        this.machine = means.machine();
+        this.rights = means.rights();
+        this.clock = means.clock();
+        this.nanoTime = means.nanoTime();
+        this.stillness = new Stillness(nanoTime);
+    }
+
+    /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. Any thread. */
+    List<Choice.Unfit> waitingFor(VirtualDroneId id) {
+        return waitingFor.getOrDefault(id, List.of());
+    }
+
+    /** After a restart, before anybody else can command. */
+    void takeUp() {
+        for (VirtualDrone drone : book.all()) {
+            DroneId bound = drone.boundTo();
+            if (bound != null) {
+                crew.engage(drone, bound);
+            }
+            drone.recalled().forEach(recalled -> crew.engage(drone, recalled));
+        }
+    }
+
+    void goOn(VirtualDrone start) {
+        VirtualDrone now = start;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            Optional<VirtualDrone> next = step(now);
+            if (next.isEmpty()) {
+                return;
+            }
+            now = next.get();
+        }
+    }
+
+    /** Empty when there is nothing more to do at present. */
+    private Optional<VirtualDrone> step(VirtualDrone now) {
+        Run run = now.run();
+        Assignment assignment = run == null ? null : run.assignment();
+        if (run == null || assignment == null) {
+            return Optional.empty();
+        }
+        Step step = machine.next(run, sight(now, assignment));
+        Command command = step.send();
+        if (command != null) {
+            CommandId id = new CommandId(UUID.randomUUID().toString());
+            book.put(now.with(step.run().given(id, clock.instant())));
+            crew.command(now, assignment.drone(), id, command);
+            return Optional.empty();
+        }
+        if (step.run().equals(run)) {
+            return Optional.empty();
+        }
+        VirtualDrone next = now.with(step.run());
+        leave(step.release() == Step.Release.RECALL ? next.recalling(assignment.drone()) : next, assignment, step);
+        return book.find(now.id());
+    }
+
+    private void leave(VirtualDrone next, Assignment assignment, Step step) {
+        book.put(next);
+        if (step.release() == Step.Release.FREE) {
+            crew.release(next, assignment.drone());
+        }
+    }
+
+    /** Somebody who goes first commands the drone that serves this one. */
+    void interrupt(VirtualDrone drone, String why) {
+        Run run = drone.run();
+        Assignment assignment = run == null ? null : run.assignment();
+        if (run == null || assignment == null) {
+            return;
+        }
+        Step step = machine.suspend(run, why, clock.instant());
+        leave(drone.with(step.run()), assignment, step);
+    }
+
+    private Sight sight(VirtualDrone by, Assignment assignment) {
+        DroneState drone = cloud.drone(assignment.drone()).orElse(null);
+        CommandId command = assignment.command();
+        Optional<CommandRecord> record = command == null ? Optional.empty() : crew.record(command);
+        Outcome outcome = record.map(CommandRecord::outcome).orElse(null);
+        return new Sight(
+                drone,
+                crew.takenBy(by, assignment.drone()),
+                outcome,
+                record.isPresent() && outcome == null,
+                drone == null ? Duration.ZERO : silence(drone),
+                drone == null ? Duration.ZERO : stillness.of(drone),
+                rights.mayFly(by.owner()),
+                clock.instant());
+    }
+
+    private Duration silence(DroneState drone) {
+        if (drone.link().state() != LinkState.LOST) {
+            silentSince.remove(drone.id());
+            return Duration.ZERO;
+        }
+        long since = silentSince.computeIfAbsent(drone.id(), id -> nanoTime.getAsLong());
+        return Duration.ofNanos(nanoTime.getAsLong() - since);
+    }
+
+    /** Each takes the best of what is free; what one cannot use is left to the ones behind it. */
+    void serveQueue() {
+        List<VirtualDrone> waiting = book.waiting();
+        waitingFor.keySet().retainAll(waiting.stream().map(VirtualDrone::id).toList());
+        for (VirtualDrone drone : waiting) {
+            Run run = drone.run();
+            if (run != null) {
+                serve(drone, run);
+            }
+        }
+    }
+
+    private void serve(VirtualDrone drone, Run run) {
+        if (!rights.mayFly(drone.owner())) {
+            book.put(drone.with(machine.stop(run, clock.instant())));
+            return;
+        }
+        Selection selection = Selection.of(
+                new Demand(drone.needs(), run.tour(), run.flown()),
+                cloud.drones().stream()
+                        .filter(state -> book.warehouse().contains(state.id())
+                                && rights.mayServe(drone.organisation(), state.id()))
+                        .toList(),
+                (state, share) -> objection(drone, run, state, share));
+        waitingFor.put(drone.id(), selection.unfit());
+        selection.choice().ifPresent(choice -> bind(drone, run, choice, selection));
+    }
+
+    private Optional<String> objection(VirtualDrone drone, Run run, DroneState state, Share share) {
+        if (RunMachine.avoids(run, state, clock.instant())) {
+            return Optional.of("It could not go on with this mission a while ago.");
+        }
+        return crew.busy(state.id()).or(() -> crew.refusal(drone, state, new Command.UploadMission(share.mission())));
+    }
+
+    private void bind(VirtualDrone drone, Run run, Choice choice, Selection selection) {
+        if (crew.engage(drone, choice.chosen()).isPresent()) {
+            // Somebody was quicker.
+            return;
+        }
+        Double takeOff = selection.candidates().stream()
+                .filter(candidate -> candidate.drone().equals(choice.chosen()))
+                .findFirst()
+                .map(Candidate::takeOffMeters)
+                .orElse(null);
+        try {
+            book.put(drone.with(run.bound(choice, takeOff, clock.instant())));
+        } catch (RuntimeException e) {
+            crew.release(drone, choice.chosen());
+            throw e;
+        }
+        waitingFor.remove(drone.id());
+    }
+}

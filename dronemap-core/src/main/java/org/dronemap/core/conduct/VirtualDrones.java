@@ -1,0 +1,299 @@
+package org.dronemap.core.conduct;
+
+import java.time.Clock;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.UnaryOperator;
+import org.dronemap.core.cloud.CloudListener;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.virtual.Choice;
+import org.dronemap.core.virtual.Run;
+import org.dronemap.core.virtual.RunMachine;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualDroneStore;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The virtual drones and the one thread that conducts them. Looked at by any thread; changes wait for the conductor,
+ * which writes them down before anything is commanded.
+ */
+public final class VirtualDrones implements CloudListener, AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(VirtualDrones.class);
+    private static final long RHYTHM_MILLIS = 200;
+    /** Of these turns one looks for drones for those that wait. */
+    private static final int TURNS_PER_SEARCH = 5;
+
+    private static final int LONGEST_WAIT_SECONDS = 15;
+
+    /** What supervisors and safety rules may command without control. */
+    private static final Set<String> INTERRUPTING = Set.of(
+            Command.Land.class.getSimpleName(),
+            Command.ReturnToLaunch.class.getSimpleName(),
+            Command.Hold.class.getSimpleName(),
+            Command.PauseMission.class.getSimpleName());
+
+    private final CloudManager cloud;
+    private final VirtualBook book;
+    private final RunMachine machine;
+    private final Runs runs;
+    private final Recalls recalls;
+    private final Clock clock;
+    private final LongAdder failed = new LongAdder();
+    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread created = new Thread(task, "conductor");
+        created.setDaemon(true);
+        return created;
+    });
+    // Owned by the thread.
+    private int turn;
+
+    /** A change that cannot be made, with the sentence why. */
+    public static final class Refused extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        public Refused(String why) {
+            super(why, null, false, false);
+        }
+
+        public String why() {
+            return String.valueOf(getMessage());
+        }
+    }
+
+    /** A place in the queue, counted from 1, of so many. */
+    public record Place(int position, int length) {}
+
+    public VirtualDrones(
+            CloudManager cloud, VirtualDroneStore store, RunMachine machine, VirtualRights rights, Clock clock) {
+        this.cloud = cloud;
+        this.book = new VirtualBook(store);
+        this.machine = machine;
+        this.clock = clock;
+        DroneCrew crew = new DroneCrew(cloud);
+        this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, clock, System::nanoTime));
+        this.recalls = new Recalls(cloud, book, crew, System::nanoTime);
+    }
+
+    /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
+    public void start() {
+        runs.takeUp();
+        cloud.addListener(this);
+        ScheduledFuture<?> unused =
+                thread.scheduleWithFixedDelay(this::turn, RHYTHM_MILLIS, RHYTHM_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    public void addListener(VirtualListener listener) {
+        book.addListener(listener);
+    }
+
+    /** The oldest first. */
+    public List<VirtualDrone> all() {
+        return book.all();
+    }
+
+    public Optional<VirtualDrone> find(VirtualDroneId id) {
+        return book.find(id);
+    }
+
+    /** Empty when it does not wait. */
+    public Optional<Place> place(VirtualDroneId id) {
+        List<VirtualDroneId> waiting =
+                book.waiting().stream().map(VirtualDrone::id).toList();
+        int index = waiting.indexOf(id);
+        return index < 0 ? Optional.empty() : Optional.of(new Place(index + 1, waiting.size()));
+    }
+
+    /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. */
+    public List<Choice.Unfit> waitingFor(VirtualDroneId id) {
+        return runs.waitingFor(id);
+    }
+
+    public void add(VirtualDrone drone) {
+        ask(() -> {
+            book.put(drone);
+            return drone;
+        });
+    }
+
+    /** Name, needs and mission, as they are to be next time. */
+    public VirtualDrone edit(VirtualDroneId id, UnaryOperator<VirtualDrone> change) {
+        return ask(() -> put(change.apply(known(id))));
+    }
+
+    /** Asks for its mission to be flown; it waits for its turn. */
+    public VirtualDrone launch(VirtualDroneId id, CloudLoss onCloudLoss) {
+        return ask(() -> {
+            VirtualDrone drone = known(id);
+            Mission mission = drone.mission();
+            if (mission == null) {
+                throw new Refused("Plan its mission first.");
+            }
+            if (drone.isUnderWay()) {
+                throw new Refused("Its mission is under way already.");
+            }
+            return put(drone.with(Run.asked(book.nextTicket(), mission, onCloudLoss, clock.instant())));
+        });
+    }
+
+    public VirtualDrone stop(VirtualDroneId id) {
+        return ask(() -> {
+            VirtualDrone drone = known(id);
+            Run run = drone.run();
+            if (run == null || run.stage().isOver()) {
+                throw new Refused("Its mission is not under way.");
+            }
+            return put(drone.with(machine.stop(run, clock.instant())));
+        });
+    }
+
+    /** Goes on with the waypoints that are not flown. */
+    public VirtualDrone resume(VirtualDroneId id) {
+        return ask(() -> {
+            VirtualDrone drone = known(id);
+            Run run = drone.run();
+            Run resumed =
+                    run == null ? null : machine.resume(run, clock.instant()).orElse(null);
+            if (resumed == null) {
+                throw new Refused("It does not wait for being resumed.");
+            }
+            return put(drone.with(resumed));
+        });
+    }
+
+    public void remove(VirtualDroneId id) {
+        ask(() -> {
+            VirtualDrone drone = known(id);
+            if (drone.isUnderWay()) {
+                throw new Refused("Its mission is under way; stop it first.");
+            }
+            if (!drone.recalled().isEmpty()) {
+                throw new Refused("A drone that served it is not back yet.");
+            }
+            book.remove(drone);
+            return drone;
+        });
+    }
+
+    /** Drones that may serve virtual ones. */
+    public Set<DroneId> warehouse() {
+        return book.warehouse();
+    }
+
+    public void putIntoWarehouse(DroneId drone) {
+        ask(() -> {
+            book.putIntoWarehouse(drone);
+            return drone;
+        });
+    }
+
+    /** What it serves now it serves to the end. */
+    public void takeOutOfWarehouse(DroneId drone) {
+        ask(() -> {
+            book.takeOutOfWarehouse(drone);
+            return drone;
+        });
+    }
+
+    /** Turns that failed, each logged. */
+    public long failedCount() {
+        return failed.sum();
+    }
+
+    @Override
+    public void commandChanged(CommandRecord command) {
+        boolean others = !command.face().equals(DroneCrew.FACE)
+                && command.phase() == CommandPhase.SENT
+                && INTERRUPTING.contains(command.type());
+        if (others) {
+            soon(() -> book.all().stream()
+                    .filter(drone -> command.drone().equals(drone.boundTo()))
+                    .forEach(drone ->
+                            runs.interrupt(drone, command.by() + " told the drone: " + command.summary() + ".")));
+        }
+    }
+
+    @Override
+    public void droneRemoved(DroneId id) {
+        soon(() -> book.forget(id));
+    }
+
+    private VirtualDrone known(VirtualDroneId id) {
+        return book.find(id).orElseThrow(() -> new Refused("There is no virtual drone " + id + "."));
+    }
+
+    private VirtualDrone put(VirtualDrone drone) {
+        book.put(drone);
+        return drone;
+    }
+
+    private void turn() {
+        for (VirtualDrone drone : book.all()) {
+            guard(() -> {
+                runs.goOn(drone);
+                book.find(drone.id()).ifPresent(recalls::goOn);
+            });
+        }
+        turn = (turn + 1) % TURNS_PER_SEARCH;
+        if (turn == 0) {
+            guard(runs::serveQueue);
+        }
+    }
+
+    private void soon(Runnable work) {
+        try {
+            thread.execute(() -> guard(work));
+        } catch (RejectedExecutionException e) {
+            LOG.debug("The conductor has stopped");
+        }
+    }
+
+    /** One that cannot be conducted must not keep the others from it. */
+    private void guard(Runnable work) {
+        try {
+            work.run();
+        } catch (RuntimeException e) {
+            failed.increment();
+            LOG.error("Conducting a virtual drone failed; it is tried again", e);
+        }
+    }
+
+    private <T> T ask(Callable<T> work) {
+        try {
+            return thread.submit(work).get(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof RuntimeException cause) {
+                throw cause;
+            }
+            throw new IllegalStateException(e.getCause());
+        } catch (TimeoutException e) {
+            throw new IllegalStateException("The conductor does not answer.", e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("Interrupted while waiting for the conductor.", e);
+        }
+    }
+
+    @Override
+    public void close() {
+        cloud.removeListener(this);
+        thread.shutdownNow();
+    }
+}

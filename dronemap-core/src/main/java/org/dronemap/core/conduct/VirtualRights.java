@@ -1,0 +1,13 @@
+package org.dronemap.core.conduct;
+
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
+
+/** What users may have flown for them, as things are whenever it is asked. Any thread. */
+public interface VirtualRights {
+    /** Whether that user's virtual drones may fly now. */
+    boolean mayFly(String owner);
+
+    /** Whether that drone may serve virtual ones of that organisation. */
+    boolean mayServe(OrganisationId organisation, DroneId drone);
+}

@@ -1,0 +1,5 @@
+/** What the cloud does with drones over time, for users: takes control, writes each step down, commands, goes on after a restart. */
+@NullMarked
+package org.dronemap.core.conduct;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,37 @@
+package org.dronemap.core.virtual;
+
+import java.time.Instant;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A drone that serves a run.
+ *
+ * @param choice why this one
+ * @param first the tour's waypoint that it begins with, counted from 0
+ * @param takeOffMeters above home; null: it does not take off
+ * @param command the last one that it was given; null: none of this stage
+ * @param tries of this stage that failed
+ * @param changedAt when stage or command last changed
+ */
+public record Assignment(
+        Choice choice,
+        int first,
+        @Nullable Double takeOffMeters,
+        @Nullable CommandId command,
+        int tries,
+        Instant changedAt) {
+    public DroneId drone() {
+        return choice.chosen();
+    }
+
+    /** In another stage, or asked again. */
+    Assignment fresh(int failed, Instant now) {
+        return new Assignment(choice, first, takeOffMeters, null, failed, now);
+    }
+
+    Assignment given(CommandId next, Instant now) {
+        return new Assignment(choice, first, takeOffMeters, next, tries, now);
+    }
+}

@@ -1,0 +1,377 @@
+package org.dronemap.core.virtual;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.Optional;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a run goes on, as a function of how far it is and what is seen of its drone: same input, same answer. It touches
+ * nothing. What is already so is never commanded, so that a run goes on after a restart wherever it was.
+ */
+public final class RunMachine {
+    /** A silent drone counts as flying for so long, beside what its mission still takes. */
+    public static final Duration USUAL_SILENCE = Duration.ofMinutes(2);
+
+    private static final int MOST_TRIES = 3;
+    private static final int MOST_FAILURES = 5;
+    private static final Duration AVOIDED = Duration.ofMinutes(10);
+    /** On the ground a drone that is not heard is soon replaced. */
+    private static final Duration PATIENCE_ON_THE_GROUND = Duration.ofSeconds(15);
+    /** From an order that was carried out until that shows. */
+    private static final Duration UNTIL_SEEN = Duration.ofSeconds(30);
+    /** Who flies a mission moves, except while it waits at a waypoint. */
+    private static final Duration LONGEST_STILL = Duration.ofSeconds(30);
+
+    private static final Duration LONGEST_STILL_ON_THE_GROUND = Duration.ofSeconds(6);
+    private static final double ON_THE_GROUND_METERS = 1.5;
+    private static final Duration LONGEST_STILL_ON_ITS_WAY_HOME = Duration.ofSeconds(90);
+    /** Before it is called home once more. */
+    private static final Duration BETWEEN_CALLS = Duration.ofSeconds(5);
+
+    private final Duration silence;
+
+    /** {@code silence}: so long a drone that is not heard counts as flying, beside what its mission still takes. */
+    public RunMachine(Duration silence) {
+        this.silence = silence;
+    }
+
+    public Step next(Run run, Sight sight) {
+        Assignment assignment = run.assignment();
+        if (assignment == null) {
+            return Step.stay(run);
+        }
+        DroneState drone = sight.drone();
+        if (drone == null) {
+            return replace(run, assignment, "The drone was taken away.", sight, Step.Release.FREE);
+        }
+        if (sight.takenBy() != null) {
+            return suspend(run, sight.takenBy(), sight.now());
+        }
+        if (drone.link().state() == LinkState.LOST) {
+            return unheard(run, assignment, drone, sight);
+        }
+        if (drone.link().state() != LinkState.LIVE || !drone.capabilities().known()) {
+            return Step.stay(run);
+        }
+        if (!sight.mayFly() && run.stage().compareTo(Stage.RETURNING) < 0) {
+            return Step.stay(run.to(Stage.STOPPING, "Its owner may not fly virtual drones any more.", sight.now()));
+        }
+        return sight.underWay() ? Step.stay(progress(run, assignment, drone)) : go(run, assignment, drone, sight);
+    }
+
+    /** Somebody who goes first commands the drone now: the run waits for its user. */
+    public Step suspend(Run run, String why, Instant now) {
+        return Step.leave(
+                run.unbound(
+                        Stage.SUSPENDED,
+                        "Somebody who goes first has taken the drone. Resume when another one shall go on, or stop.",
+                        why,
+                        now),
+                Step.Release.FREE);
+    }
+
+    /** The user wants it to end. */
+    public Run stop(Run run, Instant now) {
+        if (run.stage().isOver() || run.stage() == Stage.STOPPING) {
+            return run;
+        }
+        return run.stage().isBound()
+                ? run.to(Stage.STOPPING, "It is stopped: the drone comes home.", now)
+                : run.unbound(Stage.STOPPED, "It was stopped.", run.detail(), now);
+    }
+
+    /** The user wants it to go on; empty when it does not wait for that. */
+    public Optional<Run> resume(Run run, Instant now) {
+        return run.stage() == Stage.SUSPENDED || run.stage() == Stage.FAILED
+                ? Optional.of(run.resumed(now))
+                : Optional.empty();
+    }
+
+    private Step go(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        return switch (run.stage()) {
+            case UPLOADING -> upload(run, assignment, drone, sight);
+            case ARMING -> arm(run, assignment, drone, sight);
+            case STARTING -> start(run, assignment, drone, sight);
+            case FLYING -> fly(run, assignment, drone, sight);
+            case RETURNING -> comeHome(run, assignment, drone, sight);
+            default -> bringHome(run, assignment, drone, sight);
+        };
+    }
+
+    private static Step upload(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        if (sight.outcome() instanceof Outcome.Succeeded) {
+            return Step.stay(run.to(Stage.ARMING, "The drone has the mission and is armed.", sight.now()));
+        }
+        if (Boolean.TRUE.equals(drone.armed())) {
+            return replace(run, assignment, "The drone was armed by somebody else.", sight, Step.Release.FREE);
+        }
+        if (sight.outcome() != null) {
+            return tryAgain(run, assignment, drone, sight);
+        }
+        return Step.send(run, new Command.UploadMission(share(run, assignment).mission()));
+    }
+
+    private static Step arm(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        if (Boolean.TRUE.equals(drone.armed())) {
+            return Step.stay(run.to(Stage.STARTING, "The drone starts.", sight.now()));
+        }
+        if (sight.outcome() != null && !(sight.outcome() instanceof Outcome.Succeeded)) {
+            return tryAgain(run, assignment, drone, sight);
+        }
+        boolean takesOrders = drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.ORDERS));
+        // After a flight it may stand in a mode in which it cannot be armed.
+        Optional<String> mode = takesOrders ? Optional.empty() : modeForOrders(drone);
+        return Step.send(run, mode.<Command>map(Command.SetMode::new).orElseGet(Command.Arm::new));
+    }
+
+    private static Optional<String> modeForOrders(DroneState drone) {
+        return drone.capabilities().modes().stream()
+                .filter(mode -> drone.capabilities().steering(mode).equals(Optional.of(Steering.ORDERS)))
+                .min(Comparator.comparing(mode -> mode.equals("GUIDED") ? "" : mode));
+    }
+
+    private static Step start(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        boolean armed = Boolean.TRUE.equals(drone.armed());
+        boolean up = assignment.takeOffMeters() == null || drone.airborne();
+        if (armed && isOnMission(drone) && up) {
+            return Step.stay(run.to(Stage.FLYING, "The drone flies the mission.", sight.now()));
+        }
+        if (sight.outcome() instanceof Outcome.Succeeded) {
+            return since(assignment, sight).compareTo(UNTIL_SEEN) < 0
+                    ? Step.stay(run)
+                    : tryAgain(run, assignment, drone, sight);
+        }
+        if (sight.outcome() != null) {
+            return tryAgain(run, assignment, drone, sight);
+        }
+        return armed
+                ? Step.send(run, new Command.StartMission(run.onCloudLoss()))
+                : Step.stay(run.failedTry("It was disarmed before it started.", sight.now())
+                        .to(Stage.ARMING, run.note(), sight.now()));
+    }
+
+    private static Step fly(Run before, Assignment assignment, DroneState drone, Sight sight) {
+        if (drone.mission().items() == null || drone.mission().current() == null) {
+            // After a restart, until the vehicle has been asked.
+            return Step.stay(before);
+        }
+        Run run = progress(before, assignment, drone);
+        if (run.flown() == run.total()) {
+            return Step.stay(run.to(Stage.RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
+        }
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return replace(run, assignment, "The drone came down before the end.", sight, Step.Release.FREE);
+        }
+        if (share(run, assignment).isOnBoard(drone.mission()).equals(Optional.of(false))) {
+            return giveUp(run, "The drone carries another mission now; it is called home.", sight);
+        }
+        Optional<Steering> steering = drone.capabilities().steering(drone.mode());
+        if (steering.equals(Optional.of(Steering.SAFETY))) {
+            return replace(run, assignment, "The drone went home or down by itself.", sight, Step.Release.FREE);
+        }
+        if (!steering.isEmpty() && !isOnMission(drone)) {
+            return giveUp(run, "The drone left its mission; it is called home.", sight);
+        }
+        return isStuck(run, assignment, drone, sight)
+                ? giveUp(run, "The drone does not move on; it is called home.", sight)
+                : Step.stay(run);
+    }
+
+    /** It may have crashed: vehicles do not always notice that themselves. */
+    private static boolean isStuck(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        MissionItem.Waypoint next = run.tour().waypoints().get(run.flown());
+        Position position = drone.position();
+        Double above = position == null ? null : position.altitudeAboveHomeMeters();
+        boolean down = assignment.takeOffMeters() != null && above != null && above < ON_THE_GROUND_METERS;
+        Duration longest = LONGEST_STILL.plusSeconds(Math.round(next.holdSeconds()));
+        return sight.still().compareTo(down ? LONGEST_STILL_ON_THE_GROUND : longest) > 0;
+    }
+
+    private static Step comeHome(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return Step.leave(
+                    run.unbound(Stage.DONE, "Done: all waypoints are flown and the drone is back.", null, sight.now()),
+                    Step.Release.FREE);
+        }
+        if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
+            return Step.leave(
+                    run.unbound(
+                            Stage.DONE, "All waypoints are flown; the drone is stuck on its way.", null, sight.now()),
+                    Step.Release.FREE);
+        }
+        boolean hangs = drone.mission().complete()
+                && drone.airborne()
+                && !drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.SAFETY));
+        return hangs && since(assignment, sight).compareTo(BETWEEN_CALLS) > 0
+                ? Step.send(run, homeward(drone))
+                : Step.stay(run);
+    }
+
+    private static Step bringHome(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return run.stage() == Stage.STOPPING
+                    ? Step.leave(
+                            run.unbound(Stage.STOPPED, "It was stopped; the drone is down.", run.detail(), sight.now()),
+                            Step.Release.FREE)
+                    : replace(run, assignment, "The drone could not go on.", sight, Step.Release.FREE);
+        }
+        if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
+            return replace(run, assignment, "The drone is stuck on its way home.", sight, Step.Release.FREE);
+        }
+        boolean called =
+                assignment.command() != null && since(assignment, sight).compareTo(BETWEEN_CALLS) < 0;
+        boolean onItsWay = drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.SAFETY));
+        if (onItsWay && run.stage() == Stage.GIVING_UP) {
+            String why = "The drone could not go on and is on its way home.";
+            return replace(run, assignment, why, sight, Step.Release.FREE);
+        }
+        if (called || onItsWay) {
+            return Step.stay(run);
+        }
+        return Step.send(run, drone.airborne() ? homeward(drone) : new Command.Disarm(false));
+    }
+
+    private static Command homeward(DroneState drone) {
+        return drone.capabilities().commands().contains(Capability.RETURN_TO_LAUNCH)
+                ? new Command.ReturnToLaunch()
+                : new Command.Land();
+    }
+
+    /** A silent drone is still flying: what was given to it stays its own until it must be down. */
+    private Step unheard(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        boolean neverArmed = run.stage().compareTo(Stage.ARMING) <= 0 && !Boolean.TRUE.equals(drone.armed());
+        Duration patience = neverArmed ? PATIENCE_ON_THE_GROUND : silence.plus(remaining(run, drone));
+        if (sight.silence().compareTo(patience) <= 0) {
+            String words = neverArmed
+                    ? "Nothing is heard of the drone."
+                    : "Nothing is heard of the drone; it may still fly, and its waypoints stay its own.";
+            return Step.stay(run.saying(words, sight.now()));
+        }
+        Step.Release release = neverArmed ? Step.Release.FREE : Step.Release.RECALL;
+        return switch (run.stage()) {
+            case RETURNING ->
+                Step.leave(
+                        run.unbound(
+                                Stage.DONE,
+                                "All waypoints are flown; the drone was not heard again on its way back.",
+                                null,
+                                sight.now()),
+                        release);
+            case STOPPING ->
+                Step.leave(
+                        run.unbound(
+                                Stage.STOPPED,
+                                "It was stopped; the drone was not heard again.",
+                                run.detail(),
+                                sight.now()),
+                        release);
+            default -> replace(run, assignment, "The drone was not heard again.", sight, release);
+        };
+    }
+
+    /** What the mission may still take where a silent drone flies it to the end. */
+    private static Duration remaining(Run run, DroneState drone) {
+        Position position = drone.position();
+        Geodetic at = position == null ? null : position.point();
+        if (run.onCloudLoss() != CloudLoss.CONTINUE || at == null) {
+            return Duration.ZERO;
+        }
+        int next = Math.min(run.flown(), run.total() - 1);
+        return Duration.ofSeconds(
+                Math.round(Energy.of(run.tour(), next, drone, at).minutes() * 60));
+    }
+
+    private static Run progress(Run run, Assignment assignment, DroneState drone) {
+        if (run.stage() != Stage.FLYING && run.stage() != Stage.STOPPING && run.stage() != Stage.GIVING_UP) {
+            return run;
+        }
+        Share share = share(run, assignment);
+        return share.isOnBoard(drone.mission()).equals(Optional.of(true))
+                ? run.flown(share.flown(drone.mission()))
+                : run;
+    }
+
+    private static Share share(Run run, Assignment assignment) {
+        return run.tour().share(assignment.first(), assignment.takeOffMeters());
+    }
+
+    private static boolean isOnMission(DroneState drone) {
+        return drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.MISSION));
+    }
+
+    private static Duration since(Assignment assignment, Sight sight) {
+        return Duration.between(assignment.changedAt(), sight.now());
+    }
+
+    private static Step tryAgain(Run run, Assignment assignment, DroneState drone, Sight sight) {
+        String why = reason(sight.outcome());
+        if (assignment.tries() + 1 < MOST_TRIES) {
+            return Step.stay(run.failedTry(why, sight.now()));
+        }
+        Run failed = run.failedTry(why, sight.now());
+        return Boolean.FALSE.equals(drone.armed())
+                ? replace(failed, assignment, "The drone could not be made to fly.", sight, Step.Release.FREE)
+                : giveUp(failed, "The drone could not be made to fly; it is brought to rest.", sight);
+    }
+
+    private static String reason(@Nullable Outcome outcome) {
+        if (outcome instanceof Outcome.Refused refused) {
+            return refused.reason();
+        }
+        if (outcome instanceof Outcome.Failed failed) {
+            return failed.reason();
+        }
+        if (outcome instanceof Outcome.TimedOut timedOut) {
+            return timedOut.reason();
+        }
+        if (outcome instanceof Outcome.Superseded superseded) {
+            return superseded.reason();
+        }
+        return outcome instanceof Outcome.Unknown unknown ? unknown.reason() : "It did not show in time.";
+    }
+
+    private static Step giveUp(Run run, String why, Sight sight) {
+        return Step.stay(run.to(Stage.GIVING_UP, why, sight.now()));
+    }
+
+    /** Another drone shall do the rest. */
+    private static Step replace(Run run, Assignment assignment, String why, Sight sight, Step.Release release) {
+        if (run.stage() == Stage.STOPPING) {
+            return Step.leave(run.unbound(Stage.STOPPED, "It was stopped. " + why, run.detail(), sight.now()), release);
+        }
+        if (run.failures() + 1 >= MOST_FAILURES) {
+            return Step.leave(
+                    run.unbound(
+                            Stage.FAILED,
+                            MOST_FAILURES + " drones could not go on; look at why, then resume. " + why,
+                            run.detail(),
+                            sight.now()),
+                    release);
+        }
+        return Step.leave(
+                run.requeued(
+                        assignment.drone(),
+                        sight.now().plus(AVOIDED),
+                        why + " Another one is looked for; it begins at waypoint " + (run.flown() + 1) + ".",
+                        sight.now()),
+                release);
+    }
+
+    /** Drones that are not asked again yet. */
+    public static boolean avoids(Run run, DroneState drone, Instant now) {
+        Instant until = run.avoided().get(drone.id());
+        return until != null && until.isAfter(now);
+    }
+}

@@ -1,0 +1,178 @@
+package org.dronemap.core.virtual;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Who can serve a demand, and which one shall. Same input, same answer; touches nothing.
+ *
+ * @param candidates those that can
+ * @param choice empty when there are none
+ */
+public record Selection(List<Candidate> candidates, Optional<Choice> choice, List<Choice.Unfit> unfit) {
+    /** That much is to be in the battery when the mission is over. */
+    public static final int RESERVE_PERCENT = 20;
+
+    /** A link that loses more than this is not trusted with a mission. */
+    public static final int WORST_LOSS_PERCENT = 20;
+
+    private static final int DISTANCE_STEP_METERS = 50;
+    private static final int BATTERY_STEP_PERCENT = 5;
+
+    /** What every mission takes. */
+    private static final Set<Capability> FLYING =
+            EnumSet.of(Capability.ARM, Capability.UPLOAD_MISSION, Capability.START_MISSION);
+
+    public Selection {
+        candidates = List.copyOf(candidates);
+        unfit = List.copyOf(unfit);
+    }
+
+    /** What else speaks against a drone: who has control of it, zones, rights. A sentence, or nothing. */
+    public interface Objection {
+        Optional<String> to(DroneState drone, Share share);
+    }
+
+    /** A drone and what became of it: exactly one of the two is there. */
+    private record Judged(
+            @Nullable Candidate candidate, @Nullable String unfit) {
+        static Judged unfit(String why) {
+            return new Judged(null, why);
+        }
+    }
+
+    /** Recordings are no drones. */
+    public static Selection of(Demand demand, Collection<DroneState> drones, Objection objection) {
+        List<Candidate> candidates = new ArrayList<>();
+        List<Choice.Unfit> unfit = new ArrayList<>();
+        for (DroneState drone : drones) {
+            if (drone.replay()) {
+                continue;
+            }
+            Judged judged = judge(demand, drone, objection);
+            if (judged.candidate() != null) {
+                candidates.add(judged.candidate());
+            } else if (judged.unfit() != null) {
+                unfit.add(new Choice.Unfit(drone.id(), judged.unfit()));
+            }
+        }
+        return new Selection(candidates, Choice.among(candidates, unfit), unfit);
+    }
+
+    private static Judged judge(Demand demand, DroneState drone, Objection objection) {
+        Optional<String> why = notReady(drone).or(() -> notWanted(demand.needs(), drone));
+        if (why.isPresent()) {
+            return Judged.unfit(why.get());
+        }
+        Position position = drone.position();
+        Geodetic stand = position == null ? null : position.point();
+        Battery battery = drone.battery();
+        Integer percent = battery == null ? null : battery.percent();
+        if (stand == null || drone.home() == null) {
+            return Judged.unfit("Where it stands, or its home, is not known.");
+        }
+        if (percent == null) {
+            return Judged.unfit("How full its battery is, is not known.");
+        }
+        Area area = demand.needs().area();
+        if (area != null && !area.contains(stand)) {
+            return Judged.unfit("It does not stand " + area.words() + ".");
+        }
+        return energetic(demand, drone, new Charge(stand, percent), objection);
+    }
+
+    /** Where it stands, with how much in its battery. */
+    private record Charge(Geodetic stand, int percent) {}
+
+    private static Judged energetic(Demand demand, DroneState drone, Charge charge, Objection objection) {
+        VehicleKind kind = drone.identification().kind();
+        Integer endurance = demand.needs().enduranceMinutes();
+        double lasts = Energy.minutesOf(charge.percent(), kind);
+        if (endurance != null && lasts < endurance) {
+            return Judged.unfit(
+                    String.format(Locale.ROOT, "Its battery lasts for some %.0f min, not for %d.", lasts, endurance));
+        }
+        Energy energy = Energy.of(demand.tour(), demand.first(), drone, charge.stand());
+        double left = charge.percent() - energy.percent();
+        if (left < RESERVE_PERCENT) {
+            return Judged.unfit("Its battery has " + charge.percent() + " %; the mission takes " + energy.words()
+                    + ", and " + RESERVE_PERCENT + " % are kept in reserve.");
+        }
+        Optional<Tour.TakeOff> takeOff = demand.tour().takeOff(drone, demand.first());
+        if (takeOff.isEmpty()) {
+            return Judged.unfit("How high it has to take off is not known.");
+        }
+        Double height = takeOff.get().meters();
+        Optional<String> against = objection.to(drone, demand.tour().share(demand.first(), height));
+        if (against.isPresent()) {
+            return Judged.unfit(against.get());
+        }
+        double away = Geodesy.distanceMeters(
+                charge.stand(), demand.tour().waypoints().get(demand.first()).point());
+        return new Judged(
+                new Candidate(
+                        drone.id(),
+                        step(away, DISTANCE_STEP_METERS),
+                        step(left, BATTERY_STEP_PERCENT),
+                        loss(drone),
+                        height,
+                        energy.words()),
+                null);
+    }
+
+    private static int step(double value, int step) {
+        return (int) Math.floor(value / step) * step;
+    }
+
+    private static int loss(DroneState drone) {
+        Double share = drone.link().quality().lossShort();
+        return share == null ? 100 : (int) Math.round(share * 100);
+    }
+
+    private static Optional<String> notReady(DroneState drone) {
+        if (drone.link().state() != LinkState.LIVE) {
+            return Optional.of("There is no good contact with it.");
+        }
+        if (!Boolean.FALSE.equals(drone.armed()) || drone.airborne()) {
+            return Optional.of("It is armed or in the air.");
+        }
+        if (Boolean.FALSE.equals(drone.readyToArm())) {
+            return Optional.of("Its own checks do not let it arm.");
+        }
+        Double lost = drone.link().quality().lossShort();
+        return lost != null && lost * 100 > WORST_LOSS_PERCENT
+                ? Optional.of("Its link loses " + Math.round(lost * 100) + " % of its messages.")
+                : Optional.empty();
+    }
+
+    private static Optional<String> notWanted(Needs needs, DroneState drone) {
+        VehicleKind kind = drone.identification().kind();
+        if (needs.kind() != null && needs.kind() != kind) {
+            return Optional.of("It is a " + words(kind) + ", not a " + words(needs.kind()) + ".");
+        }
+        EnumSet<Capability> wanted = EnumSet.copyOf(FLYING);
+        wanted.addAll(needs.capabilities());
+        return wanted.stream()
+                .filter(capability -> !drone.capabilities().commands().contains(capability))
+                .map(capability -> "It cannot " + capability.phrase() + ".")
+                .findFirst();
+    }
+
+    private static String words(VehicleKind kind) {
+        return kind.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronemap.core.virtual;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.organisation.OrganisationId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a user holds instead of a drone; immutable, a newer one replaces it.
+ *
+ * @param owner the user it belongs to
+ * @param organisation the owner's; only its drones serve
+ * @param mission as planned; null: none yet
+ * @param run the last one; null: it was never started
+ * @param recalled drones that fell silent while they served it and are to be called home when they are heard again
+ */
+public record VirtualDrone(
+        VirtualDroneId id,
+        String name,
+        String owner,
+        OrganisationId organisation,
+        Needs needs,
+        @Nullable Mission mission,
+        @Nullable Run run,
+        List<DroneId> recalled,
+        Instant createdAt) {
+    public VirtualDrone {
+        recalled = List.copyOf(recalled);
+    }
+
+    public VirtualDrone with(@Nullable Run next) {
+        return new VirtualDrone(id, name, owner, organisation, needs, mission, next, recalled, createdAt);
+    }
+
+    public VirtualDrone with(String newName, Needs newNeeds, @Nullable Mission planned) {
+        return new VirtualDrone(id, newName, owner, organisation, newNeeds, planned, run, recalled, createdAt);
+    }
+
+    public VirtualDrone recalling(DroneId drone) {
+        List<DroneId> all = new ArrayList<>(recalled);
+        all.remove(drone);
+        all.add(drone);
+        return new VirtualDrone(id, name, owner, organisation, needs, mission, run, all, createdAt);
+    }
+
+    public VirtualDrone home(DroneId drone) {
+        List<DroneId> rest =
+                recalled.stream().filter(other -> !other.equals(drone)).toList();
+        return new VirtualDrone(id, name, owner, organisation, needs, mission, run, rest, createdAt);
+    }
+
+    /** The drone that serves it; null: none. */
+    public @Nullable DroneId boundTo() {
+        Assignment assignment = run == null ? null : run.assignment();
+        return assignment == null ? null : assignment.drone();
+    }
+
+    public boolean isWaiting() {
+        return run != null && run.stage() == Stage.QUEUED;
+    }
+
+    /** From being asked for to the end. */
+    public boolean isUnderWay() {
+        return run != null && !run.stage().isOver();
+    }
+}

@@ -1,0 +1,185 @@
+package org.dronemap.core.virtual;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.virtual.VirtualFixtures.Drone;
+import org.junit.jupiter.api.Test;
+
+class SelectionTest {
+    private static final Selection.Objection NONE = (drone, share) -> Optional.empty();
+
+    @Test
+    void takesTheNearestAndNamesTheRunnerUpWithBothDistances() {
+        Choice choice = choose(Needs.NONE, new Drone("far", 620), new Drone("near", 220))
+                .orElseThrow();
+
+        assertThat(choice.sentence(id -> "“" + id + "”"))
+                .startsWith("“near” was chosen: 200 m from the first waypoint, the runner-up “far” 600 m from the first"
+                        + " waypoint. The mission takes some ")
+                .contains("5 m/s and 5 % a minute assumed");
+        assertThat(choice.anonymous())
+                .doesNotContain("near")
+                .doesNotContain("far")
+                .contains("200 m");
+    }
+
+    @Test
+    void changesForAHundredRandomFleetsWhenTheDecidingQuantityGoesPastTheRunnerUps() {
+        Random random = new Random(20_260_504);
+        List<Quantity> met = new ArrayList<>();
+        for (int round = 0; round < 100; round++) {
+            List<Drone> fleet = fleet(random, round);
+
+            Choice choice = choose(Needs.NONE, fleet).orElseThrow();
+            Quantity deciding = choice.deciding();
+            assertThat(deciding).as("round %d", round).isNotNull();
+            met.add(deciding);
+            String sentence = choice.sentence(id -> "[" + id + "]");
+            assertThat(sentence)
+                    .contains("[" + choice.chosen() + "] was chosen: " + deciding.words(choice.chosenValue()))
+                    .contains("the runner-up [" + choice.runnerUp() + "] " + deciding.words(choice.otherValue()));
+
+            worsen(fleet, choice, deciding);
+            Choice after = choose(Needs.NONE, fleet).orElseThrow();
+            assertThat(after.chosen()).as("round %d: %s", round, sentence).isEqualTo(choice.runnerUp());
+        }
+        assertThat(met).contains(Quantity.DISTANCE, Quantity.BATTERY_LEFT, Quantity.LINK_LOSS);
+    }
+
+    /** Often alike in what counts first, so that each quantity decides now and then. */
+    private static List<Drone> fleet(Random random, int round) {
+        List<Drone> fleet = new ArrayList<>();
+        int count = 2 + random.nextInt(5);
+        for (int i = 0; i < count; i++) {
+            Drone drone = new Drone("d" + i, round % 3 == 0 ? 20 + random.nextInt(900) : 230);
+            drone.percent = round % 3 == 1 ? 70 + random.nextInt(30) : 90;
+            // No two alike: the order of ids is nothing that can be changed.
+            drone.loss = (i + 1 + random.nextInt(2) * 7) / 100.0;
+            fleet.add(drone);
+        }
+        return fleet;
+    }
+
+    /** Just as far as it takes: one step past the runner-up's, whatever else speaks for the chosen one. */
+    private static void worsen(List<Drone> fleet, Choice choice, Quantity deciding) {
+        Drone chosen = fleet.stream()
+                .filter(drone -> drone.id.equals(choice.chosen()))
+                .findFirst()
+                .orElseThrow();
+        switch (deciding) {
+            case DISTANCE -> {
+                chosen.metersAway = choice.otherValue() + 51;
+                // Nearer or not, as much is to be left as before.
+                chosen.percent = 100;
+            }
+            case BATTERY_LEFT ->
+                chosen.percent = chosen.percent - (int) (choice.chosenValue() - choice.otherValue()) - 5;
+            case LINK_LOSS -> chosen.loss = (choice.otherValue() + 1) / 100;
+            case ORDER -> throw new AssertionError("the fleet has no two alike");
+        }
+    }
+
+    @Test
+    void saysOfEachDroneThatCannotServeWhatItLacks() {
+        Drone lost = new Drone("lost", 100);
+        lost.link = LinkState.SUSPECT;
+        Drone armed = new Drone("armed", 100);
+        armed.armed = true;
+        Drone unknown = new Drone("unknown", 100);
+        unknown.percent = null;
+        Drone empty = new Drone("empty", 100);
+        empty.percent = 25;
+        Drone bad = new Drone("bad", 100);
+        bad.loss = 0.3;
+        Drone plane = new Drone("plane", 100);
+        plane.kind = VehicleKind.FIXED_WING;
+        Drone blind = new Drone("blind", 100);
+        blind.can = Set.of(Capability.ARM, Capability.UPLOAD_MISSION, Capability.START_MISSION);
+        Drone unready = new Drone("unready", 100);
+        unready.ready = false;
+        Needs needs = new Needs(VehicleKind.MULTICOPTER, Set.of(Capability.TAKE_PICTURE), null, null);
+
+        Selection selection = select(needs, lost, armed, unknown, empty, bad, plane, blind, unready);
+
+        assertThat(selection.choice()).isEmpty();
+        assertThat(selection.unfit())
+                .extracting(unfit -> unfit.drone() + ": " + unfit.why())
+                .satisfiesExactly(
+                        first -> assertThat(first).isEqualTo("lost: There is no good contact with it."),
+                        second -> assertThat(second).isEqualTo("armed: It is armed or in the air."),
+                        third -> assertThat(third).isEqualTo("unknown: How full its battery is, is not known."),
+                        fourth -> assertThat(fourth)
+                                .startsWith("empty: Its battery has 25 %; the mission takes some ")
+                                .endsWith("20 % are kept in reserve."),
+                        fifth -> assertThat(fifth).isEqualTo("bad: Its link loses 30 % of its messages."),
+                        sixth -> assertThat(sixth).isEqualTo("plane: It is a fixed wing, not a multicopter."),
+                        seventh -> assertThat(seventh).isEqualTo("blind: It cannot take a picture."),
+                        eighth -> assertThat(eighth).isEqualTo("unready: Its own checks do not let it arm."));
+    }
+
+    @Test
+    void keepsToTheAreaAndTheEnduranceThatAreNeeded() {
+        Needs near = new Needs(null, Set.of(), null, new Area(VirtualFixtures.FIRST, 300));
+        assertThat(choose(near, new Drone("in", 290), new Drone("out", 310))
+                        .orElseThrow()
+                        .unfit())
+                .singleElement()
+                .satisfies(unfit -> assertThat(unfit.why()).startsWith("It does not stand within 300 m of "));
+
+        Needs lasting = new Needs(null, Set.of(), 18, null);
+        Drone full = new Drone("full", 600);
+        full.percent = 95;
+        Drone used = new Drone("used", 10);
+        used.percent = 85;
+        assertThat(choose(lasting, full, used).orElseThrow().chosen()).isEqualTo(full.id);
+    }
+
+    @Test
+    void listensToWhatElseSpeaksAgainstADrone() {
+        Selection selection = Selection.of(
+                new Demand(Needs.NONE, Tour.of(VirtualFixtures.mission(3)), 0),
+                List.of(new Drone("a", 10).state(), new Drone("b", 900).state()),
+                (drone, share) ->
+                        drone.id().value().equals("a") ? Optional.of("ann has control of it.") : Optional.empty());
+
+        assertThat(selection.choice().orElseThrow().chosen().value()).isEqualTo("b");
+        assertThat(selection.unfit()).containsExactly(new Choice.Unfit(new Drone("a", 0).id, "ann has control of it."));
+    }
+
+    @Test
+    void asksOnlyForTheBatteryThatTheRestOfAMissionTakes() {
+        Drone low = new Drone("low", 10);
+        low.percent = 45;
+        Tour tour = Tour.of(VirtualFixtures.mission(30));
+
+        assertThat(Selection.of(new Demand(Needs.NONE, tour, 0), List.of(low.state()), NONE)
+                        .choice())
+                .isEmpty();
+        low.metersAway = -2_900;
+        assertThat(Selection.of(new Demand(Needs.NONE, tour, 29), List.of(low.state()), NONE)
+                        .choice())
+                .isPresent();
+    }
+
+    private static Optional<Choice> choose(Needs needs, Drone... drones) {
+        return choose(needs, List.of(drones));
+    }
+
+    private static Optional<Choice> choose(Needs needs, List<Drone> drones) {
+        return select(needs, drones.toArray(new Drone[0])).choice();
+    }
+
+    private static Selection select(Needs needs, Drone... drones) {
+        List<DroneState> states = List.of(drones).stream().map(Drone::state).toList();
+        return Selection.of(new Demand(needs, Tour.of(VirtualFixtures.mission(3)), 0), states, NONE);
+    }
+}

@@ -1,0 +1,144 @@
+package org.dronemap.core.virtual;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Standing;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/** Drones that stand south of a mission, one beside the other; 0.001 degrees to the north are 111 m. */
+final class VirtualFixtures {
+    static final Instant NOW = Instant.parse("2026-05-04T10:00:00Z");
+    static final Geodetic FIRST = new Geodetic(47.4, 8.5);
+
+    private VirtualFixtures() {}
+
+    /** What is said of a drone in a test; the rest is as it should be. */
+    static final class Drone {
+        final DroneId id;
+        double metersAway;
+
+        @Nullable
+        Integer percent = 90;
+
+        @Nullable
+        Double loss = 0.0;
+
+        VehicleKind kind = VehicleKind.MULTICOPTER;
+        LinkState link = LinkState.LIVE;
+
+        @Nullable
+        Boolean armed = false;
+
+        String mode = "GUIDED";
+        boolean airborne;
+        boolean ready = true;
+        Set<Capability> can = Set.of(Capability.values());
+        MissionProgress mission = MissionProgress.UNKNOWN;
+
+        Drone(String id, double metersAway) {
+            this.id = new DroneId(id);
+            this.metersAway = metersAway;
+        }
+
+        Drone carries(Share share, @Nullable Integer current, Integer... reached) {
+            mission = new MissionProgress(
+                    share.mission().items(), null, current, MissionPhase.RUNNING, List.of(reached), null);
+            return this;
+        }
+
+        Drone flies() {
+            armed = true;
+            airborne = true;
+            mode = "AUTO";
+            return this;
+        }
+
+        DroneState state() {
+            Geodetic stand = new Geodetic(FIRST.latitudeDegrees() - metersAway / 111_195, FIRST.longitudeDegrees());
+            return new DroneState(
+                    id,
+                    "Copter " + id,
+                    false,
+                    new LinkStatus(
+                            new DroneKey("10.9.8.7", 14601, 217),
+                            "udp",
+                            link,
+                            NOW,
+                            new LinkQuality(loss, loss, 20.0),
+                            List.of()),
+                    new Identification(kind, "ArduPilot", "ArduCopter", "4.5.6", "cafe01"),
+                    Standing.UNPROVED,
+                    new Capabilities(
+                            can,
+                            List.of("STABILIZE", "GUIDED", "AUTO", "RTL"),
+                            Map.of(
+                                    "STABILIZE", Steering.STICKS,
+                                    "GUIDED", Steering.ORDERS,
+                                    "AUTO", Steering.MISSION,
+                                    "RTL", Steering.SAFETY)),
+                    mode,
+                    armed,
+                    ready,
+                    airborne ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND,
+                    new Position(stand, 450.0, airborne ? 20.0 : 0.0),
+                    null,
+                    null,
+                    new Battery(percent, null, null),
+                    null,
+                    new Home(stand, 450),
+                    mission,
+                    List.of(),
+                    NOW,
+                    1);
+        }
+    }
+
+    /** So many waypoints, 100 m apart to the north. */
+    static Mission mission(int waypoints) {
+        List<MissionItem> items = new ArrayList<>();
+        for (int i = 0; i < waypoints; i++) {
+            items.add(new MissionItem.Waypoint(
+                    new Geodetic(FIRST.latitudeDegrees() + i * 100 / 111_195.0, FIRST.longitudeDegrees()),
+                    Altitude.aboveHome(20),
+                    0));
+        }
+        return new Mission(items);
+    }
+
+    static Run asked(int waypoints) {
+        return Run.asked(1, mission(waypoints), CloudLoss.CONTINUE, NOW);
+    }
+
+    static Choice choiceOf(String drone) {
+        return new Choice(new DroneId(drone), null, null, 0, 0, "some 10 %", List.of());
+    }
+
+    static Run bound(int waypoints, String drone) {
+        return asked(waypoints).bound(choiceOf(drone), 20.0, NOW);
+    }
+}

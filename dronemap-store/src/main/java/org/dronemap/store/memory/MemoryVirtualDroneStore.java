@@ -1,0 +1,58 @@
+package org.dronemap.store.memory;
+
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualDroneStore;
+import org.dronemap.store.StoreException;
+
+/** The virtual drones in memory. Thread-safe: every method holds the object's lock. */
+public final class MemoryVirtualDroneStore implements VirtualDroneStore {
+    private final Map<VirtualDroneId, VirtualDrone> drones = new HashMap<>();
+    private final Set<DroneId> warehouse = new HashSet<>();
+
+    @Override
+    public synchronized List<VirtualDrone> virtualDrones() {
+        return drones.values().stream()
+                .sorted(Comparator.comparing(VirtualDrone::createdAt)
+                        .thenComparing(drone -> drone.id().value()))
+                .toList();
+    }
+
+    @Override
+    public synchronized void save(VirtualDrone drone) {
+        DroneId bound = drone.boundTo();
+        boolean taken = drones.values().stream()
+                .anyMatch(other -> bound != null && !other.id().equals(drone.id()) && bound.equals(other.boundTo()));
+        if (taken) {
+            throw new StoreException("The drone " + bound + " serves another virtual drone.");
+        }
+        drones.put(drone.id(), drone);
+    }
+
+    @Override
+    public synchronized boolean delete(VirtualDroneId id) {
+        return drones.remove(id) != null;
+    }
+
+    @Override
+    public synchronized Set<DroneId> warehouse() {
+        return Set.copyOf(warehouse);
+    }
+
+    @Override
+    public synchronized void putIntoWarehouse(DroneId drone) {
+        warehouse.add(drone);
+    }
+
+    @Override
+    public synchronized boolean takeOutOfWarehouse(DroneId drone) {
+        return warehouse.remove(drone);
+    }
+}

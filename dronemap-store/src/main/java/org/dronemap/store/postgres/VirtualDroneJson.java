@@ -1,0 +1,229 @@
+package org.dronemap.store.postgres;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.virtual.Area;
+import org.dronemap.core.virtual.Assignment;
+import org.dronemap.core.virtual.Choice;
+import org.dronemap.core.virtual.Needs;
+import org.dronemap.core.virtual.Quantity;
+import org.dronemap.core.virtual.Run;
+import org.dronemap.core.virtual.Stage;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.store.StoreException;
+import org.jspecify.annotations.Nullable;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Virtual drones to JSON and back, spelled out so that a renamed record component never changes stored data. */
+final class VirtualDroneJson {
+    private static final JsonMapper MAPPER = JsonMapper.shared();
+
+    private VirtualDroneJson() {}
+
+    static String write(VirtualDrone drone) {
+        ObjectNode to = MAPPER.createObjectNode();
+        to.put("id", drone.id().value());
+        to.put("name", drone.name());
+        to.put("owner", drone.owner());
+        to.put("organisation", drone.organisation().value());
+        needs(drone.needs(), to.putObject("needs"));
+        mission(drone.mission(), to);
+        Run run = drone.run();
+        if (run != null) {
+            run(run, to.putObject("run"));
+        }
+        ArrayNode recalled = to.putArray("recalled");
+        drone.recalled().forEach(id -> recalled.add(id.value()));
+        to.put("createdAt", drone.createdAt().toString());
+        return MAPPER.writeValueAsString(to);
+    }
+
+    static VirtualDrone read(String json) {
+        try {
+            JsonNode from = MAPPER.readTree(json);
+            return new VirtualDrone(
+                    new VirtualDroneId(text(from, "id")),
+                    text(from, "name"),
+                    text(from, "owner"),
+                    new OrganisationId(text(from, "organisation")),
+                    needs(from.required("needs")),
+                    from.has("mission") ? mission(from) : null,
+                    from.has("run") ? run(from.required("run")) : null,
+                    drones(from.required("recalled")),
+                    moment(from, "createdAt"));
+        } catch (JacksonException | IllegalArgumentException e) {
+            throw new StoreException("A stored virtual drone cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private static void needs(Needs needs, ObjectNode to) {
+        VehicleKind kind = needs.kind();
+        to.put("kind", kind == null ? null : kind.name());
+        ArrayNode capabilities = to.putArray("capabilities");
+        needs.capabilities().stream().map(Enum::name).sorted().forEach(capabilities::add);
+        to.put("enduranceMinutes", needs.enduranceMinutes());
+        Area area = needs.area();
+        if (area != null) {
+            ObjectNode circle = to.putObject("area");
+            circle.put("latitudeDegrees", area.center().latitudeDegrees());
+            circle.put("longitudeDegrees", area.center().longitudeDegrees());
+            circle.put("radiusMeters", area.radiusMeters());
+        }
+    }
+
+    private static Needs needs(JsonNode from) {
+        Set<Capability> capabilities = EnumSet.noneOf(Capability.class);
+        from.required("capabilities").forEach(name -> capabilities.add(Capability.valueOf(name.stringValue())));
+        return new Needs(
+                from.hasNonNull("kind") ? VehicleKind.valueOf(text(from, "kind")) : null,
+                capabilities,
+                from.hasNonNull("enduranceMinutes")
+                        ? Integer.valueOf(from.required("enduranceMinutes").intValue())
+                        : null,
+                from.has("area") ? area(from.required("area")) : null);
+    }
+
+    private static Area area(JsonNode from) {
+        return new Area(
+                new Geodetic(
+                        from.required("latitudeDegrees").doubleValue(),
+                        from.required("longitudeDegrees").doubleValue()),
+                from.required("radiusMeters").doubleValue());
+    }
+
+    private static void mission(@Nullable Mission mission, ObjectNode to) {
+        if (mission != null) {
+            to.set("mission", MAPPER.readTree(MissionItemJson.write(mission.items())));
+        }
+    }
+
+    private static Mission mission(JsonNode from) {
+        return new Mission(MissionItemJson.read(from.required("mission").toString()));
+    }
+
+    private static void run(Run run, ObjectNode to) {
+        to.put("ticket", run.ticket());
+        mission(run.mission(), to);
+        to.put("onCloudLoss", run.onCloudLoss().name());
+        to.put("flown", run.flown());
+        to.put("stage", run.stage().name());
+        Assignment assignment = run.assignment();
+        if (assignment != null) {
+            assignment(assignment, to.putObject("assignment"));
+        }
+        ObjectNode avoided = to.putObject("avoided");
+        run.avoided().forEach((drone, until) -> avoided.put(drone.value(), until.toString()));
+        to.put("failures", run.failures());
+        to.put("note", run.note());
+        to.put("detail", run.detail());
+        to.put("changedAt", run.changedAt().toString());
+    }
+
+    private static Run run(JsonNode from) {
+        Map<DroneId, Instant> avoided = new LinkedHashMap<>();
+        from.required("avoided")
+                .properties()
+                .forEach(entry -> avoided.put(
+                        new DroneId(entry.getKey()),
+                        Instant.parse(entry.getValue().stringValue())));
+        return new Run(
+                from.required("ticket").longValue(),
+                mission(from),
+                CloudLoss.valueOf(text(from, "onCloudLoss")),
+                from.required("flown").intValue(),
+                Stage.valueOf(text(from, "stage")),
+                from.has("assignment") ? assignment(from.required("assignment")) : null,
+                avoided,
+                from.required("failures").intValue(),
+                text(from, "note"),
+                textOrNull(from, "detail"),
+                moment(from, "changedAt"));
+    }
+
+    private static void assignment(Assignment assignment, ObjectNode to) {
+        choice(assignment.choice(), to.putObject("choice"));
+        to.put("first", assignment.first());
+        to.put("takeOffMeters", assignment.takeOffMeters());
+        CommandId command = assignment.command();
+        to.put("command", command == null ? null : command.value());
+        to.put("tries", assignment.tries());
+        to.put("changedAt", assignment.changedAt().toString());
+    }
+
+    private static Assignment assignment(JsonNode from) {
+        return new Assignment(
+                choice(from.required("choice")),
+                from.required("first").intValue(),
+                from.hasNonNull("takeOffMeters")
+                        ? Double.valueOf(from.required("takeOffMeters").doubleValue())
+                        : null,
+                from.hasNonNull("command") ? new CommandId(text(from, "command")) : null,
+                from.required("tries").intValue(),
+                moment(from, "changedAt"));
+    }
+
+    private static void choice(Choice choice, ObjectNode to) {
+        DroneId runnerUp = choice.runnerUp();
+        Quantity deciding = choice.deciding();
+        to.put("chosen", choice.chosen().value());
+        to.put("runnerUp", runnerUp == null ? null : runnerUp.value());
+        to.put("deciding", deciding == null ? null : deciding.name());
+        to.put("chosenValue", choice.chosenValue());
+        to.put("otherValue", choice.otherValue());
+        to.put("energy", choice.energy());
+        ArrayNode unfit = to.putArray("unfit");
+        choice.unfit()
+                .forEach(one ->
+                        unfit.addObject().put("drone", one.drone().value()).put("why", one.why()));
+    }
+
+    private static Choice choice(JsonNode from) {
+        List<Choice.Unfit> unfit = new ArrayList<>();
+        from.required("unfit")
+                .forEach(one -> unfit.add(new Choice.Unfit(new DroneId(text(one, "drone")), text(one, "why"))));
+        return new Choice(
+                new DroneId(text(from, "chosen")),
+                from.hasNonNull("runnerUp") ? new DroneId(text(from, "runnerUp")) : null,
+                from.hasNonNull("deciding") ? Quantity.valueOf(text(from, "deciding")) : null,
+                from.required("chosenValue").doubleValue(),
+                from.required("otherValue").doubleValue(),
+                text(from, "energy"),
+                unfit);
+    }
+
+    private static List<DroneId> drones(JsonNode from) {
+        List<DroneId> drones = new ArrayList<>();
+        from.forEach(id -> drones.add(new DroneId(id.stringValue())));
+        return drones;
+    }
+
+    private static String text(JsonNode from, String field) {
+        return from.required(field).stringValue();
+    }
+
+    private static @Nullable String textOrNull(JsonNode from, String field) {
+        return from.hasNonNull(field) ? text(from, field) : null;
+    }
+
+    private static Instant moment(JsonNode from, String field) {
+        return Instant.parse(text(from, field));
+    }
+}

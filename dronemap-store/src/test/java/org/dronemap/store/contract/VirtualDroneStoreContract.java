@@ -1,0 +1,171 @@
+package org.dronemap.store.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneRecord;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.virtual.Area;
+import org.dronemap.core.virtual.Assignment;
+import org.dronemap.core.virtual.Choice;
+import org.dronemap.core.virtual.Needs;
+import org.dronemap.core.virtual.Quantity;
+import org.dronemap.core.virtual.Run;
+import org.dronemap.core.virtual.Stage;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualDroneStore;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** What every {@link VirtualDroneStore} keeps to. */
+public abstract class VirtualDroneStoreContract {
+    private static final Instant THEN = Instant.parse("2026-03-04T05:06:07.123456Z");
+    private static final DroneId COPTER = new DroneId("copter-1");
+    private static final DroneId OTHER = new DroneId("copter-2");
+    private static final Mission MISSION = new Mission(List.of(
+            new MissionItem.TakeOff(12.5),
+            new MissionItem.Waypoint(new Geodetic(47.1234567, 8.5), Altitude.aboveHome(20), 3),
+            new MissionItem.ReturnToLaunch()));
+
+    private VirtualDroneStore store;
+
+    /** A store without virtual drones that knows the drones copter-1 and copter-2. */
+    protected abstract VirtualDroneStore emptyStore(List<DroneRecord> drones);
+
+    @BeforeEach
+    void open() {
+        store = emptyStore(List.of(record(COPTER), record(OTHER)));
+    }
+
+    private static DroneRecord record(DroneId id) {
+        return new DroneRecord(
+                id,
+                "Copter",
+                new DroneKey("127.0.0.1", 14601, 1),
+                "udp",
+                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", null),
+                THEN);
+    }
+
+    @Test
+    void isEmptyAtFirst() {
+        assertThat(store.virtualDrones()).isEmpty();
+        assertThat(store.warehouse()).isEmpty();
+        assertThat(store.delete(new VirtualDroneId("v1"))).isFalse();
+        assertThat(store.takeOutOfWarehouse(COPTER)).isFalse();
+    }
+
+    @Test
+    void givesBackPlannedOnesAndThoseUnderWayAsTheyWere() {
+        VirtualDrone planned = drone("v2", Needs.NONE, null);
+        VirtualDrone demanding = drone(
+                "v1",
+                new Needs(
+                        VehicleKind.FIXED_WING,
+                        Set.of(Capability.TAKE_PICTURE, Capability.SET_RELAY),
+                        25,
+                        new Area(new Geodetic(-17, 179.9), 250.5)),
+                run(Stage.FLYING, assignment(COPTER)));
+        VirtualDrone waiting = drone("v3", Needs.NONE, run(Stage.QUEUED, null)).recalling(OTHER);
+
+        store.save(planned);
+        store.save(demanding);
+        store.save(waiting);
+
+        assertThat(store.virtualDrones()).containsExactly(demanding, planned, waiting);
+    }
+
+    @Test
+    void replacesAndForgets() {
+        VirtualDrone bound = drone("v1", Needs.NONE, run(Stage.UPLOADING, assignment(COPTER)));
+        store.save(bound);
+        VirtualDrone done = bound.with(run(Stage.DONE, null)).with("Renamed “x”", Needs.NONE, MISSION);
+        store.save(done);
+
+        assertThat(store.virtualDrones()).containsExactly(done);
+        assertThat(store.delete(done.id())).isTrue();
+        assertThat(store.virtualDrones()).isEmpty();
+    }
+
+    @Test
+    void bindsNoDroneTwice() {
+        VirtualDrone first = drone("v1", Needs.NONE, run(Stage.FLYING, assignment(COPTER)));
+        VirtualDrone second = drone("v2", Needs.NONE, run(Stage.UPLOADING, assignment(COPTER)));
+        store.save(first);
+
+        assertThatThrownBy(() -> store.save(second)).isInstanceOf(RuntimeException.class);
+        assertThat(store.virtualDrones()).containsExactly(first);
+
+        store.save(first.with(run(Stage.DONE, null)));
+        store.save(second);
+        assertThat(store.virtualDrones()).hasSize(2);
+    }
+
+    @Test
+    void keepsWhichDronesMayServe() {
+        store.putIntoWarehouse(COPTER);
+        store.putIntoWarehouse(COPTER);
+        store.putIntoWarehouse(OTHER);
+        assertThat(store.warehouse()).containsExactlyInAnyOrder(COPTER, OTHER);
+
+        assertThat(store.takeOutOfWarehouse(COPTER)).isTrue();
+        assertThat(store.warehouse()).containsExactly(OTHER);
+    }
+
+    private static VirtualDrone drone(String id, Needs needs, @Nullable Run run) {
+        return new VirtualDrone(
+                new VirtualDroneId(id),
+                "Survey",
+                "ann",
+                OrganisationId.HOME,
+                needs,
+                run == null ? null : MISSION,
+                run,
+                List.of(),
+                THEN);
+    }
+
+    private static Run run(Stage stage, @Nullable Assignment assignment) {
+        return new Run(
+                7,
+                MISSION,
+                CloudLoss.RETURN_TO_LAUNCH,
+                1,
+                stage,
+                assignment,
+                Map.of(OTHER, THEN.plusSeconds(600)),
+                2,
+                "It flies.",
+                "PreArm: no",
+                THEN);
+    }
+
+    private static Assignment assignment(DroneId drone) {
+        Choice choice = new Choice(
+                drone,
+                OTHER,
+                Quantity.LINK_LOSS,
+                1,
+                2.5,
+                "some 3 %",
+                List.of(new Choice.Unfit(OTHER, "It is armed or in the air.")));
+        return new Assignment(choice, 0, 12.5, new CommandId("command-1"), 1, THEN);
+    }
+}

@@ -1,0 +1,108 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.VirtualDroneRequest;
+import org.dronemap.ws.service.VirtualDroneService;
+import org.dronemap.ws.service.VirtualDroneView;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** What users hold instead of a drone. */
+@RestController
+@RequestMapping("/api/v1/virtual-drones")
+@Tag(
+        name = "Virtual drones",
+        description = "Planned without a drone; when the mission is started the cloud chooses the best drone of the"
+                + " warehouse that is free, says why, and lets others wait in the order in which they asked.")
+public class VirtualDroneController {
+    private final VirtualDroneService virtuals;
+    private final CurrentPrincipal current;
+
+    /** Virtual drones, the oldest first. */
+    public record VirtualDroneList(List<VirtualDroneView> virtualDrones) {}
+
+    public VirtualDroneController(VirtualDroneService virtuals, CurrentPrincipal current) {
+        this.virtuals = virtuals;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List your virtual drones", description = "Supervisors see those of all users.")
+    public VirtualDroneList all() {
+        return new VirtualDroneList(virtuals.all(current.principal()));
+    }
+
+    @GetMapping("/{id}")
+    @Operation(summary = "Look at one virtual drone")
+    public VirtualDroneView one(@PathVariable String id) {
+        return virtuals.one(current.principal(), id);
+    }
+
+    @PostMapping
+    @Operation(
+            summary = "Make a virtual drone (planner)",
+            description = "With what it needs, and its mission if it is known.")
+    public ResponseEntity<VirtualDroneView> add(@RequestBody VirtualDroneRequest request) {
+        VirtualDroneView added = virtuals.add(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/virtual-drones/" + added.id()))
+                .body(added);
+    }
+
+    @PutMapping("/{id}")
+    @Operation(
+            summary = "Name it, say what it needs, plan its mission (planner)",
+            description = "Holds from the next start on. No drone needs to be there.")
+    public VirtualDroneView replace(@PathVariable String id, @RequestBody VirtualDroneRequest request) {
+        return virtuals.replace(current.principal(), id, request);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove a virtual drone (planner)", description = "Only while its mission is not under way.")
+    public void remove(@PathVariable String id) {
+        virtuals.remove(current.principal(), id);
+    }
+
+    @PostMapping("/{id}/start")
+    @ResponseStatus(HttpStatus.ACCEPTED)
+    @Operation(
+            summary = "Have its mission flown (operator)",
+            description = "By the best drone that is free; else it waits, and its place in the queue is told.")
+    public VirtualDroneView start(
+            @PathVariable String id,
+            @RequestBody(required = false) VirtualDroneRequest.@Nullable StartRequest request) {
+        return virtuals.start(current.principal(), id, request);
+    }
+
+    @PostMapping("/{id}/stop")
+    @ResponseStatus(HttpStatus.ACCEPTED)
+    @Operation(
+            summary = "Stop its mission (operator; supervisors any)",
+            description = "The drone that serves it comes home.")
+    public VirtualDroneView stop(@PathVariable String id) {
+        return virtuals.stop(current.principal(), id);
+    }
+
+    @PostMapping("/{id}/resume")
+    @ResponseStatus(HttpStatus.ACCEPTED)
+    @Operation(
+            summary = "Go on with what is not flown yet (operator)",
+            description = "After somebody who goes first took the drone, or drone after drone could not go on.")
+    public VirtualDroneView resume(@PathVariable String id) {
+        return virtuals.resume(current.principal(), id);
+    }
+}

@@ -1,0 +1,52 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.WarehouseService;
+import org.springframework.http.HttpStatus;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** The drones that may serve virtual ones. */
+@RestController
+@RequestMapping("/api/v1/warehouse")
+@Tag(
+        name = "Warehouse",
+        description = "Drones that may be armed and flown for virtual ones with nobody beside them; no drone is in it"
+                + " until a supervisor puts it there.")
+public class WarehouseController {
+    private final WarehouseService warehouse;
+    private final CurrentPrincipal current;
+
+    public WarehouseController(WarehouseService warehouse, CurrentPrincipal current) {
+        this.warehouse = warehouse;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "List the drones of the warehouse", description = "Those that you may see.")
+    public WarehouseService.WarehouseView all() {
+        return warehouse.warehouse(current.principal());
+    }
+
+    @PutMapping("/{id}")
+    @Operation(summary = "Let a drone serve virtual ones (supervisor)")
+    public WarehouseService.WarehouseView put(@PathVariable String id) {
+        return warehouse.put(current.principal(), id);
+    }
+
+    @DeleteMapping("/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(
+            summary = "Let a drone serve virtual ones no more (supervisor)",
+            description = "What it serves now it serves to the end.")
+    public void take(@PathVariable String id) {
+        warehouse.take(current.principal(), id);
+    }
+}

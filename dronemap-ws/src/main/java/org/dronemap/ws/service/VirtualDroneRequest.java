@@ -1,0 +1,48 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A virtual drone as its owner writes it. */
+@Schema(description = "A virtual drone as its owner writes it.")
+public record VirtualDroneRequest(
+        @Nullable String name,
+
+        @Schema(description = "What a drone must be to serve; left out: any that can fly the mission") @Nullable
+        NeedsView needs,
+
+        @Schema(description = "Its mission: perhaps a take-off, waypoints, perhaps return or land; left out: none yet")
+        @Nullable
+        List<MissionItemView> items) {
+
+    /** What a drone must be to serve. */
+    @Schema(description = "What a drone must be to serve.")
+    public record NeedsView(
+            @Schema(description = "multicopter, fixedWing …; null: any") @Nullable
+            String kind,
+
+            @Schema(description = "names of actions, such as takePicture") @Nullable
+            List<@Nullable String> capabilities,
+
+            @Schema(description = "minutes in the air with what is in its battery; null: what the mission takes")
+            @Nullable
+            Integer enduranceMinutes,
+
+            @Schema(description = "where it has to stand; null: anywhere") @Nullable
+            AreaView area) {}
+
+    /** A circle. */
+    public record AreaView(
+            @Schema(description = "degrees") @Nullable Double latitude,
+            @Schema(description = "degrees") @Nullable Double longitude,
+
+            @Schema(description = "metres, 1 to 100000") @Nullable
+            Double radius) {}
+
+    /** How a mission is started. */
+    public record StartRequest(
+            @Schema(description = "what a drone does by itself when it no longer hears the cloud: continue or rtl")
+            @Nullable
+            String onCloudLoss) {}
+}

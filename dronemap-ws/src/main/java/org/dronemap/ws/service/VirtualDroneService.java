@@ -1,0 +1,194 @@
+package org.dronemap.ws.service;
+
+import java.security.SecureRandom;
+import java.time.Clock;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.conduct.VirtualDrones;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.virtual.Needs;
+import org.dronemap.core.virtual.Tour;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.ws.service.VirtualDroneViews.VirtualAction;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around virtual drones: make, plan, start, stop. Each belongs to who made it; supervisors see all. Any thread. */
+public final class VirtualDroneService {
+    private static final int LONGEST_NAME = 60;
+    private static final int MOST_OF_ONE_USER = 50;
+    private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
+    private static final int ID_LENGTH = 12;
+    private static final String CLOUD_LOSS = "continue or rtl";
+
+    private final VirtualDrones virtuals;
+    private final VirtualDroneViews views;
+    private final Clock clock;
+    private final SecureRandom random = new SecureRandom();
+
+    public VirtualDroneService(VirtualDrones virtuals, VirtualDroneViews views, Clock clock) {
+        this.virtuals = virtuals;
+        this.views = views;
+        this.clock = clock;
+    }
+
+    /** Others do not exist for this one. */
+    public static boolean isShownTo(Principal principal, VirtualDrone drone) {
+        return principal.organisation().equals(drone.organisation())
+                && principal.mayVirtually(Role.VIEWER)
+                && (drone.owner().equals(principal.name()) || (principal.may(Role.SUPERVISOR) && principal.isWhole()));
+    }
+
+    public List<VirtualDroneView> all(Principal principal) {
+        Roles.require(principal, Role.VIEWER);
+        return virtuals.all().stream()
+                .filter(drone -> isShownTo(principal, drone))
+                .map(drone -> views.view(drone, principal))
+                .toList();
+    }
+
+    public VirtualDroneView one(Principal principal, String id) {
+        Roles.require(principal, Role.VIEWER);
+        return views.view(find(principal, id), principal);
+    }
+
+    public VirtualDroneView add(Principal principal, VirtualDroneRequest request) {
+        requireVirtually(principal, Role.PLANNER);
+        long own = virtuals.all().stream()
+                .filter(drone -> drone.owner().equals(principal.name()))
+                .count();
+        if (own >= MOST_OF_ONE_USER) {
+            throw Rejection.conflict("You have " + MOST_OF_ONE_USER + " virtual drones already; remove one first.");
+        }
+        VirtualDrone drone = new VirtualDrone(
+                newId(),
+                name(request),
+                principal.name(),
+                principal.organisation(),
+                NeedsReader.read(request.needs()),
+                mission(request.items()),
+                null,
+                List.of(),
+                clock.instant().truncatedTo(ChronoUnit.MICROS));
+        conducted(() -> {
+            virtuals.add(drone);
+            return drone;
+        });
+        return views.view(drone, principal);
+    }
+
+    /** Holds from the next start on; what is under way goes on as it was asked for. */
+    public VirtualDroneView replace(Principal principal, String id, VirtualDroneRequest request) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.PLAN);
+        String name = name(request);
+        Needs needs = NeedsReader.read(request.needs());
+        Mission mission = mission(request.items());
+        return views.view(conducted(() -> virtuals.edit(known, now -> now.with(name, needs, mission))), principal);
+    }
+
+    public VirtualDroneView start(Principal principal, String id, VirtualDroneRequest.@Nullable StartRequest request) {
+        CloudLoss onCloudLoss = onCloudLoss(request == null ? null : request.onCloudLoss());
+        VirtualDroneId known = allowed(principal, id, VirtualAction.START);
+        return views.view(conducted(() -> virtuals.launch(known, onCloudLoss)), principal);
+    }
+
+    public VirtualDroneView stop(Principal principal, String id) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.STOP);
+        return views.view(conducted(() -> virtuals.stop(known)), principal);
+    }
+
+    public VirtualDroneView resume(Principal principal, String id) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.RESUME);
+        return views.view(conducted(() -> virtuals.resume(known)), principal);
+    }
+
+    public void remove(Principal principal, String id) {
+        VirtualDroneId known = allowed(principal, id, VirtualAction.REMOVE);
+        conducted(() -> {
+            virtuals.remove(known);
+            return known;
+        });
+    }
+
+    private VirtualDroneId allowed(Principal principal, String id, VirtualAction action) {
+        requireVirtually(principal, action.needed());
+        VirtualDrone drone = find(principal, id);
+        Optional<String> why = action.whyNot(drone, principal);
+        if (why.isPresent()) {
+            throw drone.owner().equals(principal.name())
+                    ? Rejection.conflict(why.get())
+                    : Rejection.forbidden(why.get());
+        }
+        return drone.id();
+    }
+
+    private static void requireVirtually(Principal principal, Role needed) {
+        Roles.require(principal, needed);
+        if (!principal.mayVirtually(needed)) {
+            throw Rejection.forbidden(
+                    principal.scope().coversAllDrones()
+                            ? "This was not granted to you with virtual drones; ask an administrator."
+                            : "This access key is for certain drones only, and any may serve a virtual one.");
+        }
+    }
+
+    private VirtualDrone find(Principal principal, String id) {
+        return parse(id)
+                .flatMap(virtuals::find)
+                .filter(drone -> isShownTo(principal, drone))
+                .orElseThrow(() -> Rejection.unknown("virtual drone", id));
+    }
+
+    private static Optional<VirtualDroneId> parse(String id) {
+        try {
+            return Optional.of(new VirtualDroneId(id));
+        } catch (IllegalArgumentException notAnId) {
+            return Optional.empty();
+        }
+    }
+
+    private static String name(VirtualDroneRequest request) {
+        return Names.checked("name", request.name(), LONGEST_NAME);
+    }
+
+    private static @Nullable Mission mission(@Nullable List<MissionItemView> items) {
+        if (items == null || items.isEmpty()) {
+            return null;
+        }
+        Mission mission = MissionReader.read(items);
+        Tour.fault(mission).ifPresent(fault -> {
+            throw new InvalidInput("items", "a take-off, waypoints, then returnToLaunch or land", fault);
+        });
+        return mission;
+    }
+
+    private static CloudLoss onCloudLoss(@Nullable String name) {
+        return switch (name == null ? "continue" : name) {
+            case "continue" -> CloudLoss.CONTINUE;
+            case "rtl" -> CloudLoss.RETURN_TO_LAUNCH;
+            default -> throw InvalidInput.outside("onCloudLoss", CLOUD_LOSS, "\"" + name + "\"");
+        };
+    }
+
+    /** What the conductor refuses is a conflict with what goes on. */
+    private static <T> T conducted(Supplier<T> work) {
+        try {
+            return work.get();
+        } catch (VirtualDrones.Refused refused) {
+            throw Rejection.conflict(refused.why());
+        }
+    }
+
+    private VirtualDroneId newId() {
+        StringBuilder id = new StringBuilder("v");
+        while (id.length() < ID_LENGTH) {
+            id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
+        }
+        return new VirtualDroneId(id.toString());
+    }
+}

@@ -1,0 +1,81 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** A virtual drone as clients see it: nothing here tells which drone serves it to those who may not see that drone. */
+@Schema(description = "A virtual drone: drone-shaped, with an id and a name of its own.")
+public record VirtualDroneView(
+        String id,
+        String name,
+        String owner,
+        VirtualDroneRequest.NeedsView needs,
+
+        @Schema(description = "The mission as planned; null: none yet") @Nullable
+        List<MissionItemView> items,
+
+        @Schema(description = "Its mission as it was last asked for; null: never") @Nullable
+        RunView run,
+
+        @Schema(description = "The drone that serves it, without its name; null: none does") @Nullable
+        LiveView live,
+
+        @Schema(description = "For each action whether the asker can have it now, and if not, why")
+        Map<String, DroneView.ActionView> actions) {
+
+    /** A mission from being asked for to its end. */
+    @Schema(description = "A mission from being asked for to its end.")
+    public record RunView(
+            @Schema(
+                    description =
+                            "queued, uploading, arming, starting, flying, returning, givingUp, stopping, suspended,"
+                                    + " done, failed or stopped")
+            String state,
+
+            @Schema(description = "How it is, for people") String sentence,
+
+            @Schema(description = "Place in the queue, counted from 1; null: it does not wait") @Nullable
+            PlaceView queue,
+
+            @Schema(description = "Waypoints that are flown")
+            int flown,
+
+            @Schema(description = "Waypoints in all") int total,
+            String onCloudLoss,
+
+            @Schema(description = "Why this drone was chosen; null: none is bound") @Nullable
+            String why,
+
+            @Schema(description = "The drone that serves it; null: none, or the asker may not see it") @Nullable
+            DroneName drone,
+
+            @Schema(description = "What drone or gate said; null: nothing, or the asker may not see it") @Nullable
+            String detail,
+
+            @Schema(description = "Drones that cannot serve now, and why; only those that the asker may see")
+            List<UnfitView> unfit,
+
+            Instant changedAt) {}
+
+    /** Counted from 1. */
+    public record PlaceView(int position, int length) {}
+
+    /** A drone that the asker may see. */
+    public record DroneName(String id, String name) {}
+
+    /** A drone that cannot serve now. */
+    public record UnfitView(DroneName drone, String why) {}
+
+    /** How the drone is that serves it. */
+    public record LiveView(
+            @Schema(description = "live, suspect or lost") String link,
+            String kind,
+            @Nullable Boolean armed,
+            @Nullable String flight,
+            DroneView.@Nullable PositionView position,
+            DroneView.@Nullable MotionView motion,
+            @Schema(description = "per cent") @Nullable Integer battery) {}
+}

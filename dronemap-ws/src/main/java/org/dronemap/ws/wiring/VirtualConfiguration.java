@@ -1,0 +1,32 @@
+package org.dronemap.ws.wiring;
+
+import java.time.Clock;
+import org.dronemap.ws.rest.VirtualDroneController;
+import org.dronemap.ws.rest.WarehouseController;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.VirtualDroneService;
+import org.dronemap.ws.service.VirtualDroneViews;
+import org.dronemap.ws.service.WarehouseService;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.context.annotation.Import;
+
+/** Constructs the use cases around virtual drones, and their part of the REST face. */
+@Configuration(proxyBeanMethods = false)
+@Import({VirtualDroneController.class, WarehouseController.class})
+public class VirtualConfiguration {
+    @Bean
+    VirtualDroneViews virtualDroneViews(House house) {
+        return new VirtualDroneViews(house.cloud(), house.virtuals());
+    }
+
+    @Bean
+    VirtualDroneService virtualDroneService(House house, VirtualDroneViews views, Clock clock) {
+        return new VirtualDroneService(house.virtuals(), views, clock);
+    }
+
+    @Bean
+    WarehouseService warehouseService(House house, DroneService drones) {
+        return new WarehouseService(house.virtuals(), drones);
+    }
+}

@@ -1,0 +1,331 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.WillingCopter;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
+import tools.jackson.databind.JsonNode;
+
+class VirtualDronesTest {
+    private static final String PATH = "/api/v1/virtual-drones";
+    private static final String MISSION = "\"items\":[{\"type\":\"waypoint\",\"latitude\":47.398,\"longitude\":8.5456,"
+            + "\"altitude\":20},{\"type\":\"waypoint\",\"latitude\":47.399,\"longitude\":8.5456,\"altitude\":20}]";
+    private static final DroneKey KEY = new DroneKey("10.9.8.7", 14607, 217);
+
+    private TestHouse house;
+    private Http operator;
+    private Http supervisor;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        operator = new Http(house, house.key(Role.OPERATOR));
+        supervisor = new Http(house, house.key(Role.SUPERVISOR));
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    private WillingCopter falcon() {
+        return new WillingCopter(house.cloud(), KEY, "Falcon", new Geodetic(47.3977, 8.5456));
+    }
+
+    private void offer(WillingCopter copter) {
+        assertThat(put(supervisor, "/api/v1/warehouse/" + copter.id(), "{}").status())
+                .isEqualTo(200);
+    }
+
+    @Test
+    void planWithoutADroneWaitInTheOrderOfAskingAndAreServedOneAfterTheOther() {
+        String first = make(operator, "First");
+        String second = make(operator, "Second");
+        assertThat(start(operator, first)
+                        .json()
+                        .path("run")
+                        .path("queue")
+                        .path("position")
+                        .asInt())
+                .isEqualTo(1);
+        JsonNode waiting = start(operator, second).json().path("run");
+        assertThat(waiting.path("state").asString()).isEqualTo("queued");
+        assertThat(waiting.path("queue").toString()).isEqualTo("{\"position\":2,\"length\":2}");
+
+        WillingCopter falcon = falcon();
+        offer(falcon);
+        JsonNode flying = await(operator, first, "flying");
+        assertThat(flying.path("run").path("drone").path("name").asString()).isEqualTo("Falcon");
+        assertThat(flying.path("run").path("why").asString()).startsWith("“Falcon” was chosen: no other drone");
+        assertThat(falcon.performed())
+                .extracting(command -> command.getClass().getSimpleName())
+                .containsExactly("UploadMission", "Arm", "StartMission");
+        assertThat(run(operator, second).path("queue").path("position").asInt()).isEqualTo(1);
+
+        falcon.reaches(0);
+        falcon.reaches(1);
+        Waiting.until("a waypoint is flown", () -> flown(first) == 1 ? Optional.of(true) : Optional.empty());
+        falcon.reaches(2);
+        await(operator, first, "returning");
+        falcon.isOnGround();
+        await(operator, first, "done");
+        await(operator, second, "flying");
+    }
+
+    @Test
+    void handTheRestOfAMissionToAnotherDrone() {
+        WillingCopter falcon = falcon();
+        offer(falcon);
+        String id = make(operator, "Survey");
+        start(operator, id);
+        await(operator, id, "flying");
+        falcon.reaches(0);
+        falcon.reaches(1);
+        Waiting.until("a waypoint is flown", () -> flown(id) == 1 ? Optional.of(true) : Optional.empty());
+        falcon.isOnGround();
+        await(operator, id, "queued");
+        assertThat(run(operator, id).path("unfit").toString()).doesNotContain("null");
+
+        WillingCopter heron = new WillingCopter(
+                house.cloud(), new DroneKey("10.9.8.8", 14608, 218), "Heron", new Geodetic(47.3990, 8.5470));
+        offer(heron);
+        await(operator, id, "flying");
+        Command first = heron.performed().get(0);
+        assertThat(first)
+                .isInstanceOfSatisfying(
+                        Command.UploadMission.class,
+                        upload -> assertThat(upload.mission().items()).hasSize(3));
+    }
+
+    @Test
+    void waitForTheirUserWhenASupervisorCallsTheDroneBack() {
+        WillingCopter falcon = falcon();
+        offer(falcon);
+        String id = make(operator, "Survey");
+        start(operator, id);
+        await(operator, id, "flying");
+
+        assertThat(operator.post("/api/v1/drones/" + falcon.id() + "/commands", "{\"type\":\"land\"}")
+                        .text("detail"))
+                .startsWith("The virtual drone “Survey” of ");
+        supervisor.post("/api/v1/drones/" + falcon.id() + "/commands?wait=10", "{\"type\":\"returnToLaunch\"}");
+        JsonNode suspended = await(operator, id, "suspended");
+        assertThat(suspended.path("actions").path("resume").path("allowed").asBoolean())
+                .isTrue();
+        assertThat(suspended.path("run").path("detail").asString()).contains("return to launch");
+        falcon.isOnGround();
+        assertThat(operator.post(PATH + "/" + id + "/resume", "{}").status()).isEqualTo(202);
+        await(operator, id, "flying");
+    }
+
+    @Test
+    void stopOnTheirUsersWordAndBringTheDroneHome() {
+        WillingCopter falcon = falcon();
+        offer(falcon);
+        String id = make(operator, "Survey");
+        start(operator, id);
+        await(operator, id, "flying");
+
+        assertThat(delete(operator, PATH + "/" + id).status()).isEqualTo(409);
+        assertThat(operator.post(PATH + "/" + id + "/stop", "{}").status()).isEqualTo(202);
+        Waiting.until(
+                "it is called home",
+                () -> falcon.performed().stream()
+                        .filter(Command.ReturnToLaunch.class::isInstance)
+                        .findFirst());
+        falcon.isOnGround();
+        await(operator, id, "stopped");
+        assertThat(delete(operator, PATH + "/" + id).status()).isEqualTo(204);
+        assertThat(operator.get(PATH + "/" + id).status()).isEqualTo(404);
+    }
+
+    @Test
+    void belongToWhoMadeThem() {
+        Http other = new Http(house, house.key(Role.OPERATOR));
+        String id = make(operator, "Mine");
+
+        assertThat(other.get(PATH + "/" + id).status()).isEqualTo(404);
+        assertThat(start(other, id).status()).isEqualTo(404);
+        assertThat(other.get(PATH).json().path("virtualDrones").size()).isZero();
+        assertThat(supervisor.get(PATH + "/" + id).status()).isEqualTo(200);
+        assertThat(start(supervisor, id).status()).isEqualTo(403);
+        Http narrow = new Http(
+                house,
+                house.key(new KeyRights(
+                        Role.OPERATOR,
+                        new KeyScope(Set.of(new DroneId("drone-1")), EnumSet.allOf(Permission.class)),
+                        null)));
+        assertThat(narrow.post(PATH, "{\"name\":\"A\"}").status()).isEqualTo(403);
+    }
+
+    @Test
+    void sayWhatIsWrongWithThem() {
+        assertThat(operator.post(PATH, "{\"name\":\" \"}").text("field")).isEqualTo("name");
+        assertThat(operator.post(PATH, "{\"name\":\"A\",\"needs\":{\"kind\":\"bird\"}}")
+                        .text("field"))
+                .isEqualTo("needs.kind");
+        assertThat(operator.post(PATH, "{\"name\":\"A\",\"needs\":{\"capabilities\":[\"swim\"]}}")
+                        .text("field"))
+                .isEqualTo("needs.capabilities[0]");
+        assertThat(operator.post(PATH, "{\"name\":\"A\",\"needs\":{\"enduranceMinutes\":0}}")
+                        .text("allowed"))
+                .isEqualTo("1 to 1440 minutes");
+        assertThat(operator.post(PATH, "{\"name\":\"A\",\"needs\":{\"area\":{\"latitude\":47,\"longitude\":8}}}")
+                        .text("field"))
+                .isEqualTo("needs.area.radius");
+        assertThat(operator.post(
+                                PATH,
+                                "{\"name\":\"A\",\"items\":[{\"type\":\"land\"},{\"type\":\"waypoint\","
+                                        + "\"latitude\":47,\"longitude\":8,\"altitude\":20}]}")
+                        .text("detail"))
+                .startsWith("Item 1: a take-off comes first");
+        String empty = operator.post(PATH, "{\"name\":\"A\"}").text("id");
+        assertThat(start(operator, empty).text("detail")).isEqualTo("Plan its mission first.");
+        assertThat(operator.post(PATH + "/" + empty + "/start", "{\"onCloudLoss\":\"panic\"}")
+                        .text("allowed"))
+                .isEqualTo("continue or rtl");
+    }
+
+    @Test
+    void tellWhoHoldsNothingElseNothingOfTheDroneThatServes() {
+        String key = house.key(Role.OPERATOR);
+        Http holder = new Http(house, key);
+        grantVirtualDronesAlone(holder);
+        StringBuilder all = new StringBuilder();
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            String id = make(holder, "Survey");
+            start(holder, id);
+            WillingCopter falcon = falcon();
+            offer(falcon);
+            all.append(await(holder, id, "flying")).append(everything(holder, falcon, id));
+            falcon.reaches(0);
+            falcon.reaches(1);
+            Waiting.until("it is told", () -> flownBy(holder, id) == 1 ? Optional.of(true) : Optional.empty());
+            supervisor.post("/api/v1/drones/" + falcon.id() + "/commands?wait=10", "{\"type\":\"hold\"}");
+            all.append(await(holder, id, "suspended")).append(everything(holder, falcon, id));
+            stream.await(message -> message.path("virtualDrone")
+                    .path("run")
+                    .path("state")
+                    .asString("")
+                    .equals("suspended"));
+            all.append(stream.heard());
+        }
+        assertThat(all.toString()).contains("\"state\":\"flying\"").contains("A drone was chosen: no other one");
+        assertThat(all.toString())
+                .doesNotContain("Falcon")
+                .doesNotContain("uid-of-")
+                .doesNotContain(KEY.address())
+                .doesNotContain(String.valueOf(KEY.port()))
+                .doesNotContainPattern(Pattern.compile("(?<![\\d.])217(?![\\d])"));
+    }
+
+    private void grantVirtualDronesAlone(Http holder) {
+        String name = holder.get("/api/v1/session").text("name");
+        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        String only = "/api/v1/users/" + name + "/only-granted";
+        assertThat(put(administrator, only, "{\"onlyGranted\":true}").status()).isEqualTo(204);
+        assertThat(holder.post(PATH, "{\"name\":\"A\"}").status()).isEqualTo(403);
+        String grant = "{\"user\":\"" + name + "\",\"virtual\":true,\"operations\":[\"plan\",\"command\"]}";
+        assertThat(administrator.post("/api/v1/grants", grant).status()).isEqualTo(201);
+    }
+
+    /** All that can be asked for of the drone and of the virtual one, answers and errors alike. */
+    private String everything(Http holder, WillingCopter copter, String id) {
+        StringBuilder all = new StringBuilder();
+        house.bean(RequestMappingHandlerMapping.class)
+                .getHandlerMethods()
+                .keySet()
+                .forEach(mapping -> mapping.getPatternValues().stream()
+                        .filter(path -> path.startsWith("/api/v1/") || path.equals("/metrics"))
+                        .forEach(path -> {
+                            String filled = path.replaceAll("\\{number}", "1")
+                                    .replace("{id}", path.contains("virtual") ? id : copter.id())
+                                    .replaceAll("\\{\\w+}", "x");
+                            all.append(holder.get(filled).raw().body()).append('\n');
+                            // These would end what is looked at.
+                            if (!path.contains("virtual") && !path.contains("sign-out")) {
+                                all.append(holder.post(filled, "{}").raw().body())
+                                        .append('\n');
+                            }
+                        }));
+        for (String word : List.of("getDronesList", "getDrone", "downloadMission", "getControl", "land")) {
+            String of = word.equals("getDronesList") ? "" : "<droneId>" + copter.id() + "</droneId>";
+            all.append(holder.send(
+                                    "/services/MAVLinkControllerService",
+                                    request -> request.header("Content-Type", "text/xml")
+                                            .POST(HttpRequest.BodyPublishers.ofString(
+                                                    "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                                                            + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:"
+                                                            + word
+                                                            + ">" + of + "</w:" + word + "></s:Body></s:Envelope>")))
+                            .raw()
+                            .body())
+                    .append('\n');
+        }
+        return all.toString();
+    }
+
+    private String make(Http who, String name) {
+        Http.Answer made = who.post(PATH, "{\"name\":\"" + name + "\"," + MISSION + "}");
+        assertThat(made.status()).as(made.raw().body()).isEqualTo(201);
+        return made.text("id");
+    }
+
+    private static Http.Answer start(Http who, String id) {
+        return who.post(PATH + "/" + id + "/start", "{}");
+    }
+
+    private static JsonNode run(Http who, String id) {
+        return who.get(PATH + "/" + id).json().path("run");
+    }
+
+    private int flown(String id) {
+        return flownBy(operator, id);
+    }
+
+    private static int flownBy(Http who, String id) {
+        return run(who, id).path("flown").asInt();
+    }
+
+    private static JsonNode await(Http who, String id, String state) {
+        return Waiting.until(
+                "it is " + state,
+                () -> Optional.of(who.get(PATH + "/" + id).json())
+                        .filter(drone ->
+                                drone.path("run").path("state").asString("").equals(state)));
+    }
+
+    private static Http.Answer put(Http who, String path, String body) {
+        return who.send(
+                path,
+                request -> request.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    private static Http.Answer delete(Http who, String path) {
+        return who.send(path, HttpRequest.Builder::DELETE);
+    }
+}

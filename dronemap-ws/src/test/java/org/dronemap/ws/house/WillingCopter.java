@@ -1,0 +1,87 @@
+package org.dronemap.ws.house;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+
+/** A copter that does what it is told at once, and flies a mission an item at a time, when the test says. */
+public final class WillingCopter {
+    private static final Capabilities ALL = new Capabilities(
+            Set.of(Capability.values()),
+            List.of("GUIDED", "AUTO", "RTL"),
+            Map.of("GUIDED", Steering.ORDERS, "AUTO", Steering.MISSION, "RTL", Steering.SAFETY));
+
+    private final ScriptedVehicle vehicle;
+    private final Geodetic stand;
+
+    /** It stands there, with that system id, name and hardware id. */
+    public WillingCopter(CloudManager cloud, DroneKey key, String name, Geodetic stand) {
+        this.stand = stand;
+        Identification identification =
+                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", "uid-of-" + name);
+        vehicle = ScriptedVehicle.silent(cloud, key, name, identification);
+        vehicle.ends(this::obey);
+        vehicle.says(new DroneEvent.Identified(identification, ALL));
+        vehicle.says(new DroneEvent.HomeHeard(new Home(stand, 488)));
+        vehicle.says(new DroneEvent.BatteryHeard(new Battery(95, null, null)));
+        vehicle.says(new DroneEvent.TextHeard(Severity.INFO, "I am " + name));
+        isOnGround();
+        DroneId id = new DroneId(vehicle.id());
+        // News go by the drone's lane: a test must not overtake them.
+        Waiting.until("the copter is known", () -> cloud.drone(id).filter(state -> state.position() != null));
+    }
+
+    public String id() {
+        return vehicle.id();
+    }
+
+    public List<Command> performed() {
+        return vehicle.performed();
+    }
+
+    private Outcome obey(Command command) {
+        if (command instanceof Command.UploadMission upload) {
+            vehicle.says(new DroneEvent.MissionRead(upload.mission().items(), null, true));
+            vehicle.says(new DroneEvent.MissionCurrentHeard(0, MissionPhase.STOPPED));
+        } else if (command instanceof Command.Arm) {
+            vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
+        } else if (command instanceof Command.StartMission) {
+            vehicle.says(new DroneEvent.PositionHeard(new Position(stand, 508.0, 20.0)));
+            vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+            vehicle.says(new DroneEvent.ModeHeard("AUTO", true));
+        } else if (command instanceof Command.ReturnToLaunch) {
+            vehicle.says(new DroneEvent.ModeHeard("RTL", true));
+        }
+        return new Outcome.Succeeded();
+    }
+
+    public void reaches(int item) {
+        vehicle.says(new DroneEvent.MissionItemReached(item));
+        vehicle.says(new DroneEvent.MissionCurrentHeard(item + 1, MissionPhase.RUNNING));
+    }
+
+    /** Down and disarmed. */
+    public void isOnGround() {
+        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
+        vehicle.says(new DroneEvent.PositionHeard(new Position(stand, 488.0, 0.0)));
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
+    }
+}

@@ -1,0 +1,139 @@
+"""Virtual drones: five missions on two drones, over a crash of the server and one of a drone."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import Point, items, triangle
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import wait_for
+
+FIRST_SYSTEM_ID = 41
+MISSIONS = 5
+# Each mission has a height of its own, by which its waypoints are told from those of the others.
+LOWEST_METRES = 18
+STEP_METRES = 5
+NEAR_METRES = 3
+
+
+@pytest.fixture
+def own_server(tmp_path: Path) -> Iterator[Server]:
+    started = Server(tmp_path / "data")
+    started.start()
+    yield started
+    started.stop()
+
+
+@pytest.fixture
+def tap(own_server: Server) -> Iterator[Tap]:
+    opened = Tap(own_server.udp_port)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
+    started = Simulator(
+        tmp_path / "sim.log",
+        f"udp://127.0.0.1:{tap.port}",
+        *("--count", "2", "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
+    )
+    yield started
+    started.stop()
+
+
+def plan(api: Api, number: int, points: list[Point]) -> str:
+    answer = api.call("POST", "/virtual-drones", {"name": f"Survey {number}", "items": items(points)})
+    assert answer.status_code == 201, answer.text
+    made: str = answer.json()["id"]
+    return made
+
+
+def virtual(api: Api, drone: str) -> Json:
+    return api.get(f"/virtual-drones/{drone}")
+
+
+def run(api: Api, drone: str) -> Any:
+    return virtual(api, drone)["run"]
+
+
+def start(api: Api, drone: str) -> Json:
+    answer = api.call("POST", f"/virtual-drones/{drone}/start")
+    assert answer.status_code == 202, answer.text
+    begun: Json = answer.json()
+    return begun
+
+
+def passed_by(tap: Tap, point: Point) -> list[int]:
+    """The vehicles that came within some metres of a place, at its height."""
+    return sorted(
+        {
+            heard.message.get_srcSystem()
+            for heard in tap.heard("GLOBAL_POSITION_INT", up=True)
+            if abs(heard.message.relative_alt / 1000 - point.altitude) < STEP_METRES / 2
+            and point.metres_to(heard.message.lat / 1e7, heard.message.lon / 1e7) < NEAR_METRES
+        }
+    )
+
+
+def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
+    own_server: Server, tap: Tap, simulator: Simulator
+) -> None:
+    api = Api(own_server.address, own_server.local_key())
+    drones = [
+        wait_for("the copter is ready", lambda n=n: api.ready(FIRST_SYSTEM_ID + n), 90) for n in range(2)
+    ]
+    plans = [
+        triangle(drones[0]["home"], altitude=LOWEST_METRES + n * STEP_METRES, side=-25)
+        for n in range(MISSIONS)
+    ]
+    virtuals = [plan(api, n, points) for n, points in enumerate(plans)]
+    begun = [start(api, one) for one in virtuals]
+    assert begun[-1]["run"]["queue"]["position"] == MISSIONS, begun[-1]
+    assert all(one["run"]["state"] == "queued" for one in begun)
+    for drone in drones:
+        assert api.call("PUT", f"/warehouse/{drone['id']}").ok
+
+    # Who asked first flies first, and is told why by this drone.
+    wait_for("the first two fly", lambda: all(run(api, v)["state"] == "flying" for v in virtuals[:2]), 60)
+    why = run(api, virtuals[0])["why"]
+    assert "was chosen" in why and "the runner-up" in why, why
+    assert run(api, virtuals[2])["queue"] == {"position": 1, "length": MISSIONS - 2}
+
+    own_server.kill()
+    own_server.start()
+    again = Api(own_server.address, own_server.local_key())
+    # One of the later two comes down in flight: another drone flies the rest.
+    fallen = wait_for("a later mission is half flown", lambda: _half_flown(again, virtuals[2:]), 120)
+    simulator.fault(f"{fallen['systemId']} crash")
+    wait_for("it waits for another drone", lambda: _left(again, fallen), 60)
+
+    for one in virtuals:
+        wait_for(f"{one} is done: {run(again, one)}", lambda v=one: run(again, v)["state"] == "done", 180)
+    finished = [run(again, one)["changedAt"] for one in virtuals[:2]]
+    assert max(finished) <= min(run(again, one)["changedAt"] for one in virtuals[2:])
+    for points in plans:
+        flown = [passed_by(tap, point) for point in points]
+        assert all(len(vehicles) == 1 for vehicles in flown), flown
+    rest = virtuals.index(fallen["virtual"])
+    assert passed_by(tap, plans[rest][0]) != passed_by(tap, plans[rest][-1])
+
+
+def _half_flown(api: Api, virtuals: list[str]) -> Json | None:
+    for one in virtuals:
+        now = run(api, one)
+        if now["state"] == "flying" and now["flown"] == 1 and now["drone"]:
+            system_id = api.drone(now["drone"]["id"])["link"]["systemId"]
+            return {"virtual": one, "systemId": system_id, "drone": now["drone"]["id"]}
+    return None
+
+
+def _left(api: Api, fallen: Json) -> bool:
+    now = run(api, fallen["virtual"])
+    bound = now["drone"]["id"] if now["drone"] else None
+    return bool(bound != fallen["drone"] and now["flown"] < now["total"])

@@ -1,0 +1,89 @@
+import { sentenceFor } from '../api/problem';
+import type { MissionItem } from '../api/types';
+import type { DroneName, VirtualCalls, VirtualDrone, VirtualNeeds } from '../api/virtual';
+
+/** The virtual drones of the user, and the drones that may serve them. */
+export class Virtuals {
+  all = $state.raw<readonly VirtualDrone[]>([]);
+  warehouse = $state.raw<readonly DroneName[]>([]);
+  problem = $state<string | null>(null);
+  readonly #calls: VirtualCalls;
+
+  constructor(calls: VirtualCalls) {
+    this.#calls = calls;
+  }
+
+  find(id: string | null): VirtualDrone | null {
+    return this.all.find((drone) => drone.id === id) ?? null;
+  }
+
+  /** What was there before the connection came up, and was removed while it was down, goes. */
+  async load(): Promise<void> {
+    await this.#attempt(async () => {
+      const [all, warehouse] = await Promise.all([this.#calls.all(), this.#calls.warehouse()]);
+      this.all = all;
+      this.warehouse = warehouse;
+    });
+  }
+
+  hear(drone: VirtualDrone): void {
+    this.all = this.all.some((one) => one.id === drone.id)
+      ? this.all.map((one) => (one.id === drone.id ? drone : one))
+      : [...this.all, drone];
+  }
+
+  forget(id: string): void {
+    this.all = this.all.filter((drone) => drone.id !== id);
+  }
+
+  clear(): void {
+    this.all = [];
+    this.warehouse = [];
+    this.problem = null;
+  }
+
+  /** Answers whether it worked. */
+  add(name: string, needs: VirtualNeeds): Promise<boolean> {
+    return this.#attempt(async () => this.hear(await this.#calls.add({ name, needs, items: null })));
+  }
+
+  plan(drone: VirtualDrone, items: readonly MissionItem[]): Promise<boolean> {
+    const { name, needs } = drone;
+    return this.#attempt(async () => this.hear(await this.#calls.replace(drone.id, { name, needs, items })));
+  }
+
+  act(id: string, action: 'start' | 'stop' | 'resume'): Promise<boolean> {
+    return this.#attempt(async () => this.hear(await this.#calls.act(id, action)));
+  }
+
+  remove(id: string): Promise<boolean> {
+    return this.#attempt(async () => {
+      await this.#calls.remove(id);
+      this.forget(id);
+    });
+  }
+
+  offer(drone: string): Promise<boolean> {
+    return this.#attempt(async () => {
+      this.warehouse = await this.#calls.offer(drone);
+    });
+  }
+
+  withdraw(drone: string): Promise<boolean> {
+    return this.#attempt(async () => {
+      await this.#calls.withdraw(drone);
+      this.warehouse = this.warehouse.filter((one) => one.id !== drone);
+    });
+  }
+
+  async #attempt(action: () => Promise<void>): Promise<boolean> {
+    try {
+      await action();
+      this.problem = null;
+      return true;
+    } catch (thrown) {
+      this.problem = sentenceFor(thrown);
+      return false;
+    }
+  }
+}

@@ -1,0 +1,56 @@
+import { describe, expect, it } from 'vitest';
+import type { VirtualDrone, VirtualRun } from '../api/virtual';
+import { liveLine, stateLine, toneOf } from './virtual-line';
+
+const RUN: VirtualRun = {
+  state: 'flying',
+  sentence: 'The drone flies the mission.',
+  queue: null,
+  flown: 1,
+  total: 4,
+  onCloudLoss: 'continue',
+  why: 'A drone was chosen.',
+  drone: null,
+  detail: null,
+  unfit: [],
+  changedAt: '2026-05-04T10:00:00Z',
+};
+
+function virtual(part: Partial<VirtualDrone>): VirtualDrone {
+  const no = { allowed: false, why: null };
+  return {
+    id: 'v1',
+    name: 'Survey',
+    owner: 'ann',
+    needs: { kind: null, capabilities: [], enduranceMinutes: null, area: null },
+    items: null,
+    run: null,
+    live: null,
+    actions: { plan: no, start: no, stop: no, resume: no, remove: no },
+    ...part,
+  };
+}
+
+describe('the line of a virtual drone', () => {
+  it('tells what is there before it was started', () => {
+    expect(stateLine(virtual({}))).toBe('no mission yet');
+    expect(stateLine(virtual({ items: [] }))).toBe('planned');
+  });
+
+  it('tells the place in the queue', () => {
+    const run: VirtualRun = { ...RUN, state: 'queued', queue: { position: 2, length: 3 } };
+    expect(stateLine(virtual({ run }))).toBe('waiting, 2 of 3 in the queue');
+  });
+
+  it('tells how far it is', () => {
+    expect(stateLine(virtual({ run: RUN }))).toBe('flying, 1 of 4 waypoints');
+    expect(toneOf(virtual({ run: RUN }))).toBe('good');
+    expect(toneOf(virtual({ run: { ...RUN, state: 'suspended' } }))).toBe('look');
+  });
+
+  it('tells of the drone that serves only what is known', () => {
+    const live = { link: 'suspect', armed: true, position: null, battery: 87 } as const;
+    expect(liveLine(virtual({ live }))).toBe('contact suspect, battery 87 %');
+    expect(liveLine(virtual({}))).toBe('');
+  });
+});
