@@ -49,8 +49,7 @@ public final class FenceService {
 
     /** Makes the zones that bind a drone its own fence; those that it cannot keep are told as warnings. */
     public CommandView putZonesOnBoard(Caller caller, String droneId) {
-        Roles.require(caller.principal(), Role.PLANNER);
-        DroneState drone = drones.state(caller.principal(), droneId);
+        DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
         VehicleFence fence = VehicleFence.of(cloud.zones(), drone.id(), clock.instant());
         if (fence.shapes().isEmpty()) {
             throw Rejection.conflict(
@@ -63,7 +62,7 @@ public final class FenceService {
         List<String> leftOut = fence.leftOut().stream()
                 .map(zone -> "Not on board is " + zone.words() + ": vehicles know no floor and no ceiling.")
                 .toList();
-        return give(caller, droneId, new Command.SetFence(fence.shapes())).warned(leftOut);
+        return give(caller, drone, new Command.SetFence(fence.shapes())).warned(leftOut);
     }
 
     public CommandView setRallyPoints(Caller caller, String droneId, FenceView.RallyView points) {
