@@ -45,7 +45,6 @@ public final class WarehouseService {
     }
 
     private DroneState known(Principal principal, String id) {
-        Roles.require(principal, Role.SUPERVISOR);
-        return drones.state(principal, id);
+        return drones.state(principal, id, Role.SUPERVISOR);
     }
 }
