@@ -122,14 +122,15 @@ abstract class ReachTrial {
 
     /** What an address is about: the word after the version. */
     static String kind(String operation) {
-        return operation.equals(GIVE_AWAY)
+        boolean ofDrone = operation.equals(GIVE_AWAY) || operation.contains(" /api/v1/warehouse/");
+        return ofDrone
                 ? "drones"
                 : operation.replaceFirst("\\S+ /(api/v1/)?", "").split("/")[0];
     }
 
-    /** Not what would take the caller's own key or the drone away. */
+    /** Not what would take the caller's own key or the drone away, nor what is one user's alone. */
     boolean isTried(String operation) {
-        return !operation.equals(GIVE_AWAY) && !kind(operation).equals("access-keys");
+        return !operation.equals(GIVE_AWAY) && !kind(operation).matches("access-keys|virtual-drones");
     }
 
     String ownThing(String operation) {

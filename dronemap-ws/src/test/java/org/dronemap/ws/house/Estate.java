@@ -45,7 +45,8 @@ public final class Estate {
             "invitations",
             "groups",
             "fleets",
-            "grants"
+            "grants",
+            "virtual-drones"
         }) {
             things.put(kind, fresh(kind));
         }
@@ -88,7 +89,7 @@ public final class Estate {
             case "zones" -> id(http.post(at, String.format(ZONE, name, drone.id())));
             case "users" -> house.member(organisation, name, Role.VIEWER).name();
             case "invitations" -> id(http.post(at, "{\"label\":\"" + name + "\",\"role\":\"viewer\"}"));
-            case "groups", "fleets" -> id(http.post(at, "{\"name\":\"" + name + "\"}"));
+            case "groups", "fleets", "virtual-drones" -> id(http.post(at, "{\"name\":\"" + name + "\"}"));
             case "grants" ->
                 id(http.post(at, "{\"user\":\"" + administrator.name() + "\",\"all\":true,\"operations\":[\"view\"]}"));
             default -> throw new IllegalArgumentException(kind);
