@@ -24,6 +24,8 @@ public final class MissionDownload implements Exchange {
     private static final int TRIES_BEFORE_FLOATS = 5;
 
     private static final int REFUSALS = 2;
+    /** After so long every vehicle has given up an upload that broke off (PX4: 5 s, ArduPilot: 8 s). */
+    private static final long GIVEN_UP_NANOS = 12_000_000_000L;
 
     private final Target target;
     private final MissionKind kind;
@@ -34,6 +36,7 @@ public final class MissionDownload implements Exchange {
     private int count = -1;
     private int tries;
     private int refusals;
+    private long firstRefusedNanos;
     private long lastSentNanos;
     private long stamp = MissionStamp.NONE;
     private boolean integersHeard;
@@ -108,7 +111,7 @@ public final class MissionDownload implements Exchange {
                 took(MissionItemInt.decode(frame), nowNanos);
             }
             case MissionItem.ID -> floatsTaken |= took(exact(MissionItem.decode(frame)), nowNanos);
-            case MissionAck.ID -> refused(MissionAck.decode(frame));
+            case MissionAck.ID -> refused(MissionAck.decode(frame), nowNanos);
             default -> {}
         }
     }
@@ -190,13 +193,20 @@ public final class MissionDownload implements Exchange {
 
     /**
      * A refusal in the middle means that somebody else has changed the mission: begin again. The first one before that,
-     * and a word about order, may still be about items of an upload that came twice.
+     * and a word about order, may still be about items of an upload that came twice. A vehicle that waits for the rest of
+     * an upload that broke off gives nothing out until it has given that up.
      */
-    private void refused(MissionAck ack) {
+    private void refused(MissionAck ack, long nowNanos) {
         boolean ours = ack.missionType() == kind.number() && Target.isForUs(ack.targetSystem());
         if (ours && ack.type() != MissionResult.ACCEPTED && ack.type() != MissionResult.INVALID_SEQUENCE) {
-            refusals++;
-            if (count < 0 && refusals >= REFUSALS) {
+            if (refusals++ == 0) {
+                firstRefusedNanos = nowNanos;
+            }
+            boolean mayPass = MissionResult.isBusy(ack.type()) && nowNanos - firstRefusedNanos < GIVEN_UP_NANOS;
+            if (mayPass) {
+                patience.answered();
+            }
+            if (count < 0 && refusals >= REFUSALS && !mayPass) {
                 outcome = new Outcome.Refused("vehicle", MissionResult.words(ack.type()));
             } else if (count >= 0) {
                 count = -1;

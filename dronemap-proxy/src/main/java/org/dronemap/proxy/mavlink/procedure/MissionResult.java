@@ -5,6 +5,7 @@ final class MissionResult {
     static final int ACCEPTED = 0;
     static final int ERROR = 1;
     static final int INVALID_SEQUENCE = 13;
+    static final int DENIED = 14;
     static final int CANCELLED = 15;
 
     private MissionResult() {}
@@ -12,6 +13,11 @@ final class MissionResult {
     /** What may be cured by beginning again. */
     static boolean isPassing(int result) {
         return result == ERROR || result == CANCELLED;
+    }
+
+    /** What may be cured by waiting. */
+    static boolean isBusy(int result) {
+        return result == ERROR || result == DENIED;
     }
 
     static String words(int result) {
@@ -22,7 +28,7 @@ final class MissionResult {
             case 5, 6, 7, 8, 9, 10, 11, 12 ->
                 "The vehicle finds a value of the mission invalid (result " + result + ").";
             case INVALID_SEQUENCE -> "The vehicle got the mission items out of order.";
-            case 14 -> "The vehicle does not take a mission from here now.";
+            case DENIED -> "The vehicle takes and gives no mission now.";
             case CANCELLED -> "The vehicle cancelled the transfer.";
             default -> "The vehicle answered the mission transfer with an error (result " + result + ").";
         };

@@ -39,6 +39,9 @@ public final class MissionUpload implements Exchange {
     private boolean lastAsked;
 
     private int tries;
+    /** How often the last item went out while the vehicle was heard. */
+    private int lastWords;
+
     private int rounds = 1;
     private long lastSentNanos;
     private int refusal;
@@ -130,7 +133,7 @@ public final class MissionUpload implements Exchange {
     }
 
     private void again(long nowNanos) {
-        if (lastAsked && tries >= TRIES_FOR_THE_LAST_WORD && patience.isAudible(nowNanos)) {
+        if (lastAsked && lastWords >= TRIES_FOR_THE_LAST_WORD && patience.isAudible(nowNanos)) {
             outcome = new Outcome.Succeeded();
             return;
         }
@@ -147,6 +150,7 @@ public final class MissionUpload implements Exchange {
     private void beginAgain() {
         asked = -1;
         lastAsked = false;
+        lastWords = 0;
         tries = 0;
     }
 
@@ -158,6 +162,9 @@ public final class MissionUpload implements Exchange {
         }
         patience.asked(nowNanos);
         tries++;
+        if (lastAsked && patience.isAudible(nowNanos)) {
+            lastWords++;
+        }
         lastSentNanos = nowNanos;
     }
 
@@ -185,6 +192,7 @@ public final class MissionUpload implements Exchange {
         }
         asked = seq;
         lastAsked = seq == span.last();
+        lastWords = 0;
         if (seq > highest) {
             highest = seq;
             observer.progress(seq - span.first(), span.size());
