@@ -39,8 +39,10 @@ public final class MissionUpload implements Exchange {
     private boolean lastAsked;
 
     private int tries;
-    /** How often the last item went out while the vehicle was heard. */
+    /** How often the last item went out and the vehicle was heard after that. */
     private int lastWords;
+
+    private boolean lastWordOpen;
 
     private int rounds = 1;
     private long lastSentNanos;
@@ -87,6 +89,10 @@ public final class MissionUpload implements Exchange {
             return;
         }
         patience.heard(nowNanos);
+        if (lastWordOpen) {
+            lastWordOpen = false;
+            lastWords++;
+        }
         switch (frame.messageId()) {
             case MissionRequestInt.ID -> {
                 MissionRequestInt request = MissionRequestInt.decode(frame);
@@ -162,9 +168,7 @@ public final class MissionUpload implements Exchange {
         }
         patience.asked(nowNanos);
         tries++;
-        if (lastAsked && patience.isAudible(nowNanos)) {
-            lastWords++;
-        }
+        lastWordOpen = lastAsked;
         lastSentNanos = nowNanos;
     }
 
