@@ -1,6 +1,7 @@
 """Virtual drones: five missions on two drones, over a crash of the server and one of a drone."""
 
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -85,9 +86,7 @@ def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
     own_server: Server, tap: Tap, simulator: Simulator
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
-    drones = [
-        wait_for("the copter is ready", lambda n=n: api.ready(FIRST_SYSTEM_ID + n), 90) for n in range(2)
-    ]
+    drones = [wait_for("the copter is ready", partial(api.ready, FIRST_SYSTEM_ID + n), 90) for n in range(2)]
     plans = [
         triangle(drones[0]["home"], altitude=LOWEST_METRES + n * STEP_METRES, side=-25)
         for n in range(MISSIONS)
@@ -114,12 +113,16 @@ def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
     wait_for("it waits for another drone", lambda: _left(again, fallen), 60)
 
     for one in virtuals:
-        wait_for(f"{one} is done: {run(again, one)}", lambda v=one: run(again, v)["state"] == "done", 180)
+        wait_for(f"{one} is done: {run(again, one)}", partial(_done, again, one), 180)
     finished = [run(again, one)["changedAt"] for one in virtuals[:2]]
     assert max(finished) <= min(run(again, one)["changedAt"] for one in virtuals[2:])
     for points in plans:
         flown = [passed_by(tap, point) for point in points]
         assert all(flown), f"a waypoint was left out: {flown}"
+
+
+def _done(api: Api, one: str) -> bool:
+    return bool(run(api, one)["state"] == "done")
 
 
 def _half_flown(api: Api, virtuals: list[str]) -> Json | None:

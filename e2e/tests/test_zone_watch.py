@@ -5,6 +5,7 @@ import random
 import time
 from collections.abc import Iterator
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -107,7 +108,7 @@ def fleet(server: Server, api: Api, tap: Tap, tmp_path: Path) -> Iterator[list[J
     options = ["--count", str(DRONES), "--sysid", str(FIRST_SYSTEM_ID), "--speedup", "2", "--wind", "6"]
     simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", *options)
     ids = range(FIRST_SYSTEM_ID, FIRST_SYSTEM_ID + DRONES)
-    drones = [wait_for("it is ready", lambda one=one: api.ready(one), 120) for one in ids]
+    drones = [wait_for("it is ready", partial(api.ready, one), 120) for one in ids]
     for drone in drones:
         api.do(drone["id"], type="setMode", mode="GUIDED")
         api.do(drone["id"], type="arm")
@@ -125,7 +126,7 @@ def test_two_hundred_breaches_are_warned_of_before_and_acted_on_within_a_second(
     for _ in range(ROUNDS):
         breaches = [send_off(api, drone, chance) for drone in fleet]
         for breach in breaches:
-            wait_for("it is told to hold", lambda b=breach: said(api, b.drone, "is told: hold", b.put), 120)
+            wait_for("it is told to hold", partial(said, api, breach.drone, "is told: hold", breach.put), 120)
         for breach in breaches:
             inside, delay = acted_after(tap, breach)
             warned = said(api, breach.drone, "If it goes on like this it enters", breach.put)
