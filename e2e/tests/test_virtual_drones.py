@@ -16,9 +16,12 @@ from dronemap_e2e.waiting import wait_for
 
 FIRST_SYSTEM_ID = 41
 MISSIONS = 5
-# Each mission has a height of its own, by which its waypoints are told from those of the others.
+# Each mission has a height and a size of its own, by which its waypoints are told from those of the others,
+# also where a drone falls down through the heights below its own.
 LOWEST_METRES = 18
 STEP_METRES = 5
+SMALLEST_METRES = 25
+WIDER_METRES = 8
 NEAR_METRES = 3
 
 
@@ -46,6 +49,10 @@ def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
     )
     yield started
     started.stop()
+
+
+def side(number: int) -> float:
+    return SMALLEST_METRES + number * WIDER_METRES
 
 
 def plan(api: Api, number: int, points: list[Point]) -> str:
@@ -88,7 +95,7 @@ def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
     api = Api(own_server.address, own_server.local_key())
     drones = [wait_for("the copter is ready", partial(api.ready, FIRST_SYSTEM_ID + n), 90) for n in range(2)]
     plans = [
-        triangle(drones[0]["home"], altitude=LOWEST_METRES + n * STEP_METRES, side=-25)
+        triangle(drones[0]["home"], altitude=LOWEST_METRES + n * STEP_METRES, side=-side(n))
         for n in range(MISSIONS)
     ]
     virtuals = [plan(api, n, points) for n, points in enumerate(plans)]
@@ -118,7 +125,9 @@ def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
     assert max(finished) <= min(run(again, one)["changedAt"] for one in virtuals[2:])
     for points in plans:
         flown = [passed_by(tap, point) for point in points]
-        assert all(flown), f"a waypoint was left out: {flown}"
+        assert all(len(vehicles) == 1 for vehicles in flown), flown
+    rest = virtuals.index(fallen["virtual"])
+    assert passed_by(tap, plans[rest][0]) != passed_by(tap, plans[rest][-1])
 
 
 def _done(api: Api, one: str) -> bool:
