@@ -32,7 +32,7 @@ import org.junit.jupiter.api.Test;
 /** Many threads want one drone, and take it from each other while commands are on their way. */
 class ControlRaceTest {
     private static final int RACERS = 8;
-    private static final int ROUNDS = 150;
+    private static final int ROUNDS = 600;
 
     private final Lanes lanes = new Lanes(2);
     private final Journal journal = new Journal();
@@ -87,7 +87,7 @@ class ControlRaceTest {
     private void race(DroneLink link, String name, Random random) {
         CommandGate.Source source = new CommandGate.Source(new Principal(name, Role.SUPERVISOR), "rest");
         for (int round = 0; round < ROUNDS; round++) {
-            switch (random.nextInt(4)) {
+            switch (random.nextInt(12)) {
                 case 0 -> cloud.controls().apply(link.id(), new LeaseEvent.TakeOver(name, "a race"));
                 case 1 -> cloud.controls().apply(link.id(), new LeaseEvent.Release(name));
                 default -> {
