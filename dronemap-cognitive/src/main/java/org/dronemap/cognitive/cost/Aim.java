@@ -1,0 +1,31 @@
+package org.dronemap.cognitive.cost;
+
+/**
+ * What a plan is to be good at: the weighted sum of the longest tour's duration and of a measure summed over all tours.
+ *
+ * @param longestWeight weight of the duration of the longest tour, in seconds
+ * @param measure what is summed
+ * @param sumWeight weight of the sum, in the measure's unit
+ * @param everyDrone whether each drone must fly, else drones may be left on the ground
+ */
+public record Aim(double longestWeight, Measure measure, double sumWeight, boolean everyDrone) {
+    /** What is summed over all tours. */
+    public enum Measure {
+        SECONDS,
+        METERS,
+        JOULES
+    }
+
+    /** The longest tour as short as can be; among equals the smaller sum. */
+    public static Aim minMax() {
+        return new Aim(1, Measure.SECONDS, 0, false);
+    }
+
+    public static Aim minSum(Measure measure) {
+        return new Aim(0, measure, 1, false);
+    }
+
+    public Aim withEveryDrone() {
+        return new Aim(longestWeight, measure, sumWeight, true);
+    }
+}
