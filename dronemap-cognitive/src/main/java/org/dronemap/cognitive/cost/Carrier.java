@@ -6,5 +6,10 @@ package org.dronemap.cognitive.cost;
  * @param type which legs it flies ({@link Legs})
  * @param readySeconds when it can set off, on the plan's clock
  * @param rangeJoules what it may draw till its end, the reserve left out; infinite without a limit
+ * @param mustFly it is in the air: with nothing to visit it still flies from its start to its end
  */
-public record Carrier(int type, double readySeconds, double rangeJoules) {}
+public record Carrier(int type, double readySeconds, double rangeJoules, boolean mustFly) {
+    public Carrier(int type, double readySeconds, double rangeJoules) {
+        this(type, readySeconds, rangeJoules, false);
+    }
+}

@@ -1,0 +1,16 @@
+package org.dronemap.cognitive.plan;
+
+import java.util.List;
+
+/** Who flies where and when; drones without a tour stay where they are. */
+public record Plan(List<Tour> tours, List<Unserved> unserved) {
+    public Plan {
+        tours = List.copyOf(tours);
+        unserved = List.copyOf(unserved);
+    }
+
+    /** When the last drone is at its end; 0 when nobody flies. */
+    public double endsSeconds() {
+        return tours.stream().mapToDouble(Tour::endsSeconds).max().orElse(0);
+    }
+}

@@ -1,0 +1,15 @@
+package org.dronemap.cognitive.plan;
+
+/**
+ * A visit to a waypoint.
+ *
+ * @param way how the drone comes there
+ * @param beginsSeconds when its task begins: at the arrival, or when its window opens
+ * @param leavesSeconds when the drone is free to leave; the next way may begin later
+ * @param usedJoules drawn since the plan's beginning, when it leaves
+ */
+public record Stop(String waypoint, Way way, double beginsSeconds, double leavesSeconds, double usedJoules) {
+    public double arrivesSeconds() {
+        return way.arrivesSeconds();
+    }
+}

@@ -1,0 +1,33 @@
+package org.dronemap.cognitive.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+
+/**
+ * What one drone flies.
+ *
+ * @param last from the last stop, or from the start, to the drone's end
+ * @param usedJoules drawn in all
+ */
+public record Tour(DroneId drone, List<Stop> stops, Way last, double usedJoules) {
+    public Tour {
+        stops = List.copyOf(stops);
+    }
+
+    /** One more than there are stops. */
+    public List<Way> ways() {
+        List<Way> ways = new ArrayList<>(stops.size() + 1);
+        stops.forEach(stop -> ways.add(stop.way()));
+        ways.add(last);
+        return ways;
+    }
+
+    public double departsSeconds() {
+        return ways().get(0).departsSeconds();
+    }
+
+    public double endsSeconds() {
+        return last.arrivesSeconds();
+    }
+}

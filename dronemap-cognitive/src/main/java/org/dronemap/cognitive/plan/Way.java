@@ -1,0 +1,41 @@
+package org.dronemap.cognitive.plan;
+
+import java.util.List;
+import org.dronemap.cognitive.problem.Place;
+
+/**
+ * Flown from one stop to the next: straight from fix to fix, standing still for a moment at each. Between two fixes a
+ * drone may be at any height between theirs.
+ *
+ * @param fixes the first when it sets off, the last when it arrives
+ * @param joules drawn on it
+ */
+public record Way(List<Fix> fixes, double joules) {
+    public Way {
+        fixes = List.copyOf(fixes);
+        if (fixes.size() < 2) {
+            throw new IllegalArgumentException("a way has at least 2 fixes, not " + fixes.size());
+        }
+    }
+
+    public double departsSeconds() {
+        return fixes.get(0).seconds();
+    }
+
+    public double arrivesSeconds() {
+        return fixes.get(fixes.size() - 1).seconds();
+    }
+
+    public Place from() {
+        return fixes.get(0).place();
+    }
+
+    public Place to() {
+        return fixes.get(fixes.size() - 1).place();
+    }
+
+    /** What lies between: the top of a take-off, turns round barriers, the top of a landing. */
+    public List<Place> via() {
+        return fixes.subList(1, fixes.size() - 1).stream().map(Fix::place).toList();
+    }
+}

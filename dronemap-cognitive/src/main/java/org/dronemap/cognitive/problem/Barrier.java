@@ -1,0 +1,35 @@
+package org.dronemap.cognitive.problem;
+
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.ShapeFaults;
+import org.dronemap.core.zone.Zone;
+
+/**
+ * An area that drones stay in ({@code shape.inside()}), or out of, within its band of altitudes.
+ *
+ * @param words what people call it: "the no-fly zone “Airport”"
+ * @param drones whom it binds; nobody named: everybody
+ */
+public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<DroneId> drones) {
+    public Barrier {
+        drones = Set.copyOf(drones);
+        ShapeFaults.of(shape).ifPresent(fault -> {
+            throw new IllegalArgumentException(words + ": " + fault);
+        });
+    }
+
+    public static Barrier of(Zone zone) {
+        return new Barrier(zone.words(), zone.shape(), zone.band(), Set.of());
+    }
+
+    public boolean isKeepIn() {
+        return shape.inside();
+    }
+
+    public boolean binds(DroneId drone) {
+        return drones.isEmpty() || drones.contains(drone);
+    }
+}

@@ -1,0 +1,35 @@
+package org.dronemap.cognitive.problem;
+
+/**
+ * What a plan is to be good at: the weighted sum of the longest tour's duration in seconds and of a measure summed over
+ * all tours, in its unit.
+ *
+ * @param everyDrone whether each drone must fly, else drones may be left where they are
+ */
+public record Objective(double longestWeight, Measure measure, double sumWeight, boolean everyDrone) {
+    /** What is summed. */
+    public enum Measure {
+        SECONDS,
+        METERS,
+        JOULES
+    }
+
+    private static final double MOST = 1_000_000;
+
+    public Objective {
+        Require.within("longestWeight", longestWeight, 0, MOST);
+        Require.within("sumWeight", sumWeight, 0, MOST);
+        if (longestWeight == 0 && sumWeight == 0) {
+            throw new IllegalArgumentException("longestWeight and sumWeight must not both be 0");
+        }
+    }
+
+    /** All done as early as can be. */
+    public static Objective earliestEnd() {
+        return new Objective(1, Measure.SECONDS, 0, false);
+    }
+
+    public static Objective least(Measure measure) {
+        return new Objective(0, measure, 1, false);
+    }
+}

@@ -1,0 +1,17 @@
+package org.dronemap.cognitive.problem;
+
+/**
+ * What a vehicle draws, in W, descending as much as when it hovers. An aeroplane hovers by circling.
+ *
+ * @param cruise at its cruising speed through still air
+ * @param climb straight up at its climbing speed
+ */
+public record Power(double hover, double cruise, double climb) {
+    private static final double MOST = 1_000_000;
+
+    public Power {
+        Require.within("hover power", hover, 0, MOST);
+        Require.within("cruise power", cruise, 0, MOST);
+        Require.within("climb power", climb, 0, MOST);
+    }
+}

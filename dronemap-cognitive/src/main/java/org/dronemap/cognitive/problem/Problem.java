@@ -1,0 +1,94 @@
+package org.dronemap.cognitive.problem;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+
+/** Who is to visit which waypoints: all that a planner knows. Never changes. */
+public record Problem(
+        List<Waypoint> waypoints,
+        List<Craft> crafts,
+        List<Barrier> barriers,
+        Wind wind,
+        Objective objective,
+        Rules rules) {
+    public static final int MOST_WAYPOINTS = 100_000;
+    public static final int MOST_CRAFTS = 1_000;
+    public static final int MOST_BARRIERS = 1_000;
+    /** From the first place to any other one, along either axis. */
+    public static final double WIDEST_METERS = 200_000;
+
+    private static final double STEEPEST_DEGREES = 85;
+
+    public Problem {
+        waypoints = List.copyOf(waypoints);
+        crafts = List.copyOf(crafts);
+        barriers = List.copyOf(barriers);
+        Require.within("number of waypoints", waypoints.size(), 0, MOST_WAYPOINTS);
+        Require.within("number of drones", crafts.size(), 1, MOST_CRAFTS);
+        Require.within("number of zones", barriers.size(), 0, MOST_BARRIERS);
+        distinct("waypoint", waypoints.stream().map(Waypoint::id));
+        distinct("drone", crafts.stream().map(craft -> craft.id().value()));
+        near(waypoints, crafts);
+    }
+
+    /** In calm air without zones, all done as early as can be. */
+    public static Problem of(List<Waypoint> waypoints, List<Craft> crafts) {
+        return new Problem(waypoints, crafts, List.of(), Wind.CALM, Objective.earliestEnd(), Rules.USUAL);
+    }
+
+    public Problem with(Wind other) {
+        return new Problem(waypoints, crafts, barriers, other, objective, rules);
+    }
+
+    public Problem with(Objective other) {
+        return new Problem(waypoints, crafts, barriers, wind, other, rules);
+    }
+
+    public Problem with(Rules other) {
+        return new Problem(waypoints, crafts, barriers, wind, objective, other);
+    }
+
+    public Problem withBarriers(List<Barrier> other) {
+        return new Problem(waypoints, crafts, other, wind, objective, rules);
+    }
+
+    /** Whether a drone's link is good enough to plan with it. */
+    public boolean trusts(Craft craft) {
+        return craft.linkQuality() >= rules.leastLinkQuality();
+    }
+
+    private static void distinct(String what, Stream<String> ids) {
+        Set<String> seen = new HashSet<>();
+        ids.forEach(id -> {
+            if (!seen.add(id)) {
+                throw new IllegalArgumentException("the " + what + " " + id + " is named twice");
+            }
+        });
+    }
+
+    private static void near(List<Waypoint> waypoints, List<Craft> crafts) {
+        Geodetic first = crafts.get(0).start().place().point();
+        LocalPlane plane = new LocalPlane(first);
+        waypoints.forEach(waypoint ->
+                near(plane, "waypoint " + waypoint.id(), waypoint.place().point()));
+        crafts.forEach(craft -> {
+            near(
+                    plane,
+                    "the start of drone " + craft.id(),
+                    craft.start().place().point());
+            near(plane, "the end of drone " + craft.id(), craft.finish().place().point());
+        });
+    }
+
+    private static void near(LocalPlane plane, String what, Geodetic point) {
+        Require.within("latitude of " + what, point.latitudeDegrees(), -STEEPEST_DEGREES, STEEPEST_DEGREES);
+        double meters = Math.max(
+                Math.abs(plane.spot(point).eastMeters()),
+                Math.abs(plane.spot(point).northMeters()));
+        Require.within("metres from the first drone to " + what, meters, 0, WIDEST_METERS);
+    }
+}

@@ -1,0 +1,18 @@
+package org.dronemap.cognitive.problem;
+
+/**
+ * What every plan keeps to.
+ *
+ * @param leastLinkQuality drones whose link is worse are given nothing, 0 to 1
+ * @param roomMeters what ways round barriers leave beside them
+ * @param takeOffMeters a take-off leads at least so high, and a drone comes to its landing no lower
+ */
+public record Rules(Separation separation, double leastLinkQuality, double roomMeters, double takeOffMeters) {
+    public static final Rules USUAL = new Rules(Separation.USUAL, 0.5, 3, 5);
+
+    public Rules {
+        Require.within("leastLinkQuality", leastLinkQuality, 0, 1);
+        Require.within("roomMeters", roomMeters, 1, 1_000);
+        Require.within("takeOffMeters", takeOffMeters, 1, 500);
+    }
+}

@@ -1,0 +1,11 @@
+package org.dronemap.cognitive.problem;
+
+/** How far two drones in the air stay apart: at least one of the two distances, in metres. */
+public record Separation(double horizontalMeters, double verticalMeters) {
+    public static final Separation USUAL = new Separation(10, 5);
+
+    public Separation {
+        Require.within("horizontalMeters", horizontalMeters, 0, 10_000);
+        Require.within("verticalMeters", verticalMeters, 0, 1_000);
+    }
+}

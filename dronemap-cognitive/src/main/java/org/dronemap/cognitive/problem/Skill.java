@@ -1,0 +1,20 @@
+package org.dronemap.cognitive.problem;
+
+import org.dronemap.core.drone.Capability;
+
+/**
+ * Something that a task takes and that some drones can do.
+ *
+ * @param words completes the sentence "no drone can …": "take a picture"
+ */
+public record Skill(String words) {
+    public Skill {
+        if (words.isBlank()) {
+            throw new IllegalArgumentException("a skill must have words");
+        }
+    }
+
+    public static Skill of(Capability capability) {
+        return new Skill(capability.phrase());
+    }
+}

@@ -1,0 +1,22 @@
+package org.dronemap.cognitive.problem;
+
+/** What is left in a battery and what must be left in it at the end, in J; infinite without a limit. */
+public record Supply(double remainingJoules, double reserveJoules) {
+    public static final Supply UNLIMITED = new Supply(Double.POSITIVE_INFINITY, 0);
+
+    private static final double JOULES_PER_WATT_HOUR = 3_600;
+
+    public Supply {
+        Require.notNegative("remainingJoules", remainingJoules);
+        Require.within("reserveJoules", reserveJoules, 0, Double.MAX_VALUE);
+    }
+
+    public static Supply ofWattHours(double remaining, double reserve) {
+        return new Supply(remaining * JOULES_PER_WATT_HOUR, reserve * JOULES_PER_WATT_HOUR);
+    }
+
+    /** What may be drawn. */
+    public double rangeJoules() {
+        return Math.max(0, remainingJoules - reserveJoules);
+    }
+}

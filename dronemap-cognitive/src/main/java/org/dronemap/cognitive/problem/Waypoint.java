@@ -1,0 +1,23 @@
+package org.dronemap.cognitive.problem;
+
+/**
+ * A place that one drone is to visit once.
+ *
+ * @param priority what leaving it out weighs, relative to others
+ */
+public record Waypoint(String id, Place place, Task task, double priority, Window window) {
+    public static final double LEAST_PRIORITY = 0.001;
+    public static final double HIGHEST_PRIORITY = 1_000;
+
+    public Waypoint {
+        if (id.isBlank()) {
+            throw new IllegalArgumentException("a waypoint must have an id");
+        }
+        Require.within("priority", priority, LEAST_PRIORITY, HIGHEST_PRIORITY);
+    }
+
+    /** To be flown to at any time, with nothing to do there. */
+    public static Waypoint at(String id, Place place) {
+        return new Waypoint(id, place, Task.FLY_THROUGH, 1, Window.ALWAYS);
+    }
+}

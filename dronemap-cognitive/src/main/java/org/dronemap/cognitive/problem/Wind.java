@@ -1,0 +1,26 @@
+package org.dronemap.cognitive.problem;
+
+/**
+ * The same wind everywhere.
+ *
+ * @param fromDegrees where it comes from, clockwise from north
+ */
+public record Wind(double metersPerSecond, double fromDegrees) {
+    public static final Wind CALM = new Wind(0, 0);
+
+    private static final double STRONGEST = 100;
+
+    public Wind {
+        Require.within("wind metersPerSecond", metersPerSecond, 0, STRONGEST);
+        Require.within("wind fromDegrees", fromDegrees, 0, 360);
+    }
+
+    /** How fast the air moves east. */
+    public double eastMetersPerSecond() {
+        return -metersPerSecond * Math.sin(Math.toRadians(fromDegrees));
+    }
+
+    public double northMetersPerSecond() {
+        return -metersPerSecond * Math.cos(Math.toRadians(fromDegrees));
+    }
+}

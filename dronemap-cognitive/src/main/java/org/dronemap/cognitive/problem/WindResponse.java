@@ -1,0 +1,11 @@
+package org.dronemap.cognitive.problem;
+
+/** What a vehicle does about wind on its way. */
+public enum WindResponse {
+    /** Copters on a mission: flies faster through the air against the wind, up to its greatest airspeed. */
+    KEEPS_GROUND_SPEED,
+    /** Aeroplanes: the wind adds to what it flies through the air. */
+    KEEPS_AIRSPEED,
+    /** On the ground, or in the water. */
+    UNTOUCHED
+}

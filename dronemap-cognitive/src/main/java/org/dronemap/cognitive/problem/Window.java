@@ -1,0 +1,14 @@
+package org.dronemap.cognitive.problem;
+
+/** When a task may begin, in seconds on the plan's clock; an infinite end is none. */
+public record Window(double opensSeconds, double closesSeconds) {
+    public static final Window ALWAYS = new Window(0, Double.POSITIVE_INFINITY);
+
+    public Window {
+        Require.notNegative("opensSeconds", opensSeconds);
+        if (!(closesSeconds >= opensSeconds)) {
+            throw new IllegalArgumentException(
+                    "closesSeconds must be at least opensSeconds (" + opensSeconds + "): " + closesSeconds);
+        }
+    }
+}
