@@ -1,7 +1,7 @@
 """Waiting for conditions, never for time alone."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TypeVar
 
 T = TypeVar("T")
@@ -25,4 +25,11 @@ def throughout(what: str, condition: Callable[[], object], seconds: float, every
         assert condition(), f"not all along: {what}"
         if time.monotonic() >= end:
             return
+        time.sleep(every)
+
+
+def rounds(until: float, every: float) -> Iterator[None]:
+    """A turn every so often up to a moment (monotonic s): for what is done while something else goes on."""
+    while time.monotonic() < until:
+        yield
         time.sleep(every)

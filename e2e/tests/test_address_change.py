@@ -18,7 +18,7 @@ from dronemap_e2e.nat import Nat
 from dronemap_e2e.peer import OBEDIENT, Handler, Peer, with_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import SigningPeer
-from dronemap_e2e.waiting import wait_for
+from dronemap_e2e.waiting import rounds, wait_for
 
 from .conftest import SYSTEM_IDS
 
@@ -167,17 +167,16 @@ class Journey:
         """Arms and disarms it again and again; each time it does what it was told."""
         api = Api(self._server.address, self._server.local_key())
         arm = True
-        while time.monotonic() < until:
+        for _ in rounds(until, 0.2):
             record = api.command(one.drone, {"type": "arm" if arm else "disarm"})
             assert record["outcome"]["result"] == "succeeded", record
             assert one.peer.state.armed is arm
             one.commanded += 1
             arm = not arm
-            time.sleep(0.2)
 
     def watch(self, until: float) -> None:
         """Nobody is lost, doubled or moved by a forger."""
-        while time.monotonic() < until:
+        for _ in rounds(until, 0.2):
             drones = self._api.drones()
             for one in self.all:
                 mine = [d for d in drones if d["link"]["systemId"] == one.system_id]
@@ -186,7 +185,6 @@ class Journey:
                 position = mine[0]["position"]
                 assert position is None or abs(position["latitude"] - HOME / 1e7) < 1e-6, mine[0]
                 one.peer.link.global_position_int_send(0, HOME, HOME, 498000, 10000, 0, 0, 0, 0)
-            time.sleep(0.2)
 
 
 def orders(nat: Nat, latest: float) -> list[str]:

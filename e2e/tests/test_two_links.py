@@ -13,7 +13,7 @@ from dronemap_e2e.carriers import Bridge, Carrier, Dtls, Together, UdpCaller
 from dronemap_e2e.impairer import CLEAR, CUT, Impairer, Weather
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.waiting import wait_for
+from dronemap_e2e.waiting import rounds, wait_for
 
 from .conftest import SYSTEM_IDS
 from .test_links import endpoint, go_and_land, take_off
@@ -117,12 +117,10 @@ def uses(api: Api, vehicle: OnTwoLinks, way: Way) -> bool:
 
 def stays(api: Api, vehicle: OnTwoLinks, seconds: float) -> None:
     """It is one drone, and never lost."""
-    until = time.monotonic() + seconds
-    while time.monotonic() < until:
+    for _ in rounds(time.monotonic() + seconds, 0.1):
         found = [d for d in api.drones() if d["link"]["systemId"] == vehicle.system_id]
         assert [d["id"] for d in found] == [vehicle.drone]
         assert found[0]["link"]["state"] != "lost"
-        time.sleep(0.1)
 
 
 def flies_on_whichever_link_is_left(api: Api, vehicle: OnTwoLinks) -> None:

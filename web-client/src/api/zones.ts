@@ -56,6 +56,11 @@ export class ZoneCalls {
     return this.#call('PUT', `/drones/${encodeURIComponent(drone)}/fence/zones`);
   }
 
+  /** Has the vehicle's fence read. */
+  askOnBoard(drone: string): Promise<Command> {
+    return this.#call('POST', `/drones/${encodeURIComponent(drone)}/fence/refresh`);
+  }
+
   /** How many areas the vehicle keeps itself; null: it was not asked yet. */
   async onBoard(drone: string): Promise<number | null> {
     type Fence = { zones: unknown[] | null };

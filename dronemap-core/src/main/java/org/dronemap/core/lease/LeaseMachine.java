@@ -160,7 +160,7 @@ public final class LeaseMachine {
                 new ControlChange(Kind.REFUSED, tenure.holder(), new Holder.Person(refuse.to()), refuse.reason()));
     }
 
-    /** Implicit for now: who gets it may not be looking. */
+    /** Implicit until the new holder acts: who gets it may not be looking. */
     private LeaseStep handOver(Control control, String user, String to, Moment now) {
         Tenure tenure = control.tenure();
         if (tenure == null || !control.isHeldBy(user)) {
