@@ -53,6 +53,8 @@ class Server:
                     "DRONEMAP_STREAM_PORT": str(self.stream_port),
                     "DRONEMAP_ENDPOINTS": f"udpserver://127.0.0.1:{self.udp_port}",
                     "DRONEMAP_RECORD": "flights" if recorded else "never",
+                    # Every recording is fetched at once afterwards, to be compared with what was sent.
+                    "DRONEMAP_RATE_EXPORTS": "0",
                 },
                 stdout=log,
                 stderr=subprocess.STDOUT,
