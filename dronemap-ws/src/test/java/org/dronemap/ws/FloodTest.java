@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
@@ -21,6 +22,7 @@ import org.dronemap.ws.house.RawClient;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Work;
 import org.dronemap.ws.wiring.Settings;
@@ -49,8 +51,8 @@ class FloodTest {
     @BeforeAll
     void open(@TempDir Path data, @TempDir Path other) {
         house = new TestHouse(data, false);
-        thrifty =
-                new TestHouse(other, TestHouse.Choices.protectedBy(new Settings.Protection(ClientLimits.DEFAULT, FEW)));
+        thrifty = new TestHouse(
+                other, TestHouse.Choices.protectedBy(new Settings.Protection(ClientLimits.DEFAULT, FEW, 2)));
         vehicle = ScriptedVehicle.connect(thrifty.cloud(), 15_701);
     }
 
@@ -261,6 +263,37 @@ class FloodTest {
     }
 
     @Test
+    void boundsTheStreamsOfEachUserAndGivesAPlaceBackWithEachThatIsClosed() {
+        String key = thrifty.key(Role.VIEWER);
+        try (StreamListener first = StreamListener.withKey(thrifty, key)) {
+            first.await(message -> message.path("type").asString().equals("drones"));
+            try (StreamListener second = StreamListener.withKey(thrifty, key);
+                    StreamListener third = StreamListener.with(thrifty, "", Map.of())) {
+                second.await(message -> message.path("type").asString().equals("drones"));
+                third.send("{\"type\":\"authenticate\",\"key\":\"" + key + "\"}");
+                JsonNode refused =
+                        third.await(message -> message.path("type").asString().equals("error"));
+                third.awaitClose();
+
+                assertThat(refused.path("problem").path("status").asInt()).isEqualTo(429);
+                assertThat(third.heard())
+                        .noneMatch(message -> message.toString().contains("\"drones\""));
+                try (StreamListener other = StreamListener.withKey(thrifty, thrifty.key(Role.VIEWER))) {
+                    other.await(message -> message.path("type").asString().equals("drones"));
+                }
+            }
+            Waiting.until("a place is free", () -> comesIn(key) ? Optional.of(true) : Optional.empty());
+        }
+    }
+
+    private boolean comesIn(String key) {
+        try (StreamListener again = StreamListener.withKey(thrifty, key)) {
+            return again.await(message -> message.path("type").asString().matches("drones|error"))
+                    .has("drones");
+        }
+    }
+
+    @Test
     void countsFilesAndExportsApart() {
         Http viewer = new Http(thrifty, thrifty.key(Role.VIEWER));
 
@@ -279,6 +312,6 @@ class FloodTest {
                         .raw()
                         .body())
                 .containsPattern("dronemap_refused_work_total\\{work=\"export\"} [1-9]")
-                .contains("dronemap_clients_cut_total");
+                .contains("dronemap_clients_cut_total{why=\"streams\"}");
     }
 }

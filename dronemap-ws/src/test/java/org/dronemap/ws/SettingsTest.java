@@ -43,10 +43,12 @@ class SettingsTest {
         Settings.Protection own = Settings.fromEnvironment(Map.of(
                         "DRONEMAP_RATE_COMMANDS", "0",
                         "DRONEMAP_RATE_REQUESTS", "7",
+                        "DRONEMAP_STREAMS_PER_USER", "2",
                         "DRONEMAP_SLOW_CLIENT_SECONDS", "3"))
                 .protection();
 
         assertThat(own.rates().perSecond()).doesNotContainKey(Work.COMMAND).containsEntry(Work.REQUEST, 7.0);
+        assertThat(own.streamsPerUser()).isEqualTo(2);
         assertThat(own.clients().patience()).isEqualTo(Duration.ofSeconds(3));
     }
 
@@ -97,6 +99,7 @@ class SettingsTest {
         "DRONEMAP_REGISTRATION, everybody, 'approval, invitation or off'",
         "DRONEMAP_RATE_COMMANDS, many, '\"many\"'",
         "DRONEMAP_CONNECTIONS_PER_ADDRESS, 0, 'from 1 to 2000'",
+        "DRONEMAP_STREAMS_PER_USER, 2001, 'from 1 to 2000'",
         "DRONEMAP_SLOW_CLIENT_SECONDS, 301, 'from 1 to 300'",
         "DRONEMAP_OIDC_ISSUER, http://login.example.org, 'https://login.example.org'",
         "DRONEMAP_OIDC_ISSUER, https://login.example.org, DRONEMAP_OIDC_ADDRESS",

@@ -120,8 +120,12 @@ class ControlRaceTest {
         return link;
     }
 
-    /** Repeats every command at every tick, whether or not it was told to stop: only the fence is between. */
+    /**
+     * Repeats every command at every tick, whether or not it was told to stop: only the fence is between. Some are sent for
+     * the first time long after they were decided.
+     */
     private final class Stubborn implements VehicleChannel {
+        private final Random delays = new Random(99);
         private final List<Sent> wire = new ArrayList<>();
         private final List<Runnable> repeated = new ArrayList<>();
 
@@ -134,7 +138,14 @@ class ControlRaceTest {
                     wire.add(sent);
                 }
             });
-            send.run();
+            switch (delays.nextInt(3)) {
+                case 0 -> send.run();
+                case 1 -> {
+                    LockSupport.parkNanos(delays.nextInt(1_000_000));
+                    send.run();
+                }
+                default -> LockSupport.parkNanos(1); // at the next tick
+            }
             if (repeated.size() == 30) {
                 repeated.remove(0);
             }

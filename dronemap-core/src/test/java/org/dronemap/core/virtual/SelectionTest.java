@@ -48,9 +48,15 @@ class SelectionTest {
                     .contains("[" + choice.chosen() + "] was chosen: " + deciding.words(choice.chosenValue()))
                     .contains("the runner-up [" + choice.runnerUp() + "] " + deciding.words(choice.otherValue()));
 
-            worsen(fleet, choice, deciding);
+            List<Drone> nearly = copy(fleet);
+            worsen(nearly, choice, deciding, -1);
+            assertThat(choose(Needs.NONE, nearly).orElseThrow().chosen())
+                    .as("round %d, not past it yet: %s", round, sentence)
+                    .isEqualTo(choice.chosen());
+            worsen(fleet, choice, deciding, 1);
             Choice after = choose(Needs.NONE, fleet).orElseThrow();
             assertThat(after.chosen()).as("round %d: %s", round, sentence).isEqualTo(choice.runnerUp());
+            assertThat(after.unfit()).as("round %d: for no other reason", round).isEmpty();
         }
         assertThat(met).contains(Quantity.DISTANCE, Quantity.BATTERY_LEFT, Quantity.LINK_LOSS);
     }
@@ -69,21 +75,28 @@ class SelectionTest {
         return fleet;
     }
 
-    /** Just as far as it takes: one step past the runner-up's, whatever else speaks for the chosen one. */
-    private static void worsen(List<Drone> fleet, Choice choice, Quantity deciding) {
+    private static List<Drone> copy(List<Drone> fleet) {
+        return fleet.stream()
+                .map(drone -> {
+                    Drone copy = new Drone(drone.id.value(), drone.metersAway);
+                    copy.percent = drone.percent;
+                    copy.loss = drone.loss;
+                    return copy;
+                })
+                .toList();
+    }
+
+    /** That quantity alone, by so many of its steps past the runner-up's; nothing is better than that. */
+    private static void worsen(List<Drone> fleet, Choice choice, Quantity deciding, int steps) {
         Drone chosen = fleet.stream()
                 .filter(drone -> drone.id.equals(choice.chosen()))
                 .findFirst()
                 .orElseThrow();
         switch (deciding) {
-            case DISTANCE -> {
-                chosen.metersAway = choice.otherValue() + 51;
-                // Nearer or not, as much is to be left as before.
-                chosen.percent = 100;
-            }
-            case BATTERY_LEFT ->
-                chosen.percent = chosen.percent - (int) (choice.chosenValue() - choice.otherValue()) - 5;
-            case LINK_LOSS -> chosen.loss = (choice.otherValue() + 1) / 100;
+            // in the middle of a step of 50 m
+            case DISTANCE -> chosen.metersAway = choice.otherValue() + 25 + 50 * steps;
+            case BATTERY_LEFT -> chosen.percent -= (int) (choice.chosenValue() - choice.otherValue()) + 5 * steps;
+            case LINK_LOSS -> chosen.loss = (choice.otherValue() + steps) / 100;
             case ORDER -> throw new AssertionError("the fleet has no two alike");
         }
     }

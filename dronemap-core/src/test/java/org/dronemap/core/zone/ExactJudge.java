@@ -2,6 +2,7 @@ package org.dronemap.core.zone;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodetic;
@@ -32,10 +33,10 @@ final class ExactJudge {
         this.drone = drone;
     }
 
-    Verdict judge(Mission mission, List<Zone> zones) {
+    Verdict judge(Command command, List<Zone> zones) {
         boolean touches = false;
         double clear = Double.POSITIVE_INFINITY;
-        for (Part part : parts(mission)) {
+        for (Part part : parts(command)) {
             for (Zone zone : zones) {
                 double room = zone.shape().inside() ? stay(part, zone) : avoid(part, zone);
                 touches |= room <= 0;
@@ -46,6 +47,24 @@ final class ExactJudge {
     }
 
     /** All heights above the sea. */
+    private List<Part> parts(Command command) {
+        double zero = drone.home().altitudeAmslMeters();
+        Geodetic here = drone.position().point();
+        if (command instanceof Command.GoTo goTo) {
+            double now = drone.position().altitudeAmslMeters();
+            double then = aboveTheSea(goTo.altitude(), zero);
+            return List.of(new Part(here, goTo.point(), Math.min(now, then), Math.max(now, then)));
+        }
+        if (command instanceof Command.TakeOff takeOff) {
+            return List.of(new Part(here, here, -1e9, zero + takeOff.altitudeMeters()));
+        }
+        return parts(((Command.UploadMission) command).mission());
+    }
+
+    private static double aboveTheSea(Altitude altitude, double zero) {
+        return altitude.reference() == Altitude.Reference.AMSL ? altitude.meters() : zero + altitude.meters();
+    }
+
     private List<Part> parts(Mission mission) {
         Home home = drone.home();
         double zero = home.altitudeAmslMeters();
@@ -57,9 +76,7 @@ final class ExactJudge {
                 height = zero + takeOff.altitudeMeters();
                 parts.add(new Part(at, at, -1e9, height));
             } else if (item instanceof MissionItem.Waypoint waypoint) {
-                Altitude altitude = waypoint.altitude();
-                double next =
-                        altitude.reference() == Altitude.Reference.AMSL ? altitude.meters() : zero + altitude.meters();
+                double next = aboveTheSea(waypoint.altitude(), zero);
                 parts.add(new Part(at, waypoint.point(), Math.min(height, next), Math.max(height, next)));
                 at = waypoint.point();
                 height = next;

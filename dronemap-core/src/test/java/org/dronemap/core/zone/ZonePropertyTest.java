@@ -13,6 +13,9 @@ class ZonePropertyTest {
     @Test
     @Tag("soak")
     void acceptsWhatIsClearAndNothingThatTouchesForLong() {
-        new ZoneTrial(System.nanoTime()).run(100_000);
+        long seed = System.nanoTime();
+        ZoneTrial trial = new ZoneTrial(seed);
+        trial.run(100_000);
+        System.out.println(trial.figures() + "; seed " + seed);
     }
 }

@@ -7,15 +7,17 @@ import java.util.List;
 import java.util.Random;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 
-/** Random missions against random zones; each verdict is judged by geometry that is not ours. */
+/** Random missions, go-tos and take-offs against random zones; each verdict is judged by geometry that is not ours. */
 final class ZoneTrial {
     private final Random random;
+    private int tried;
     private int accepted;
     private int clear;
     private int clearAndAccepted;
@@ -26,30 +28,37 @@ final class ZoneTrial {
 
     void run(int missions) {
         for (int i = 0; i < missions; i++) {
-            one();
+            Geodetic middle = middle();
+            List<Zone> zones = zones(middle);
+            one(onGround(middle), new Command.UploadMission(new Mission(items(middle))), zones);
+            one(onGround(middle), new Command.TakeOff(random.nextDouble(5, 150)), zones);
+            one(inTheAir(middle), new Command.GoTo(near(middle, 1500), altitude()), zones);
         }
-        assertThat(accepted).as("some must be accepted").isGreaterThan(missions / 20);
-        assertThat(missions - accepted).as("and some refused").isGreaterThan(missions / 20);
+        assertThat(accepted).as("some must be accepted").isGreaterThan(tried / 20);
+        assertThat(tried - accepted).as("and some refused").isGreaterThan(tried / 20);
         assertThat(clearAndAccepted)
                 .as("of %d missions that are clear by more than 1 m", clear)
                 .isGreaterThanOrEqualTo((int) Math.ceil(clear * 0.999));
     }
 
-    private void one() {
-        Geodetic middle = new Geodetic(random.nextDouble(-70, 70), random.nextDouble(-180, 180));
-        DroneState drone = drone(middle);
-        List<Zone> zones = zones(middle);
-        Mission mission = new Mission(items(middle));
+    String figures() {
+        return String.format(
+                "%d missions, go-tos and take-offs, %d accepted; %d clear by more than 1 m, %d of them accepted",
+                tried, accepted, clear, clearAndAccepted);
+    }
+
+    private void one(DroneState drone, Command command, List<Zone> zones) {
         ZoneBook book = new ZoneBook();
         book.put(zones);
         boolean taken = new ZoneRules(book)
-                .whyNot("bob", drone, new Command.UploadMission(mission), ZoneFixtures.NOW)
+                .whyNot("bob", drone, command, ZoneFixtures.NOW)
                 .isEmpty();
-        ExactJudge.Verdict verdict = new ExactJudge(drone).judge(mission, zones);
+        ExactJudge.Verdict verdict = new ExactJudge(drone).judge(command, zones);
+        tried++;
         if (taken) {
             accepted++;
             assertThat(verdict.touches())
-                    .as("accepted, but touches: %s at %s with %s", mission, drone.position(), zones)
+                    .as("accepted, but touches: %s at %s with %s", command, drone.position(), zones)
                     .isFalse();
         }
         if (verdict.clearByMeters() > 1) {
@@ -58,9 +67,22 @@ final class ZoneTrial {
         }
     }
 
-    private DroneState drone(Geodetic middle) {
+    /** Often where the date changes: otherwise it would hardly ever be met. */
+    private Geodetic middle() {
+        double longitude = random.nextInt(10) == 0 ? 180 : random.nextDouble(-180, 180);
+        return new Geodetic(random.nextDouble(-70, 70), longitude);
+    }
+
+    private DroneState onGround(Geodetic middle) {
         Geodetic home = near(middle, 300);
-        DroneState some = ZoneFixtures.onGround(home);
+        return withHome(ZoneFixtures.onGround(home), home);
+    }
+
+    private DroneState inTheAir(Geodetic middle) {
+        return withHome(ZoneFixtures.flying(near(middle, 900), random.nextDouble(5, 150)), near(middle, 300));
+    }
+
+    private static DroneState withHome(DroneState some, Geodetic home) {
         return new DroneState(
                 some.id(),
                 some.name(),
@@ -78,7 +100,7 @@ final class ZoneTrial {
                 null,
                 null,
                 null,
-                new org.dronemap.core.drone.Home(home, 450),
+                new Home(home, 450),
                 some.mission(),
                 List.of(),
                 ZoneFixtures.NOW,
@@ -136,17 +158,19 @@ final class ZoneTrial {
         items.add(new MissionItem.TakeOff(random.nextDouble(5, 100)));
         int waypoints = 1 + random.nextInt(6);
         for (int i = 0; i < waypoints; i++) {
-            boolean home = random.nextInt(4) != 0;
-            double height = random.nextDouble(5, 150);
-            items.add(new MissionItem.Waypoint(
-                    near(middle, 1500),
-                    home ? Altitude.aboveHome(height) : new Altitude(450 + height, Altitude.Reference.AMSL),
-                    0));
+            items.add(new MissionItem.Waypoint(near(middle, 1500), altitude(), 0));
         }
         if (random.nextBoolean()) {
             items.add(random.nextBoolean() ? new MissionItem.ReturnToLaunch() : new MissionItem.Land());
         }
         return items;
+    }
+
+    private Altitude altitude() {
+        double height = random.nextDouble(5, 150);
+        return random.nextInt(4) != 0
+                ? Altitude.aboveHome(height)
+                : new Altitude(450 + height, Altitude.Reference.AMSL);
     }
 
     private Geodetic near(Geodetic middle, double meters) {

@@ -118,12 +118,12 @@ public final class VirtualDroneService {
     private VirtualDroneId allowed(Principal principal, String id, VirtualAction action) {
         requireVirtually(principal, action.needed());
         VirtualDrone drone = find(principal, id);
-        Optional<String> why = action.whyNot(drone, principal);
-        if (why.isPresent()) {
-            throw drone.owner().equals(principal.name())
-                    ? Rejection.conflict(why.get())
-                    : Rejection.forbidden(why.get());
-        }
+        action.notAllowed(drone, principal).ifPresent(why -> {
+            throw Rejection.forbidden(why);
+        });
+        action.whyNot(drone, principal).ifPresent(why -> {
+            throw Rejection.conflict(why);
+        });
         return drone.id();
     }
 

@@ -137,14 +137,18 @@ public final class VirtualDroneViews {
         }
 
         Optional<String> whyNot(VirtualDrone drone, Principal principal) {
+            return notAllowed(drone, principal).or(() -> Optional.ofNullable(stateForbids(drone)));
+        }
+
+        /** Whatever state it is in. */
+        Optional<String> notAllowed(VirtualDrone drone, Principal principal) {
             boolean own = drone.owner().equals(principal.name());
             if (!own && this != STOP) {
                 return Optional.of("It belongs to " + drone.owner() + ".");
             }
-            if (!principal.mayVirtually(needed)) {
-                return Optional.of("Your role or key may not do this with virtual drones.");
-            }
-            return Optional.ofNullable(stateForbids(drone));
+            return principal.mayVirtually(needed)
+                    ? Optional.empty()
+                    : Optional.of("Your role or key may not do this with virtual drones.");
         }
 
         private @Nullable String stateForbids(VirtualDrone drone) {

@@ -79,7 +79,8 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             StreamTickets tickets,
             Accounts accounts,
             Budgets budgets,
-            GrantBook grants) {}
+            GrantBook grants,
+            StreamCrowd crowd) {}
 
     /** What is shown, and how. */
     public record Pictures(DroneViews drones, VirtualDrones virtuals, VirtualDroneViews virtualViews) {}
@@ -96,17 +97,12 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.feed = new DroneFeed(services.pictures().drones(), services.json());
         this.sight = new StreamSight(cloud, services.entrance().grants(), feed, services.json());
         this.virtualFeed = new VirtualFeed(services.pictures(), services.json(), this::wake);
-        this.requests = new StreamRequests(
-                services.entrance().authentication(),
-                services.entrance().budgets(),
-                services.drones(),
-                services.commands(),
-                new StreamControl(services.controls()),
-                services.json());
+        this.requests = new StreamRequests(services);
         services.entrance().accounts().onChange(this::judgeAnew);
         this.server = new StreamServer(
                 address,
                 requests,
+                services.entrance().crowd(),
                 services.entrance().authentication(),
                 services.entrance().tickets(),
                 pump::wake);

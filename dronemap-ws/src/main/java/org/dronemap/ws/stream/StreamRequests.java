@@ -33,28 +33,24 @@ final class StreamRequests {
     private final DroneService drones;
     private final CommandService commands;
     private final StreamControl controls;
+    private final StreamCrowd crowd;
     private final JsonReader json;
 
-    StreamRequests(
-            Authentication authentication,
-            Budgets budgets,
-            DroneService drones,
-            CommandService commands,
-            StreamControl controls,
-            JsonReader json) {
-        this.authentication = authentication;
-        this.budgets = budgets;
-        this.drones = drones;
-        this.commands = commands;
-        this.controls = controls;
-        this.json = json;
+    StreamRequests(StreamFace.Services services) {
+        this.authentication = services.entrance().authentication();
+        this.budgets = services.entrance().budgets();
+        this.drones = services.drones();
+        this.commands = services.commands();
+        this.controls = new StreamControl(services.controls());
+        this.crowd = services.entrance().crowd();
+        this.json = services.json();
     }
 
     /** Lets a client in, with the whole list first. */
     void welcome(StreamClient client, SignedIn proved) {
         // First admitted, then judged: whatever is revoked from here on finds the client among those admitted.
-        client.admit(proved);
         try {
+            crowd.admit(client, proved);
             SignedIn caller = authentication.still(proved).orElseThrow(Rejection::sessionEnded);
             authentication.admit(caller);
             Principal principal = caller.principal();
@@ -67,7 +63,8 @@ final class StreamRequests {
             say(client, new StreamMessage.Drones(all));
             client.unsettle();
         } catch (Rejection rejection) {
-            expel(client, CloseFrame.POLICY_VALIDATION, rejection);
+            boolean later = rejection.kind() == RejectionKind.THROTTLED;
+            expel(client, later ? CloseFrame.TRY_AGAIN_LATER : CloseFrame.POLICY_VALIDATION, rejection);
         }
     }
 

@@ -5,7 +5,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dronemap.ws.security.Authentication;
@@ -31,26 +30,27 @@ final class StreamServer extends WebSocketServer {
     private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
     private static final int WORKERS = 2;
     private static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
-    private static final int MOST_CLIENTS = 2_000;
     private static final String PATH = "/stream";
     private static final String TICKET = "ticket=";
     private static final Pattern RATE = Pattern.compile("[?&]rate=(\\d{1,4})(?:&|$)");
 
     private final StreamRequests requests;
+    private final StreamCrowd crowd;
     private final Authentication authentication;
     private final StreamTickets tickets;
     private final Runnable onNews;
-    private final ConcurrentHashMap<WebSocket, StreamClient> clients = new ConcurrentHashMap<>();
     private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
     StreamServer(
             InetSocketAddress address,
             StreamRequests requests,
+            StreamCrowd crowd,
             Authentication authentication,
             StreamTickets tickets,
             Runnable onNews) {
         super(address, WORKERS, List.of(draft()));
         this.requests = requests;
+        this.crowd = crowd;
         this.authentication = authentication;
         this.tickets = tickets;
         this.onNews = onNews;
@@ -66,17 +66,14 @@ final class StreamServer extends WebSocketServer {
     }
 
     Collection<StreamClient> clients() {
-        return clients.values();
+        return crowd.clients();
     }
 
     @Override
     public void onOpen(WebSocket socket, ClientHandshake handshake) {
-        StreamClient client = new StreamClient(socket, System.nanoTime());
-        clients.put(socket, client);
+        StreamClient client = crowd.enter(socket);
         try {
-            if (clients.size() > MOST_CLIENTS) {
-                throw new Rejection(RejectionKind.UNAVAILABLE, "Too many clients are connected.");
-            }
+            crowd.makeRoom();
             checkAddress(handshake);
             StreamRequests.slowDown(client, rate(handshake.getResourceDescriptor()));
             identify(handshake).ifPresent(caller -> requests.welcome(client, caller));
@@ -96,12 +93,12 @@ final class StreamServer extends WebSocketServer {
 
     @Override
     public void onClose(WebSocket socket, int code, String reason, boolean remote) {
-        clients.remove(socket);
+        crowd.leave(socket);
     }
 
     @Override
     public void onMessage(WebSocket socket, String message) {
-        StreamClient client = clients.get(socket);
+        StreamClient client = crowd.of(socket);
         if (client != null) {
             requests.hear(client, message);
             onNews.run();

@@ -15,6 +15,7 @@ final class ProtectionSettings {
             Work.EXPORT, "DRONEMAP_RATE_EXPORTS",
             Work.SIGN_IN, "DRONEMAP_RATE_SIGN_INS");
     private static final String CONNECTIONS = "DRONEMAP_CONNECTIONS_PER_ADDRESS";
+    private static final String STREAMS = "DRONEMAP_STREAMS_PER_USER";
     private static final String PATIENCE = "DRONEMAP_SLOW_CLIENT_SECONDS";
     private static final int MOST_PER_SECOND = 1_000_000;
     private static final int MOST_CONNECTIONS = 2_000;
@@ -29,7 +30,8 @@ final class ProtectionSettings {
                 otherwise.requestsPerHost(),
                 Duration.ofSeconds(
                         number(environment, PATIENCE, (int) otherwise.patience().toSeconds(), 1, MOST_PATIENCE)));
-        return new Settings.Protection(clients, rates(environment));
+        int streams = number(environment, STREAMS, Settings.Protection.DEFAULT_STREAMS, 1, MOST_CONNECTIONS);
+        return new Settings.Protection(clients, rates(environment), streams);
     }
 
     /** 0: no bound. */

@@ -9,19 +9,22 @@ import org.dronemap.ws.guard.PatientProtocol;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.Work;
+import org.dronemap.ws.stream.StreamCrowd;
 
 /** All that keeps clients from doing harm, asked what it has refused. Any thread. */
 final class Protections {
     private final Budgets budgets;
     private final CrowdFilter crowd;
     private final WebSocketDoor streamDoor;
+    private final StreamCrowd streamCrowd;
     /** Null until the web server has made it. */
     private final AtomicReference<PatientProtocol> web = new AtomicReference<>();
 
-    Protections(Budgets budgets, CrowdFilter crowd, WebSocketDoor streamDoor) {
+    Protections(Budgets budgets, CrowdFilter crowd, WebSocketDoor streamDoor, StreamCrowd streamCrowd) {
         this.budgets = budgets;
         this.crowd = crowd;
         this.streamDoor = streamDoor;
+        this.streamCrowd = streamCrowd;
     }
 
     void web(PatientProtocol protocol) {
@@ -44,6 +47,8 @@ final class Protections {
                         "requests",
                         crowd.refusedCount(),
                         "stream",
-                        streamDoor.refusedCount()));
+                        streamDoor.refusedCount(),
+                        "streams",
+                        streamCrowd.turnedAwayCount()));
     }
 }

@@ -45,6 +45,7 @@ import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.security.RefusedByTomcat;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.stream.StreamCrowd;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.boot.tomcat.ConfigurableTomcatWebServerFactory;
 import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
@@ -126,8 +127,8 @@ public class RestConfiguration {
     }
 
     @Bean
-    Protections protections(Budgets budgets, CrowdFilter crowd, WebSocketDoor streamDoor) {
-        return new Protections(budgets, crowd, streamDoor);
+    Protections protections(Budgets budgets, CrowdFilter crowd, WebSocketDoor streamDoor, StreamCrowd streamCrowd) {
+        return new Protections(budgets, crowd, streamDoor, streamCrowd);
     }
 
     @Bean

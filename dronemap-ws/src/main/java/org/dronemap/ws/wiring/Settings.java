@@ -63,8 +63,15 @@ public record Settings(
     }
 
     /** How much clients may cost, known and unknown ones. */
-    public record Protection(ClientLimits clients, Rates rates) {
+    public record Protection(ClientLimits clients, Rates rates, int streamsPerUser) {
+        /** More than anybody has windows and programs, and a small part of what the server has room for. */
+        public static final int DEFAULT_STREAMS = 100;
+
         public static final Protection DEFAULT = new Protection(ClientLimits.DEFAULT, Rates.DEFAULT);
+
+        public Protection(ClientLimits clients, Rates rates) {
+            this(clients, rates, DEFAULT_STREAMS);
+        }
     }
 
     /** PEM files of the certificate chain and its private key. */

@@ -18,6 +18,7 @@ import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.VirtualDroneViews;
+import org.dronemap.ws.stream.StreamCrowd;
 import org.dronemap.ws.stream.StreamFace;
 import org.jspecify.annotations.Nullable;
 import org.springframework.context.annotation.Bean;
@@ -33,9 +34,19 @@ public class StreamConfiguration {
     }
 
     @Bean
+    StreamCrowd streamCrowd(Settings settings) {
+        return new StreamCrowd(settings.protection().streamsPerUser());
+    }
+
+    @Bean
     StreamFace.Entrance streamEntrance(
-            Authentication authentication, StreamTickets tickets, Accounts accounts, Budgets budgets, House house) {
-        return new StreamFace.Entrance(authentication, tickets, accounts, budgets, house.grantBook());
+            Authentication authentication,
+            StreamTickets tickets,
+            Accounts accounts,
+            Budgets budgets,
+            House house,
+            StreamCrowd crowd) {
+        return new StreamFace.Entrance(authentication, tickets, accounts, budgets, house.grantBook(), crowd);
     }
 
     @Bean

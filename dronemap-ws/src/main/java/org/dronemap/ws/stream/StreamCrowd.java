@@ -1,0 +1,77 @@
+package org.dronemap.ws.stream;
+
+import java.util.Collection;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.LongAdder;
+import org.dronemap.core.access.Principal;
+import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
+import org.java_websocket.WebSocket;
+import org.jspecify.annotations.Nullable;
+
+/** Everybody who is connected to the stream, and how many of them there may be. Any thread. */
+public final class StreamCrowd {
+    private static final int MOST_CLIENTS = 2_000;
+
+    private final int mostOfOneUser;
+    private final ConcurrentHashMap<WebSocket, StreamClient> clients = new ConcurrentHashMap<>();
+    private final LongAdder turnedAway = new LongAdder();
+
+    public StreamCrowd(int mostOfOneUser) {
+        this.mostOfOneUser = mostOfOneUser;
+    }
+
+    Collection<StreamClient> clients() {
+        return clients.values();
+    }
+
+    @Nullable
+    StreamClient of(WebSocket socket) {
+        return clients.get(socket);
+    }
+
+    StreamClient enter(WebSocket socket) {
+        StreamClient client = new StreamClient(socket, System.nanoTime());
+        clients.put(socket, client);
+        return client;
+    }
+
+    void leave(WebSocket socket) {
+        clients.remove(socket);
+    }
+
+    /** Says no to who is one too many for the server as a whole. */
+    void makeRoom() {
+        if (clients.size() > MOST_CLIENTS) {
+            turnedAway.increment();
+            throw new Rejection(RejectionKind.UNAVAILABLE, "Too many clients are connected.");
+        }
+    }
+
+    /**
+     * Says no to who is one too many of one user. Admitted first and counted then: of two who come at the same moment both
+     * may be turned away, but never does one too many stay.
+     */
+    void admit(StreamClient client, SignedIn who) {
+        client.admit(who);
+        String user = who.principal().name();
+        long open = clients.values().stream()
+                .filter(each -> each.principal()
+                        .map(Principal::name)
+                        .filter(user::equals)
+                        .isPresent())
+                .count();
+        if (open > mostOfOneUser) {
+            turnedAway.increment();
+            throw new Rejection(
+                    RejectionKind.THROTTLED,
+                    "As many streams are open as one user may have (" + mostOfOneUser + "); close one first.");
+        }
+    }
+
+    /** How many found no place since the start. */
+    public long turnedAwayCount() {
+        return turnedAway.sum();
+    }
+}
