@@ -1,0 +1,111 @@
+"""Lists all that ships as a CycloneDX bill of materials, for scanners of known vulnerabilities.
+
+Usage: bill_of_materials.py [OUT.json]     after a build; without a name to the standard output
+
+Asks nobody: reads the jar, the local Maven repository that it was put together from (which alone knows
+the coordinates of a library that does not say them itself), and the page's lock file.
+"""
+
+import base64
+import hashlib
+import json
+import os
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+ROOT = Path(__file__).resolve().parents[1]
+JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
+LOCK = ROOT / "web-client" / "package-lock.json"
+LIBRARIES = "BOOT-INF/lib/"
+OWN = "dronemap-"
+# Put in by what packs the jar, which carries it inside itself: it is never fetched by its own name.
+PACKED = {"spring-boot-jarmode-tools": "org.springframework.boot"}
+
+Component = dict[str, Any]
+
+
+def repository() -> Path:
+    return Path(os.environ.get("MAVEN_REPOSITORY", Path.home() / ".m2" / "repository"))
+
+
+def libraries(jar: Path, fetched: Path) -> list[Component]:
+    """Those in the jar that are not the product's own."""
+    with zipfile.ZipFile(jar) as whole:
+        files = {
+            name.removeprefix(LIBRARIES): whole.read(name)
+            for name in whole.namelist()
+            if name.startswith(LIBRARIES) and name.endswith(".jar")
+        }
+    places = {place.name: place for place in fetched.rglob("*.jar") if place.name in files}
+    return [library(name, files[name], places, fetched) for name in sorted(files) if not name.startswith(OWN)]
+
+
+def library(name: str, content: bytes, places: dict[str, Path], fetched: Path) -> Component:
+    artifact, _, version = name.removesuffix(".jar").rpartition("-")
+    if artifact in PACKED:
+        return maven(PACKED[artifact], artifact, version, content)
+    if name not in places:
+        raise SystemExit(
+            f"{name} is not in {fetched}; set MAVEN_REPOSITORY to where the build fetched it to."
+        )
+    version, artifact, *group = reversed(places[name].parent.relative_to(fetched).parts)
+    return maven(".".join(reversed(group)), artifact, version, content)
+
+
+def maven(group: str, artifact: str, version: str, content: bytes) -> Component:
+    return {
+        "type": "library",
+        "group": group,
+        "name": artifact,
+        "version": version,
+        "purl": f"pkg:maven/{quote(group)}/{quote(artifact)}@{quote(version)}",
+        "hashes": [{"alg": "SHA-256", "content": hashlib.sha256(content).hexdigest()}],
+    }
+
+
+def packages(lock: Path) -> list[Component]:
+    """Those that go into the page; what builds and tests it stays out."""
+    listed = json.loads(lock.read_text())["packages"]
+    return [
+        package(place.rpartition("node_modules/")[2], entry)
+        for place, entry in sorted(listed.items())
+        if place and not entry.get("dev")
+    ]
+
+
+def package(name: str, entry: dict[str, Any]) -> Component:
+    algorithm, _, digest = str(entry["integrity"]).partition("-")
+    return {
+        "type": "library",
+        "name": name,
+        "version": entry["version"],
+        "purl": f"pkg:npm/{quote(name, safe='/')}@{quote(entry['version'])}",
+        "hashes": [{"alg": f"SHA-{algorithm[3:]}", "content": base64.b64decode(digest).hex()}],
+    }
+
+
+def bill(jar: Path = JAR, lock: Path = LOCK) -> dict[str, Any]:
+    if not jar.exists():
+        raise SystemExit(f"{jar} is missing: build first (./dronemap build).")
+    return {
+        "bomFormat": "CycloneDX",
+        "specVersion": "1.5",
+        "version": 1,
+        "metadata": {"component": {"type": "application", "name": "dronemap"}},
+        "components": libraries(jar, repository()) + packages(lock),
+    }
+
+
+def main(arguments: list[str]) -> None:
+    text = json.dumps(bill(), indent=2) + "\n"
+    if arguments:
+        Path(arguments[0]).write_text(text)
+    else:
+        sys.stdout.write(text)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

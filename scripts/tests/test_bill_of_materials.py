@@ -1,0 +1,40 @@
+"""The bill of materials names all that ships, so that a scanner misses nothing."""
+
+import json
+import re
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import bill_of_materials
+
+MAVEN = re.compile(r"pkg:maven/[\w.-]+/[\w.-]+@[\w.-]+")
+NPM = re.compile(r"pkg:npm/(%40[\w.-]+/)?[\w.-]+@[\w.-]+")
+
+
+def test_names_each_library_of_the_jar_and_each_package_of_the_page() -> None:
+    components = bill_of_materials.bill()["components"]
+
+    with zipfile.ZipFile(bill_of_materials.JAR) as jar:
+        names = [name for name in jar.namelist() if name.startswith("BOOT-INF/lib/")]
+    inside = {Path(name).name for name in names if name.endswith(".jar")}
+    named = {f"{each['name']}-{each['version']}.jar" for each in components if MAVEN.fullmatch(each["purl"])}
+    assert {jar for jar in inside if not jar.startswith("dronemap-")} == named
+    assert len(named) > 80
+    wanted = json.loads(bill_of_materials.LOCK.read_text())["packages"][""]["dependencies"].items()
+    page = {(each["name"], each["version"]) for each in components if NPM.fullmatch(each["purl"])}
+    assert set(wanted) <= page
+    assert len(named) + len(page) == len(components)
+    assert all(re.fullmatch(r"[0-9a-f]{64,128}", each["hashes"][0]["content"]) for each in components)
+
+
+def test_says_what_is_missing_where_nothing_is_built(tmp_path: Path) -> None:
+    with pytest.raises(SystemExit, match="build first"):
+        bill_of_materials.bill(tmp_path / "dronemap.jar")
+
+
+def test_invents_no_coordinates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MAVEN_REPOSITORY", str(tmp_path))
+    with pytest.raises(SystemExit, match="MAVEN_REPOSITORY"):
+        bill_of_materials.bill()
