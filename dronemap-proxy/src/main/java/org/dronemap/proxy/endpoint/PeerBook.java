@@ -1,7 +1,7 @@
 package org.dronemap.proxy.endpoint;
 
+import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -55,20 +55,24 @@ final class PeerBook<K> {
     }
 
     /** A place for a new peer of that host; null, counted, when there is none. */
-    synchronized @Nullable Seat add(K key, String host, long now, Function<Welcome, Seat> maker) {
-        Host its = hosts.get(host);
-        if (seats.size() >= limits.peers() || (its != null && its.peers >= limits.perHost())) {
-            sweep(now, STRANGER_IDLE_NANOS);
-            its = hosts.get(host);
-            if (seats.size() >= limits.peers() || (its != null && its.peers >= limits.perHost())) {
+    @Nullable
+    Seat add(K key, String host, long now, Function<Welcome, Seat> maker) {
+        List<Seat> gone = new ArrayList<>();
+        Seat seat = add(key, host, now, maker, gone);
+        end(gone);
+        return seat;
+    }
+
+    private synchronized @Nullable Seat add(
+            K key, String host, long now, Function<Welcome, Seat> maker, List<Seat> gone) {
+        if (isFull(host)) {
+            gone.addAll(sweep(now, STRANGER_IDLE_NANOS));
+            if (isFull(host)) {
                 counters.refusedPeer();
                 return null;
             }
         }
-        if (its == null) {
-            its = new Host(now);
-            hosts.put(host, its);
-        }
+        Host its = hosts.computeIfAbsent(host, first -> new Host(now));
         Seat seat = maker.apply(new Welcome(counters, handlers, host, its.strangers, now));
         its.peers++;
         seats.put(key, seat);
@@ -76,78 +80,103 @@ final class PeerBook<K> {
         return seat;
     }
 
-    /** Ends the longest silent peer of that host when it has all that it may have. */
-    synchronized void makeRoomFor(String host) {
+    private boolean isFull(String host) {
         Host its = hosts.get(host);
-        if (its != null && its.peers >= limits.perHost()) {
-            seats.entrySet().stream()
-                    .filter(entry -> entry.getValue().host().equals(host))
-                    .map(Map.Entry::getKey)
-                    .findFirst()
-                    .ifPresent(this::remove);
+        return seats.size() >= limits.peers() || (its != null && its.peers >= limits.perHost());
+    }
+
+    /** Ends the longest silent peer of that host when it has all that it may have. */
+    void makeRoomFor(String host) {
+        end(takeOldest(host));
+    }
+
+    private synchronized List<Seat> takeOldest(String host) {
+        Host its = hosts.get(host);
+        if (its == null || its.peers < limits.perHost()) {
+            return List.of();
         }
+        return take(keysOf(host).stream().limit(1).toList());
     }
 
     /** Ends every peer of that host. */
-    synchronized void removeAllOf(String host) {
-        List<K> its = seats.entrySet().stream()
+    void removeAllOf(String host) {
+        end(takeAllOf(host));
+    }
+
+    private synchronized List<Seat> takeAllOf(String host) {
+        return take(keysOf(host));
+    }
+
+    private List<K> keysOf(String host) {
+        return seats.entrySet().stream()
                 .filter(entry -> entry.getValue().host().equals(host))
                 .map(Map.Entry::getKey)
                 .toList();
-        its.forEach(this::remove);
     }
 
     /** The peer is gone. */
-    synchronized void remove(K key) {
-        Seat seat = seats.remove(key);
-        if (seat != null) {
-            leave(seat);
-        }
+    void remove(K key) {
+        end(takeOne(key));
+    }
+
+    private synchronized List<Seat> takeOne(K key) {
+        return take(List.of(key));
     }
 
     /** Ends those that have been silent for a minute; at most once a second. */
     void sweep(long now) {
         // Asked for every datagram: without the lock.
         if (now - sweptNanos >= BETWEEN_SWEEPS_NANOS) {
-            sweep(now, IDLE_NANOS);
+            end(sweep(now, IDLE_NANOS));
         }
     }
 
-    private synchronized void sweep(long now, long strangerIdleNanos) {
+    private synchronized List<Seat> sweep(long now, long strangerIdleNanos) {
+        List<K> silent = new ArrayList<>();
         if (now - sweptNanos < SHORTEST_BETWEEN_SWEEPS_NANOS) {
-            return;
+            return List.of();
         }
         sweptNanos = now;
-        Iterator<Seat> oldest = seats.values().iterator();
-        while (oldest.hasNext()) {
-            Seat seat = oldest.next();
-            long silent = now - seat.lastHeardNanos();
-            if (silent < strangerIdleNanos) {
+        for (Map.Entry<K, Seat> oldest : seats.entrySet()) {
+            long silentNanos = now - oldest.getValue().lastHeardNanos();
+            if (silentNanos < strangerIdleNanos) {
                 break;
             }
-            if (seat.isStranger() || silent >= IDLE_NANOS) {
-                oldest.remove();
-                leave(seat);
+            if (oldest.getValue().isStranger() || silentNanos >= IDLE_NANOS) {
+                silent.add(oldest.getKey());
             }
         }
+        return take(silent);
     }
 
-    private void leave(Seat seat) {
-        seat.end();
-        String host = seat.host();
-        Host its = hosts.get(host);
-        if (its != null && --its.peers == 0) {
-            hosts.remove(host);
+    private List<Seat> take(List<K> keys) {
+        List<Seat> taken = new ArrayList<>(keys.size());
+        for (K key : keys) {
+            Seat seat = seats.remove(key);
+            if (seat != null) {
+                taken.add(seat);
+                Host its = hosts.get(seat.host());
+                if (its != null && --its.peers == 0) {
+                    hosts.remove(seat.host());
+                }
+            }
         }
         counters.peers(seats.size());
+        return taken;
     }
 
     /** Ends all. */
-    synchronized void clear() {
-        seats.values().forEach(Seat::end);
-        seats.clear();
-        hosts.clear();
-        counters.peers(0);
+    void clear() {
+        end(takeAll());
+    }
+
+    private synchronized List<Seat> takeAll() {
+        return take(List.copyOf(seats.keySet()));
+    }
+
+    /** Never under the lock: a wire that closes may wait for a thread that wants to tell here that its peer is gone. */
+    private static void end(List<Seat> gone) {
+        gone.forEach(Seat::end);
     }
 
     /** All, the longest silent first. */

@@ -2,6 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.nio.ByteBuffer;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * One peer at an endpoint: its way out, who takes its bytes, what it may still cost. A stranger, who never sent a good frame,
@@ -25,7 +26,7 @@ final class Seat implements Peer {
     private final String host;
     private volatile PeerAddress address;
     private volatile long lastHeardNanos;
-    private volatile boolean ended;
+    private final AtomicBoolean ended = new AtomicBoolean();
 
     /** What all seats of one endpoint, or of one line, have in common. */
     record Place(String transport, boolean local, boolean datagram, Optional<String> identity) {
@@ -75,8 +76,7 @@ final class Seat implements Peer {
 
     /** Tells its handler and its wire once that it is gone. */
     void end() {
-        if (!ended) {
-            ended = true;
+        if (ended.compareAndSet(false, true)) {
             handler.closed();
             wire.close();
         }

@@ -4,7 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.jspecify.annotations.Nullable;
@@ -41,6 +46,45 @@ class PeerBookTest {
         byte[] bytes = new byte[280];
         Arrays.fill(bytes, (byte) 0xFD);
         return ByteBuffer.wrap(bytes);
+    }
+
+    /** As a WebSocket does, whose thread tells that the peer is gone while another one closes it. */
+    private final class Reporting implements Wire {
+        private final CompletableFuture<Void> told = new CompletableFuture<>();
+
+        @Override
+        public boolean send(byte[] frame) {
+            return true;
+        }
+
+        @Override
+        public void close() {
+            CompletableFuture<Void> report = CompletableFuture.runAsync(() -> book.remove("gone"));
+            try {
+                report.get(10, TimeUnit.SECONDS);
+                told.complete(null);
+            } catch (InterruptedException | ExecutionException | TimeoutException e) {
+                told.completeExceptionally(e);
+            }
+        }
+    }
+
+    @Test
+    void keepsNobodyWaitingWhileItEndsAPeer() {
+        List<Runnable> endings = List.of(
+                book::clear,
+                () -> book.remove("key"),
+                () -> book.removeAllOf("host"),
+                () -> book.sweep(start + 61 * SECOND));
+        for (Runnable ending : endings) {
+            Reporting wire = new Reporting();
+            book.add("key", "host", start, welcome -> new Seat(PLACE, new PeerAddress("host", 1), wire, welcome));
+
+            ending.run();
+
+            assertThat(wire.told).isCompleted();
+            assertThat(counters.counts().peers()).isZero();
+        }
     }
 
     @Test
