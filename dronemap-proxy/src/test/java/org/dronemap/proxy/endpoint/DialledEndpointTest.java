@@ -79,10 +79,7 @@ class DialledEndpointTest {
 
     @Test
     void saysWhyThereIsNoTcpConnectionAndConnectsOnceThereIsSomebody() throws IOException {
-        int port;
-        try (ServerSocket gone = new ServerSocket(0)) {
-            port = gone.getLocalPort();
-        }
+        int port = QuietPorts.free();
         try (Endpoint endpoint = open("tcpclient://127.0.0.1:" + port)) {
             TestCloud.await(
                     PATIENCE,

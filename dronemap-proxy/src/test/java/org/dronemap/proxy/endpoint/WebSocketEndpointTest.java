@@ -112,9 +112,9 @@ class WebSocketEndpointTest {
     @Test
     void dialsAWebSocketAndComesBackWhenItBreaks() throws Exception {
         Gathering far = new Gathering();
-        Endpoint vehicles = Endpoint.open(EndpointUrl.parse("wsserver://127.0.0.1:0"), far, Doors.of(DtlsKeys.none()));
-        int port = vehicles.url().port();
-        try (Endpoint endpoint = open("wsclient://127.0.0.1:" + port + "/vehicle")) {
+        EndpointUrl url = EndpointUrl.parse("wsserver://127.0.0.1:" + QuietPorts.free());
+        Endpoint vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()));
+        try (Endpoint endpoint = open("wsclient://127.0.0.1:" + url.port() + "/vehicle")) {
             TestCloud.await(PATIENCE, () -> far.bytes() >= 3, () -> "not greeted");
             TestCloud.await(PATIENCE, () -> gathering.bytes() >= 1, () -> "not answered");
             assertThat(endpoint.state()).isEqualTo(EndpointState.OPEN);
@@ -124,8 +124,9 @@ class WebSocketEndpointTest {
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,
                     () -> "it is " + endpoint.state());
 
-            vehicles = Endpoint.open(EndpointUrl.parse("wsserver://127.0.0.1:" + port), far, Doors.of(DtlsKeys.none()));
-            TestCloud.await(PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "not back");
+            vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()));
+            TestCloud.await(
+                    PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "it is " + endpoint.state());
         } finally {
             vehicles.close();
         }
