@@ -22,6 +22,10 @@ final class Chart {
         return LocalPlane.eastward(origin, point) * east;
     }
 
+    double x(double degreesEast) {
+        return degreesEast * east;
+    }
+
     double y(Geodetic point) {
         return (point.latitudeDegrees() - origin.latitudeDegrees()) * north;
     }
@@ -34,6 +38,10 @@ final class Chart {
     /** How much longer a metre of the chart's x is on the ground at that latitude. */
     double stretch(double latitudeDegrees) {
         return Ellipsoid.metersPerDegreeEast(latitudeDegrees) / east;
+    }
+
+    double stretchNorth(double latitudeDegrees) {
+        return Ellipsoid.metersPerDegreeNorth(latitudeDegrees) / north;
     }
 
     /** From the origin along the meridian, on the ground. */

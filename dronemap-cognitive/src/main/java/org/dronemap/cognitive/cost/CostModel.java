@@ -2,7 +2,9 @@ package org.dronemap.cognitive.cost;
 
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.problem.Craft;
@@ -30,13 +32,23 @@ public final class CostModel {
     public static CostModel of(Problem problem) {
         Track track = new Track(problem);
         Fleet fleet = Fleet.of(problem);
-        Legs legs = new OpenLegs(track, fleet.paces());
+        OpenLegs open = new OpenLegs(track, fleet.paces());
+        FencedLegs fenced = problem.barriers().isEmpty() ? null : fenced(problem, track, fleet, open);
+        Legs legs = fenced == null ? open : fenced;
         double[] ranges = ranges(problem);
         Feasibility feasibility = new Feasibility(problem, fleet, legs, ranges);
         Instance instance = new Instance(
                 legs, visits(problem, fleet, feasibility), carriers(problem, fleet, ranges), aim(problem.objective()));
-        WayWriter ways = new WayWriter(problem, track, fleet, Detours.NONE);
+        WayWriter ways = new WayWriter(problem, track, fleet, fenced == null ? Detours.NONE : fenced);
         return new CostModel(problem, instance, feasibility, new PlanWriter(problem, fleet, ways));
+    }
+
+    private static FencedLegs fenced(Problem problem, Track track, Fleet fleet, OpenLegs open) {
+        Map<Fleet.Region, Surroundings> known = new HashMap<>();
+        List<Surroundings> surroundings = fleet.regions().stream()
+                .map(region -> known.computeIfAbsent(region, fresh -> new Surroundings(fresh, track, problem.rules())))
+                .toList();
+        return new FencedLegs(track, open, fleet.paces(), surroundings);
     }
 
     public Problem problem() {

@@ -49,6 +49,26 @@ final class Track {
         }
     }
 
+    double steepestDegrees() {
+        double steepest = 0;
+        for (int i = 0; i < places; i++) {
+            steepest = Math.max(steepest, Math.abs(chart.point(0, y[i]).latitudeDegrees()));
+        }
+        return steepest;
+    }
+
+    /** From corner to corner of the box around all places. */
+    double extentMeters() {
+        double[] box = {x[0], x[0], y[0], y[0]};
+        for (int i = 1; i < places; i++) {
+            box[0] = Math.min(box[0], x[i]);
+            box[1] = Math.max(box[1], x[i]);
+            box[2] = Math.min(box[2], y[i]);
+            box[3] = Math.max(box[3], y[i]);
+        }
+        return Math.hypot(box[1] - box[0], box[3] - box[2]);
+    }
+
     private void set(int index, Place place, boolean onGround) {
         double latitude = place.point().latitudeDegrees();
         x[index] = chart.x(place.point());

@@ -23,8 +23,13 @@ public record Tour(DroneId drone, List<Stop> stops, Way last, double usedJoules)
         return ways;
     }
 
+    /** To the stop with that number, or to the end when it is their count. */
+    public Way way(int stop) {
+        return stop < stops.size() ? stops.get(stop).way() : last;
+    }
+
     public double departsSeconds() {
-        return ways().get(0).departsSeconds();
+        return way(0).departsSeconds();
     }
 
     public double endsSeconds() {

@@ -1,0 +1,29 @@
+package org.dronemap.cognitive.cost;
+
+/**
+ * How far the straight lines on map, globe and compass part on the way, as the command gate reckons it, and a little more.
+ *
+ * @param factor times the square of a length in metres
+ */
+record Bend(double factor) {
+    /** What the gate asks for beside all legs, rounding included. */
+    private static final double LEAST_METERS = 0.35;
+    /** The chart's scale is not true everywhere. */
+    private static final double ALLOWANCE = 1.05;
+
+    private static final double MEAN_EARTH_RADIUS_METERS = 6_371_008.8;
+
+    static Bend at(double steepestDegrees) {
+        return new Bend(
+                ALLOWANCE * Math.tan(Math.toRadians(Math.abs(steepestDegrees))) / (8 * MEAN_EARTH_RADIUS_METERS));
+    }
+
+    double meters(double length) {
+        return factor * length * length;
+    }
+
+    /** What a leg of that length needs beside it. */
+    double room(double length) {
+        return LEAST_METERS + meters(length);
+    }
+}

@@ -1,0 +1,126 @@
+package org.dronemap.cognitive.cost;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Rules;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceZone;
+
+/**
+ * All that stands around one group of drones. Which of it is in the way depends on how high a leg leads: each such choice
+ * has a maze of its own. Safe for several threads.
+ */
+final class Surroundings {
+    /** How far heights above home and above the sea may be off each other for the command gate, and a little. */
+    private static final double HEIGHT_DOUBT_METERS = 0.55;
+    /** Barriers beyond so many with bounded heights are taken to stand at all heights. */
+    private static final int MOST_CHOICES = 62;
+
+    private final List<Block> everywhere = new ArrayList<>();
+    private final List<Block> layered = new ArrayList<>();
+    private final List<Block> stays = new ArrayList<>();
+    private final List<Block> outs = new ArrayList<>();
+    private final Map<Long, Maze> mazes = new ConcurrentHashMap<>();
+    private final Bend bend;
+    private final double[] rooms;
+
+    Surroundings(Fleet.Region region, Track track, Rules rules) {
+        this.bend = Bend.at(track.steepestDegrees());
+        // short ways pass close by; long ones need more room than short ones have
+        double far = 1.5 * bend.room(track.extentMeters()) + bend.meters(track.extentMeters());
+        this.rooms = far > 2 * rules.roomMeters()
+                ? new double[] {rules.roomMeters(), far}
+                : new double[] {Math.max(rules.roomMeters(), far)};
+        for (Barrier barrier : region.barriers()) {
+            Block block = block(barrier, region.homeAmslMeters(), track.chart);
+            boolean choice = !block.isKeepIn()
+                    && layered.size() < MOST_CHOICES
+                    && (block.low() > Double.NEGATIVE_INFINITY || block.high() < Double.POSITIVE_INFINITY);
+            (choice ? layered : everywhere).add(block);
+            (block.isKeepIn() ? stays : outs).add(block);
+        }
+    }
+
+    private Block block(Barrier barrier, double homeAmslMeters, Chart chart) {
+        double zero = barrier.band().reference() == Altitude.Reference.HOME ? homeAmslMeters : 0;
+        double doubt = barrier.isKeepIn() ? -HEIGHT_DOUBT_METERS : HEIGHT_DOUBT_METERS;
+        double low = zero + barrier.band().lowMeters() - doubt;
+        double high = zero + barrier.band().highMeters() + doubt;
+        if (barrier.shape() instanceof FenceZone.Circle circle) {
+            return new CircleBlock(place(circle, chart), low, high, barrier.isKeepIn());
+        }
+        List<Geodetic> corners = ((FenceZone.Polygon) barrier.shape()).corners();
+        double[][] ring = new double[corners.size()][];
+        double first = chart.x(corners.get(0));
+        for (int i = 0; i < ring.length; i++) {
+            double x = first + chart.x(LocalPlane.eastward(corners.get(0), corners.get(i)));
+            ring[i] = new double[] {x, chart.y(corners.get(i))};
+        }
+        return new PolygonBlock(ring, bend, low, high, barrier.isKeepIn());
+    }
+
+    private static CircleBlock.Place place(FenceZone.Circle circle, Chart chart) {
+        double latitude = circle.center().latitudeDegrees();
+        double doubt = 1e-5 * circle.radiusMeters()
+                + circle.radiusMeters()
+                        * circle.radiusMeters()
+                        * Bend.at(latitude).factor()
+                        * 2;
+        return new CircleBlock.Place(
+                chart.x(circle.center()),
+                chart.y(circle.center()),
+                chart.stretch(latitude),
+                chart.stretchNorth(latitude),
+                circle.radiusMeters(),
+                doubt);
+    }
+
+    /** The one for legs between two heights; to be asked for often. */
+    Maze at(double low, double high) {
+        long choice = 0;
+        for (int i = 0; i < layered.size(); i++) {
+            Block block = layered.get(i);
+            if (block.low() <= high && block.high() >= low) {
+                choice |= 1L << i;
+            }
+        }
+        Maze known = mazes.get(choice);
+        return known == null ? mazes.computeIfAbsent(choice, this::maze) : known;
+    }
+
+    private Maze maze(long choice) {
+        List<Block> blocks = new ArrayList<>(everywhere);
+        for (int i = 0; i < layered.size(); i++) {
+            if ((choice & 1L << i) != 0) {
+                blocks.add(layered.get(i));
+            }
+        }
+        return new Maze(blocks, bend, rooms);
+    }
+
+    /** Whether all areas to stay in reach so high, and so low. */
+    boolean allows(double low, double high) {
+        for (Block block : stays) {
+            if (high > block.high() || low < block.low()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** How high a drone may rise from the ground there, or come down from. */
+    double columnTop(double x, double y) {
+        double top = Double.POSITIVE_INFINITY;
+        for (Block block : outs) {
+            if (!block.isFree(x, y, x, y, bend.room(0))) {
+                top = Math.min(top, block.low());
+            }
+        }
+        return top;
+    }
+}

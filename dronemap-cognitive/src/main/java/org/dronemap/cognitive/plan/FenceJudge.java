@@ -1,0 +1,101 @@
+package org.dronemap.cognitive.plan;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Outline;
+import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.Stretch;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceZone;
+
+/** Whether a straight piece of one drone's way touches what it must not: seen piece by piece on a plane of its own. */
+final class FenceJudge {
+    private static final Spot CENTER = new Spot(0, 0);
+
+    private final List<Barrier> barriers;
+    private final double homeAmslMeters;
+
+    FenceJudge(List<Barrier> barriers, Craft craft) {
+        this.barriers =
+                barriers.stream().filter(barrier -> barrier.binds(craft.id())).toList();
+        this.homeAmslMeters = craft.homeAmslMeters();
+    }
+
+    /**
+     * What the piece breaks, as the end of a sentence.
+     *
+     * @param column it rises from the ground, or comes down to it
+     */
+    Optional<String> fault(Fix from, Fix to, boolean column) {
+        for (Barrier barrier : barriers) {
+            Optional<String> fault = barrier.isKeepIn() ? leaves(barrier, from, to) : enters(barrier, from, to, column);
+            if (fault.isPresent()) {
+                return fault;
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<String> enters(Barrier barrier, Fix from, Fix to, boolean column) {
+        double low = column ? Double.NEGATIVE_INFINITY : Math.min(height(from, barrier), height(to, barrier));
+        double high = Math.max(height(from, barrier), height(to, barrier));
+        boolean passes =
+                low > barrier.band().highMeters() || high < barrier.band().lowMeters();
+        return !passes
+                        && touches(
+                                barrier.shape(),
+                                from.place().point(),
+                                to.place().point())
+                ? Optional.of("leads through " + barrier.words())
+                : Optional.empty();
+    }
+
+    private Optional<String> leaves(Barrier barrier, Fix from, Fix to) {
+        double high = Math.max(height(from, barrier), height(to, barrier));
+        if (high > barrier.band().highMeters()) {
+            return Optional.of("leads over the ceiling of " + barrier.words());
+        }
+        return isWithin(barrier.shape(), from.place().point(), to.place().point())
+                ? Optional.empty()
+                : Optional.of("leaves " + barrier.words());
+    }
+
+    private double height(Fix fix, Barrier barrier) {
+        double amsl = fix.place().altitudeAmslMeters();
+        return barrier.band().reference() == Altitude.Reference.HOME ? amsl - homeAmslMeters : amsl;
+    }
+
+    private static boolean touches(FenceZone shape, Geodetic from, Geodetic to) {
+        if (shape instanceof FenceZone.Circle circle) {
+            return around(circle, from, to).distanceMeters(CENTER) <= circle.radiusMeters();
+        }
+        LocalPlane plane = new LocalPlane(from);
+        Stretch way = new Stretch(plane.spot(from), plane.spot(to));
+        Outline outline = plane.outline(((FenceZone.Polygon) shape).corners());
+        return outline.contains(way.from())
+                || outline.contains(way.to())
+                || outline.edges().stream().anyMatch(edge -> edge.distanceMeters(way) == 0);
+    }
+
+    private static boolean isWithin(FenceZone shape, Geodetic from, Geodetic to) {
+        if (shape instanceof FenceZone.Circle circle) {
+            Stretch way = around(circle, from, to);
+            return Math.max(way.from().distanceMeters(CENTER), way.to().distanceMeters(CENTER))
+                    <= circle.radiusMeters();
+        }
+        LocalPlane plane = new LocalPlane(from);
+        Stretch way = new Stretch(plane.spot(from), plane.spot(to));
+        Outline outline = plane.outline(((FenceZone.Polygon) shape).corners());
+        return outline.contains(way.from())
+                && outline.contains(way.to())
+                && outline.edges().stream().noneMatch(edge -> edge.distanceMeters(way) == 0);
+    }
+
+    private static Stretch around(FenceZone.Circle circle, Geodetic from, Geodetic to) {
+        return new Stretch(LocalPlane.offset(circle.center(), from), LocalPlane.offset(circle.center(), to));
+    }
+}

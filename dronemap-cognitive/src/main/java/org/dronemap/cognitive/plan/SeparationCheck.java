@@ -1,0 +1,101 @@
+package org.dronemap.cognitive.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.Separation;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.geo.LocalPlane;
+
+/**
+ * Whether drones in the air keep apart: by strides that are never longer than it takes two drones to come near, so that
+ * no moment is missed. Drones on the ground count for nothing.
+ */
+public final class SeparationCheck {
+    /** Nearer to the limit than this is at it. */
+    private static final double TOUCH_METERS = 0.02;
+
+    private final Separation separation;
+
+    SeparationCheck(Separation separation) {
+        this.separation = separation;
+    }
+
+    /** The first of each two drones. */
+    public static List<Conflict> conflicts(Problem problem, Plan plan) {
+        LocalPlane plane =
+                new LocalPlane(problem.crafts().get(0).start().place().point());
+        Map<DroneId, Craft> crafts =
+                problem.crafts().stream().collect(Collectors.toMap(Craft::id, Function.identity()));
+        List<Trace> traces = new ArrayList<>();
+        for (Tour tour : plan.tours()) {
+            Craft craft = crafts.get(tour.drone());
+            if (craft != null) {
+                traces.add(Trace.of(craft, tour, plane));
+            }
+        }
+        SeparationCheck check = new SeparationCheck(problem.rules().separation());
+        List<Conflict> conflicts = new ArrayList<>();
+        for (int i = 0; i < traces.size(); i++) {
+            for (int j = i + 1; j < traces.size(); j++) {
+                check.first(traces.get(i), traces.get(j)).ifPresent(conflicts::add);
+            }
+        }
+        return conflicts;
+    }
+
+    Optional<Conflict> first(Trace one, Trace other) {
+        double from = Math.max(one.fromSeconds(), other.fromSeconds());
+        double till = Math.min(one.tillSeconds(), other.tillSeconds());
+        int i = 0;
+        int j = 0;
+        while (from < till && i < one.pieces().size() && j < other.pieces().size()) {
+            Trace.Piece mine = one.pieces().get(i);
+            Trace.Piece yours = other.pieces().get(j);
+            double both = Math.min(mine.tillSeconds(), yours.tillSeconds());
+            Optional<Conflict> conflict = both > from && !isStacked(mine, yours)
+                    ? meet(new Pair(one, mine, other, yours), from, both)
+                    : Optional.empty();
+            if (conflict.isPresent()) {
+                return conflict;
+            }
+            from = Math.max(from, both);
+            i = mine.tillSeconds() <= both ? i + 1 : i;
+            j = yours.tillSeconds() <= both ? j + 1 : j;
+        }
+        return Optional.empty();
+    }
+
+    private record Pair(Trace one, Trace.Piece mine, Trace other, Trace.Piece yours) {
+        double meters(double seconds) {
+            return one.at(mine, seconds).distanceMeters(other.at(yours, seconds));
+        }
+    }
+
+    private boolean isStacked(Trace.Piece mine, Trace.Piece yours) {
+        return mine.low() - yours.high() >= separation.verticalMeters()
+                || yours.low() - mine.high() >= separation.verticalMeters();
+    }
+
+    private Optional<Conflict> meet(Pair pair, double from, double till) {
+        double fastest = pair.mine().peak() + pair.yours().peak();
+        double seconds = from;
+        while (true) {
+            double meters = pair.meters(seconds);
+            if (meters < separation.horizontalMeters()) {
+                return Optional.of(new Conflict(
+                        pair.one().craft().id(), pair.other().craft().id(), seconds, meters));
+            }
+            if (fastest == 0 || seconds >= till) {
+                return Optional.empty();
+            }
+            double stride = Math.max(TOUCH_METERS, meters - separation.horizontalMeters()) / fastest;
+            seconds = Math.min(till, seconds + stride);
+        }
+    }
+}
