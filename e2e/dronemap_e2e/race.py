@@ -2,6 +2,7 @@
 
 import json
 import random
+import secrets
 import threading
 import time
 from collections.abc import Callable
@@ -67,7 +68,7 @@ class Client(Protocol):
 
     def take_over(self) -> None: ...
 
-    def move(self, move: Move) -> Json | None: ...
+    def move(self, move: Move, command: str) -> Json | None: ...
 
 
 class RestClient:
@@ -78,8 +79,8 @@ class RestClient:
     def take_over(self) -> None:
         self._api.call("POST", f"/drones/{self._drone}/control/take-over", {"reason": "a race"})
 
-    def move(self, move: Move) -> Json | None:
-        answer = self._api.call("POST", f"/drones/{self._drone}/commands", move.body)
+    def move(self, move: Move, command: str) -> Json | None:
+        answer = self._api.call("POST", f"/drones/{self._drone}/commands", {**move.body, "id": command})
         assert answer.status_code in (202, 200, 409), answer.text
         body: Json = answer.json()
         return body if answer.ok else None
@@ -95,11 +96,11 @@ class StreamClient:
     def take_over(self) -> None:
         self._ask({"type": "control", "action": "takeOver", "reason": "a race"})
 
-    def move(self, move: Move) -> Json | None:
-        answer = self._ask({"type": "command", "command": move.body})
+    def move(self, move: Move, command: str) -> Json | None:
+        answer = self._ask({"type": "command", "command": {**move.body, "id": command}})
         assert answer["type"] == "commandAccepted" or answer["problem"]["status"] == 409, answer
-        command: Json | None = answer.get("command")
-        return command
+        record: Json | None = answer.get("command")
+        return record
 
     def close(self) -> None:
         if self._socket:
@@ -135,6 +136,11 @@ class Racer:
     seed: int
     allowed: dict[Move, int] = field(default_factory=dict)
     refused: set[Move] = field(default_factory=set)
+    prefix: str = field(default_factory=lambda: secrets.token_hex(4))
+
+    def command(self, move: Move) -> str:
+        """The id that it gives to the command, by which it is found again after a crash."""
+        return f"{self.prefix}-{move.number}"
 
     def race(self, rounds: int, during: Callable[[int], None] = lambda _: None) -> None:
         chance = random.Random(self.seed)
@@ -150,7 +156,7 @@ class Racer:
         try:
             if takes_over:
                 self.client.take_over()
-            record = self.client.move(move)
+            record = self.client.move(move, self.command(move))
         except (OSError, ConnectionClosed, TimeoutError):
             return  # the server is being restarted: whether the command counts is for its record to say
         if record is None:
@@ -171,6 +177,19 @@ def race(racers: list[Racer], rounds: int, during: Callable[[int], None] = lambd
         thread.join()
 
 
+def settle(moves: list[Move], racers: list[Racer], record: Callable[[str], Json | None]) -> int:
+    """Of commands whose answer was lost with the server, the records say the epoch. Returns how many."""
+    asked = 0
+    for move in set(moves):
+        racer = racers[move.number % len(racers)]
+        if move not in racer.allowed and move not in racer.refused:
+            found = record(racer.command(move))
+            assert found and found["epoch"], f"{move} was sent, and no record of it names its epoch: {found}"
+            racer.allowed[move] = found["epoch"]
+            asked += 1
+    return asked
+
+
 def judge(moves: list[Move], racers: list[Racer]) -> int:
     """What reached the vehicle, in order: no refused command, epochs that never fall, one holder each.
 
@@ -182,9 +201,8 @@ def judge(moves: list[Move], racers: list[Racer]) -> int:
     for move in moves:
         racer = racers[move.number % len(racers)]
         assert move not in racer.refused, f"{move} was refused, and sent all the same"
-        epoch = racer.allowed.get(move)
-        if epoch is None:
-            continue  # sent, but the answer was lost with the server
+        assert move in racer.allowed, f"nobody was allowed to send {move}"
+        epoch = racer.allowed[move]
         assert epoch >= newest, f"{move} of epoch {epoch} was sent after epoch {newest}"
         changes += epoch > newest > 0
         newest = epoch

@@ -19,10 +19,10 @@ CHROMIUM_ARGUMENTS = [
 ]
 
 
-def launch(playwright: Playwright) -> Browser:
+def launch(playwright: Playwright, *arguments: str) -> Browser:
     chromium = os.environ.get("DRONEMAP_CHROMIUM") or shutil.which("chromium")
     assert chromium, "chromium is missing: ./dronemap test installs it"
-    return playwright.chromium.launch(executable_path=chromium, args=CHROMIUM_ARGUMENTS)
+    return playwright.chromium.launch(executable_path=chromium, args=[*CHROMIUM_ARGUMENTS, *arguments])
 
 
 class Hands(Protocol):

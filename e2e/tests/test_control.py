@@ -1,18 +1,24 @@
 """One user commands a drone at a time: judged at the vehicle's socket and on the page."""
 
+import os
 import secrets
+import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from playwright.sync_api import Browser, expect, sync_playwright
+from playwright.sync_api import Browser, Playwright, expect, sync_playwright
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.race import Hoverer, Racer, RestClient, StreamClient, judge, race
+from dronemap_e2e.line import Line
+from dronemap_e2e.race import Hoverer, Racer, RestClient, StreamClient, judge, race, settle
 from dronemap_e2e.server import Server
+from dronemap_e2e.stall import Stall
 from dronemap_e2e.station import Pointer, Station, launch
 from dronemap_e2e.waiting import wait_for
 
@@ -106,10 +112,18 @@ def test_two_clients_who_race_never_both_have_the_drone(
     hoverer, drone = hover()
     both = racers(sky, drone)
 
-    race(both, ROUNDS)
+    with Stall(sky.server.data, seed=3) as stall:
+        race(both, ROUNDS)
 
     wait_for("both have flown it", lambda: judge(list(hoverer.moves), both) > 1, 60)
+    assert stall.times > 1
     assert all(racer.allowed for racer in both)
+
+
+def recorded(sky: Sky, command: str) -> Json | None:
+    answer = sky.api.call("GET", f"/commands/{command}")
+    found: Json | None = answer.json() if answer.ok else None
+    return found
 
 
 @pytest.mark.soak
@@ -125,17 +139,35 @@ def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
             sky.server.start()
             wait_for("it flies again", lambda: _flying(sky.api, hoverer.peer.port), 60)
 
-    race(both, SOAK_ROUNDS, restart)
+    with Stall(sky.server.data, seed=4) as stall:
+        race(both, SOAK_ROUNDS, restart)
 
-    assert judge(list(hoverer.moves), both) > SOAK_ROUNDS / 100
+    moves = list(hoverer.moves)
+    lost = settle(moves, both, partial(recorded, sky))
+    changes = judge(moves, both)
+    refused = sum(len(racer.refused) for racer in both)
+    print(
+        f"{len(moves)} commands on the wire, {changes} changes of the holder between them, {refused} refused,"
+    )
+    print(f"{stall.times} stalls; the answer of {lost} was lost in a crash")
+    assert changes > SOAK_ROUNDS / 100 and stall.times > SOAK_ROUNDS / 100
 
 
-def test_the_drone_of_a_killed_client_holds_and_then_returns(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+def holds_and_returns(sky: Sky, hoverer: Hoverer, drone: str) -> None:
+    wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
+    wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
+    assert sky.api.drone(drone)["control"]["state"] == "free"
+    assert [c["by"] for c in sky.api.get(f"/drones/{drone}/commands")["commands"][:2]] == ["dronemap"] * 2
+
+
+@pytest.mark.parametrize("lost_by", ["kill", "cut"])
+def test_the_drone_of_a_client_that_is_killed_or_cut_off_holds_and_then_returns(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], lost_by: str
 ) -> None:
     hoverer, drone = hover()
+    line = Line(sky.server.http_port)
     root = Path(__file__).resolve().parents[1]
-    arguments = [sky.server.address, sky.key("operator"), drone]
+    arguments = [f"http://127.0.0.1:{line.port}", sky.key("operator"), drone]
     client = subprocess.Popen(
         [sys.executable, "-m", "dronemap_e2e.holder", *arguments], cwd=root, stdout=subprocess.PIPE
     )
@@ -145,14 +177,16 @@ def test_the_drone_of_a_killed_client_holds_and_then_returns(
         refused = sky.api.call("POST", f"/drones/{drone}/commands", {"type": "setMode", "mode": "LOITER"})
         assert refused.status_code == 409
         assert refused.json()["holder"] == sky.api.drone(drone)["control"]["holder"]
+        if lost_by == "cut":
+            line.cut()
+        else:
+            client.kill()
+        holds_and_returns(sky, hoverer, drone)
+        assert lost_by == "kill" or client.poll() is None, "it was cut off, and lives"
     finally:
         client.kill()
         client.wait()
-
-    wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
-    wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
-    assert sky.api.drone(drone)["control"]["state"] == "free"
-    assert [c["by"] for c in sky.api.get(f"/drones/{drone}/commands")["commands"][:2]] == ["dronemap"] * 2
+        line.close()
 
 
 def test_a_supervisor_calls_back_what_another_flies_at_any_moment(
@@ -191,11 +225,45 @@ def test_the_pilot_at_the_vehicle_goes_before_everybody(
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
+def player() -> Iterator[Playwright]:
     with sync_playwright() as playwright:
-        started = launch(playwright)
-        yield started
-        started.close()
+        yield playwright
+
+
+@pytest.fixture(scope="module")
+def browser(player: Playwright) -> Iterator[Browser]:
+    started = launch(player)
+    yield started
+    started.close()
+
+
+def kill_browser(mark: str) -> None:
+    """Its first process, which all others end with; kill -9."""
+    for folder in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            arguments = (folder / "cmdline").read_bytes().split(b"\0")
+            if mark.encode() in arguments and not any(each.startswith(b"--type=") for each in arguments):
+                os.kill(int(folder.name), signal.SIGKILL)
+                return
+    raise AssertionError("there is no such browser")
+
+
+def test_the_drone_of_a_killed_browser_holds_and_then_returns(
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], player: Playwright
+) -> None:
+    hoverer, drone = hover()
+    mark = f"--doomed={secrets.token_hex(8)}"
+    doomed = launch(player, mark)
+    station = Station(doomed.new_page(viewport={"width": 1440, "height": 900}), Pointer())
+    station.sign_in(sky.server.address, *sky.user("operator"), secrets.token_hex(10))
+    station.choose(sky.api.drone(drone)["name"])
+    station.press("Take control")
+    station.shows("You have control")
+    wait_for("the page keeps it", lambda: sky.api.drone(drone)["control"]["explicit"], 30)
+
+    kill_browser(mark)
+
+    holds_and_returns(sky, hoverer, drone)
 
 
 def test_people_see_who_has_control_and_hand_it_over(

@@ -1,0 +1,54 @@
+"""A network between a client and the server that can be cut: nothing passes any more, and nobody is told."""
+
+import select
+import socket
+import threading
+from contextlib import suppress
+
+
+class Line:
+    """Carries TCP connections to one port of the server."""
+
+    def __init__(self, server_port: int) -> None:
+        self._server_port = server_port
+        self._door = socket.create_server(("127.0.0.1", 0))
+        self.port: int = self._door.getsockname()[1]
+        self._other_end: dict[socket.socket, socket.socket] = {}
+        self._cut = False
+        self._closed = False
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def cut(self) -> None:
+        self._cut = True
+
+    def close(self) -> None:
+        self._closed = True
+        self._thread.join()
+        for end in [self._door, *self._other_end]:
+            end.close()
+
+    def _run(self) -> None:
+        while not self._closed:
+            wanted = [] if self._cut else [self._door, *self._other_end]
+            for ready in select.select(wanted, [], [], 0.1)[0]:
+                if ready is self._door:
+                    self._take()
+                elif ready in self._other_end and not self._cut:
+                    self._carry(ready)
+
+    def _take(self) -> None:
+        client, _ = self._door.accept()
+        server = socket.create_connection(("127.0.0.1", self._server_port))
+        self._other_end |= {client: server, server: client}
+
+    def _carry(self, sender: socket.socket) -> None:
+        receiver = self._other_end[sender]
+        data = b""
+        with suppress(ConnectionError):
+            data = sender.recv(65536)
+            receiver.sendall(data)
+        if not data:
+            for end in (sender, receiver):
+                del self._other_end[end]
+                end.close()
