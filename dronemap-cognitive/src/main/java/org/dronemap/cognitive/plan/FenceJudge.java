@@ -18,8 +18,15 @@ final class FenceJudge {
 
     private final List<Barrier> barriers;
     private final double homeAmslMeters;
+    private final double room;
 
     FenceJudge(List<Barrier> barriers, Craft craft) {
+        this(barriers, craft, 0);
+    }
+
+    /** {@code room}: metres that are to be left beside what must not be touched. */
+    FenceJudge(List<Barrier> barriers, Craft craft, double room) {
+        this.room = room;
         this.barriers =
                 barriers.stream().filter(barrier -> barrier.binds(craft.id())).toList();
         this.homeAmslMeters = craft.homeAmslMeters();
@@ -69,30 +76,30 @@ final class FenceJudge {
         return barrier.band().reference() == Altitude.Reference.HOME ? amsl - homeAmslMeters : amsl;
     }
 
-    private static boolean touches(FenceZone shape, Geodetic from, Geodetic to) {
+    private boolean touches(FenceZone shape, Geodetic from, Geodetic to) {
         if (shape instanceof FenceZone.Circle circle) {
-            return around(circle, from, to).distanceMeters(CENTER) <= circle.radiusMeters();
+            return around(circle, from, to).distanceMeters(CENTER) <= circle.radiusMeters() + room;
         }
         LocalPlane plane = new LocalPlane(from);
         Stretch way = new Stretch(plane.spot(from), plane.spot(to));
         Outline outline = plane.outline(((FenceZone.Polygon) shape).corners());
         return outline.contains(way.from())
                 || outline.contains(way.to())
-                || outline.edges().stream().anyMatch(edge -> edge.distanceMeters(way) == 0);
+                || outline.edges().stream().anyMatch(edge -> edge.distanceMeters(way) <= room);
     }
 
-    private static boolean isWithin(FenceZone shape, Geodetic from, Geodetic to) {
+    private boolean isWithin(FenceZone shape, Geodetic from, Geodetic to) {
         if (shape instanceof FenceZone.Circle circle) {
             Stretch way = around(circle, from, to);
             return Math.max(way.from().distanceMeters(CENTER), way.to().distanceMeters(CENTER))
-                    <= circle.radiusMeters();
+                    <= circle.radiusMeters() - room;
         }
         LocalPlane plane = new LocalPlane(from);
         Stretch way = new Stretch(plane.spot(from), plane.spot(to));
         Outline outline = plane.outline(((FenceZone.Polygon) shape).corners());
         return outline.contains(way.from())
                 && outline.contains(way.to())
-                && outline.edges().stream().noneMatch(edge -> edge.distanceMeters(way) == 0);
+                && outline.edges().stream().noneMatch(edge -> edge.distanceMeters(way) <= room);
     }
 
     private static Stretch around(FenceZone.Circle circle, Geodetic from, Geodetic to) {

@@ -52,8 +52,8 @@ public final class SeparationCheck {
     Optional<Conflict> first(Trace one, Trace other) {
         double from = Math.max(one.fromSeconds(), other.fromSeconds());
         double till = Math.min(one.tillSeconds(), other.tillSeconds());
-        int i = 0;
-        int j = 0;
+        int i = one.pieceAt(from);
+        int j = other.pieceAt(from);
         while (from < till && i < one.pieces().size() && j < other.pieces().size()) {
             Trace.Piece mine = one.pieces().get(i);
             Trace.Piece yours = other.pieces().get(j);

@@ -13,56 +13,69 @@ import org.dronemap.core.geo.Spot;
  * straight, gathering speed and braking, at any height between those of its ends. Never changes.
  */
 final class Trace {
-    private final DroneTime time;
+    private final Craft craft;
     private final List<Piece> pieces;
     private final double acceleration;
-
-    /** From when to when it is in the air. */
-    private record DroneTime(Craft craft, double fromSeconds, double tillSeconds) {}
 
     /** {@code peak}: the greatest speed on it, in m/s. */
     record Piece(Spot from, Spot to, double fromSeconds, double tillSeconds, double low, double high, double peak) {}
 
-    private Trace(DroneTime time, List<Piece> pieces, double acceleration) {
-        this.time = time;
+    private Trace(Craft craft, List<Piece> pieces) {
+        this.craft = craft;
         this.pieces = pieces;
-        this.acceleration = acceleration;
+        this.acceleration = craft.performance().speeds().acceleration();
     }
 
     /** Of a drone that has a tour. */
     static Trace of(Craft craft, Tour tour, LocalPlane plane) {
         Drawing drawing = new Drawing(plane, craft.performance().speeds().acceleration());
-        double begins = craft.start().airborne() ? 0 : tour.departsSeconds();
-        drawing.at(tour.ways().get(0).from(), begins);
-        for (Way way : tour.ways()) {
-            drawing.stay(way.departsSeconds());
-            way.fixes().subList(1, way.fixes().size()).forEach(drawing::fly);
-        }
-        double ends = tour.endsSeconds();
+        drawing.at(tour.way(0).from(), craft.start().airborne() ? 0 : tour.departsSeconds());
+        tour.ways().forEach(drawing::follow);
         if (!craft.lands()) {
             drawing.stay(Double.POSITIVE_INFINITY);
-            ends = Double.POSITIVE_INFINITY;
         }
-        return new Trace(
-                new DroneTime(craft, begins, ends),
-                drawing.pieces,
-                craft.performance().speeds().acceleration());
+        return new Trace(craft, drawing.pieces);
+    }
+
+    /** Of a drone that waits, flies one way, and stays at its end until a moment. */
+    static Trace of(Craft craft, double since, Way way, double until, LocalPlane plane) {
+        Drawing drawing = new Drawing(plane, craft.performance().speeds().acceleration());
+        drawing.at(way.from(), since);
+        drawing.follow(way);
+        drawing.stay(until);
+        return new Trace(craft, drawing.pieces);
     }
 
     Craft craft() {
-        return time.craft();
+        return craft;
     }
 
+    /** From when it is in the air. */
     double fromSeconds() {
-        return time.fromSeconds();
+        return pieces.get(0).fromSeconds();
     }
 
     double tillSeconds() {
-        return time.tillSeconds();
+        return pieces.get(pieces.size() - 1).tillSeconds();
     }
 
     List<Piece> pieces() {
         return pieces;
+    }
+
+    /** The number of the first piece that is not over by then; how many there are when it is down. */
+    int pieceAt(double seconds) {
+        int low = 0;
+        int high = pieces.size();
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (pieces.get(middle).tillSeconds() > seconds) {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        return low;
     }
 
     /** Where it is on a piece. */
@@ -104,6 +117,11 @@ final class Trace {
             place = start;
             spot = plane.spot(start.point());
             seconds = begins;
+        }
+
+        void follow(Way way) {
+            stay(way.departsSeconds());
+            way.fixes().subList(1, way.fixes().size()).forEach(this::fly);
         }
 
         void stay(double until) {
