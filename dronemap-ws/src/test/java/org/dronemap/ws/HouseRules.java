@@ -57,6 +57,7 @@ final class HouseRules {
                     "org.dronemap.core.recording..",
                     "org.dronemap.core.link..",
                     "org.dronemap.core.lease..",
+                    "org.dronemap.core.audit..",
                     "org.dronemap.core.zone..",
                     "org.dronemap.core.virtual..")
             .layer("cloud")

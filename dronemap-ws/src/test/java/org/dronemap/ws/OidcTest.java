@@ -13,6 +13,8 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.StandInProvider;
 import org.dronemap.ws.house.StandInProvider.Signature;
@@ -240,6 +242,9 @@ class OidcTest {
     private void refused(Http.Answer back) {
         assertThat(back.status()).isEqualTo(302);
         assertThat(location(back)).hasToString("/?signIn=failed");
+        AuditEntry record = house.records().get(house.records().size() - 1).entry();
+        assertThat(record.operation()).isEqualTo("GET " + CALLBACK);
+        assertThat(record.outcome()).isEqualTo(AuditOutcome.REFUSED);
         assertThat(back.raw().headers().allValues("Set-Cookie").toString()).doesNotContain("dronemap-session");
         assertThat(back.raw().body()).doesNotContain(StandInProvider.SECRET);
     }

@@ -23,6 +23,8 @@ import tools.jackson.databind.JsonNode;
  * on none; and compares with what docs/security.md says. What is foreign is answered as what is absent.
  */
 class ReachTest extends ReachTrial {
+    private static final String RECORDS = "GET /api/v1/audit";
+
     @Test
     void saysOfEachOperationWhatItIsAbout() {
         assertThat(faces.rest())
@@ -71,7 +73,7 @@ class ReachTest extends ReachTrial {
     @Test
     void namesNothingOfAnotherOrganisationInAnyList() {
         for (String operation : faces.rest()) {
-            if (operation.startsWith("GET ") && !operation.contains("{")) {
+            if (operation.startsWith("GET ") && !operation.contains("{") && !operation.startsWith(RECORDS)) {
                 for (Role role : Role.values()) {
                     silent(operation + " for our " + role, rest(ours.get(role), operation, ABSENT), foreign);
                     silent(operation + " for their " + role, rest(theirs.get(role), operation, ABSENT), own);
@@ -83,6 +85,22 @@ class ReachTest extends ReachTrial {
                 .contains(own.drone().id())
                 .doesNotContain(foreign.drone().id());
         assertThat(wrong).isEmpty();
+    }
+
+    /** What one typed oneself stands there, be it foreign or absent. */
+    @Test
+    void showsRecordsOfOtherOrganisationsOnlyToThoseWhoRunTheServer() {
+        for (String form : List.of(RECORDS, RECORDS + "/file")) {
+            for (Role role : List.of(Role.SUPERVISOR, Role.ADMINISTRATOR)) {
+                theirs.get(role).http().post("/api/v1/zones", "{}");
+                ours.get(role).http().post("/api/v1/zones", "{}");
+                String seenByUs = rest(ours.get(role), form, ABSENT).raw().body();
+                String seenByThem = rest(theirs.get(role), form, ABSENT).raw().body();
+                assertThat(seenByThem).contains("their-" + role).doesNotContain("our-");
+                assertThat(seenByUs).contains("our-" + role);
+                assertThat(seenByUs.contains("their-" + role)).as(form + role).isEqualTo(role == Role.ADMINISTRATOR);
+            }
+        }
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.dronemap.core.audit.Activity;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -199,10 +200,10 @@ public final class CloudManager {
         found.ifPresent(drone -> {
             CompletableFuture<Void> kept = new CompletableFuture<>();
             // On the lane, so that no older record of this drone can be written after it.
-            drone.lane().execute(() -> {
+            drone.lane().execute(Activity.carried(() -> {
                 drone.rename(name);
                 keepName(drone, kept);
-            });
+            }));
             kept.orTimeout(LONGEST_WRITE_SECONDS, TimeUnit.SECONDS).join();
         });
         return found.isPresent();

@@ -7,6 +7,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.audit.Activity;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
@@ -71,6 +72,7 @@ final class DroneControl {
         Control before = control;
         LeaseStep step = machine.apply(before, event, now());
         control = step.control();
+        Activity.current().ifPresent(call -> call.epoch(drone.value(), epoch()));
         CompletableFuture<Void> durable = keep(saved(before), saved(step.control()));
         if (!step.changes().isEmpty()
                 || before.requests().size() != step.control().requests().size()) {

@@ -5,6 +5,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
+import org.dronemap.core.audit.Activity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -21,11 +22,15 @@ public final class Journal implements AutoCloseable {
                 return created;
             });
 
-    /** Runs {@code write} and then {@code after}, also when the write failed (which is logged and counted). */
+    /**
+     * Runs {@code write} and then {@code after}, also when the write failed (which is logged and counted). The write is
+     * part of the call that it is handed in for.
+     */
     public void write(String what, Runnable write, Runnable after) {
+        Runnable ofTheCall = Activity.carried(write);
         try {
             thread.execute(() -> {
-                guard(what, write);
+                guard(what, ofTheCall);
                 guard("what follows " + what, after);
             });
         } catch (RejectedExecutionException e) {

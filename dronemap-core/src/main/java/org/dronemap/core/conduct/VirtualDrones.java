@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
+import org.dronemap.core.audit.Activity;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CloudLoss;
@@ -277,7 +278,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     private <T> T ask(Callable<T> work) {
         try {
-            return thread.submit(work).get(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
+            return thread.submit(Activity.carried(work)).get(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
         } catch (ExecutionException e) {
             if (e.getCause() instanceof RuntimeException cause) {
                 throw cause;

@@ -12,6 +12,8 @@ import javax.sql.DataSource;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.access.LinkSecurityStore;
+import org.dronemap.core.audit.AuditChain;
+import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.lease.LeaseStore;
@@ -38,10 +40,14 @@ public final class Database implements AutoCloseable {
 
     private final HikariDataSource pool;
     private final @Nullable OwnPostgres own;
+    private final Ledger ledger;
+    private final Sql sql;
 
     private Database(HikariDataSource pool, @Nullable OwnPostgres own) {
         this.pool = pool;
         this.own = own;
+        this.ledger = new Ledger(pool);
+        this.sql = new Sql(pool, ledger);
     }
 
     /** Opens somebody else's PostgreSQL, waiting for it as long as the settings say. */
@@ -75,48 +81,54 @@ public final class Database implements AutoCloseable {
     }
 
     public DroneStore drones() {
-        return new PostgresDroneStore(pool);
+        return new PostgresDroneStore(sql);
     }
 
     public MissionStore missions() {
-        return new PostgresMissionStore(pool);
+        return new PostgresMissionStore(sql);
     }
 
     public ZoneStore zones() {
-        return new PostgresZoneStore(pool);
+        return new PostgresZoneStore(sql);
     }
 
     public CommandStore commands() {
-        return new PostgresCommandStore(pool);
+        return new PostgresCommandStore(sql);
     }
 
     public AccessStore access() {
-        return new PostgresAccessStore(pool);
+        return new PostgresAccessStore(sql);
     }
 
     public GrantStore grants() {
-        return new PostgresGrantStore(pool);
+        return new PostgresGrantStore(sql);
     }
 
     /** Keys are sealed with {@code box} on their way in. */
     public LinkSecurityStore linkSecurity(SecretBox box) {
-        return new PostgresLinkSecurityStore(pool, box);
+        return new PostgresLinkSecurityStore(sql, box);
     }
 
     public RecordingStore recordings() {
-        return new PostgresRecordingStore(pool);
+        return new PostgresRecordingStore(sql);
     }
 
     public LinkStore links() {
-        return new PostgresLinkStore(pool);
+        return new PostgresLinkStore(sql);
     }
 
     public LeaseStore leases() {
-        return new PostgresLeaseStore(pool);
+        return new PostgresLeaseStore(sql);
+    }
+
+    /** From now on each change takes along the record of the call that it belongs to. Once. */
+    public AuditStore audit(AuditChain chain) {
+        ledger.open(chain);
+        return new PostgresAuditStore(sql, ledger);
     }
 
     public VirtualDroneStore virtualDrones() {
-        return new PostgresVirtualDroneStore(pool);
+        return new PostgresVirtualDroneStore(sql);
     }
 
     public Backup backup() {
@@ -136,6 +148,7 @@ public final class Database implements AutoCloseable {
 
     @Override
     public void close() {
+        ledger.close();
         pool.close();
         if (own != null) {
             own.close();

@@ -4,7 +4,6 @@ import java.sql.SQLException;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
-import javax.sql.DataSource;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
@@ -20,8 +19,8 @@ import org.dronemap.store.StoreException;
 public final class PostgresAccessStore implements AccessStore {
     private final Sql sql;
 
-    public PostgresAccessStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresAccessStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

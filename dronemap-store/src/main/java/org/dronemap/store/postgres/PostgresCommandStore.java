@@ -4,7 +4,6 @@ import java.sql.SQLException;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
-import javax.sql.DataSource;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
@@ -18,8 +17,8 @@ import org.jspecify.annotations.Nullable;
 public final class PostgresCommandStore implements CommandStore {
     private final Sql sql;
 
-    public PostgresCommandStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresCommandStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

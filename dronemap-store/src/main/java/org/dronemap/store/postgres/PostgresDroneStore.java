@@ -3,7 +3,6 @@ package org.dronemap.store.postgres;
 import java.sql.SQLException;
 import java.util.List;
 import java.util.Optional;
-import javax.sql.DataSource;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
@@ -18,8 +17,8 @@ import org.dronemap.core.drone.VehicleKind;
 public final class PostgresDroneStore implements DroneStore {
     private final Sql sql;
 
-    public PostgresDroneStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresDroneStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

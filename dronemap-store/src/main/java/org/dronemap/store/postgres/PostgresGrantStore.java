@@ -7,7 +7,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import javax.sql.DataSource;
 import org.dronemap.core.access.Fleet;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
@@ -25,8 +24,8 @@ import org.jspecify.annotations.Nullable;
 public final class PostgresGrantStore implements GrantStore {
     private final Sql sql;
 
-    public PostgresGrantStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresGrantStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

@@ -1,7 +1,6 @@
 package org.dronemap.store.postgres;
 
 import java.util.List;
-import javax.sql.DataSource;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
@@ -11,8 +10,8 @@ import org.dronemap.store.StoreException;
 public final class PostgresLeaseStore implements LeaseStore {
     private final Sql sql;
 
-    public PostgresLeaseStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresLeaseStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

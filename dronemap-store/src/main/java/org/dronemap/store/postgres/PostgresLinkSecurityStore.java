@@ -3,7 +3,6 @@ package org.dronemap.store.postgres;
 import java.sql.SQLException;
 import java.util.List;
 import java.util.Optional;
-import javax.sql.DataSource;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
@@ -23,8 +22,8 @@ public final class PostgresLinkSecurityStore implements LinkSecurityStore {
     private final Sql sql;
     private final SecretBox box;
 
-    public PostgresLinkSecurityStore(DataSource dataSource, SecretBox box) {
-        this.sql = new Sql(dataSource);
+    PostgresLinkSecurityStore(Sql sql, SecretBox box) {
+        this.sql = sql;
         this.box = box;
     }
 

@@ -1,7 +1,6 @@
 package org.dronemap.store.postgres;
 
 import java.util.List;
-import javax.sql.DataSource;
 import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
@@ -10,8 +9,8 @@ import org.dronemap.core.link.SavedLink;
 public final class PostgresLinkStore implements LinkStore {
     private final Sql sql;
 
-    public PostgresLinkStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresLinkStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

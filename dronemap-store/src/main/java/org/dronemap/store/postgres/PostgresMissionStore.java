@@ -3,7 +3,6 @@ package org.dronemap.store.postgres;
 import java.sql.SQLException;
 import java.util.List;
 import java.util.Optional;
-import javax.sql.DataSource;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.mission.SavedMission;
@@ -13,8 +12,8 @@ import org.dronemap.store.MissionOrder;
 public final class PostgresMissionStore implements MissionStore {
     private final Sql sql;
 
-    public PostgresMissionStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresMissionStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

@@ -3,7 +3,6 @@ package org.dronemap.store.postgres;
 import java.sql.SQLException;
 import java.util.List;
 import java.util.Optional;
-import javax.sql.DataSource;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingStore;
@@ -13,8 +12,8 @@ import org.dronemap.store.RecordingOrder;
 public final class PostgresRecordingStore implements RecordingStore {
     private final Sql sql;
 
-    public PostgresRecordingStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresRecordingStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

@@ -3,7 +3,6 @@ package org.dronemap.store.postgres;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
-import javax.sql.DataSource;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
@@ -13,8 +12,8 @@ import org.dronemap.core.virtual.VirtualDroneStore;
 public final class PostgresVirtualDroneStore implements VirtualDroneStore {
     private final Sql sql;
 
-    public PostgresVirtualDroneStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresVirtualDroneStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

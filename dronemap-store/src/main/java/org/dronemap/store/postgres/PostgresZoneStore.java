@@ -1,7 +1,6 @@
 package org.dronemap.store.postgres;
 
 import java.util.List;
-import javax.sql.DataSource;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.ZoneOrder;
@@ -10,8 +9,8 @@ import org.dronemap.store.ZoneOrder;
 public final class PostgresZoneStore implements ZoneStore {
     private final Sql sql;
 
-    public PostgresZoneStore(DataSource dataSource) {
-        this.sql = new Sql(dataSource);
+    PostgresZoneStore(Sql sql) {
+        this.sql = sql;
     }
 
     @Override

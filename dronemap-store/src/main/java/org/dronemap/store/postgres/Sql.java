@@ -10,11 +10,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.sql.DataSource;
+import org.dronemap.core.audit.Activity;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.core.audit.AuditRecord;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
 
-/** Statements on a pool; each one is a transaction of its own, durable when it returns. Thread-safe. */
+/**
+ * Statements on a pool; each one is a transaction of its own, durable when it returns. The first change of a call takes the
+ * call's record into its transaction. Thread-safe.
+ */
 final class Sql {
     /** Makes an object of the row that the result stands on. */
     interface RowReader<T> {
@@ -22,9 +28,11 @@ final class Sql {
     }
 
     private final DataSource dataSource;
+    private final Ledger ledger;
 
-    Sql(DataSource dataSource) {
+    Sql(DataSource dataSource, Ledger ledger) {
         this.dataSource = dataSource;
+        this.ledger = ledger;
     }
 
     <T> List<T> list(String sql, RowReader<T> reader, @Nullable Object... arguments) {
@@ -51,15 +59,41 @@ final class Sql {
 
     /** How many rows it changed. */
     int update(String sql, @Nullable Object... arguments) {
-        try (Connection connection = dataSource.getConnection();
-                PreparedStatement statement = prepare(connection, sql, arguments)) {
-            return statement.executeUpdate();
+        Optional<Activity> call = ledger.isOpen() ? Activity.current() : Optional.empty();
+        return call.flatMap(activity -> activity.claim().map(entry -> recorded(activity, entry, sql, arguments)))
+                .orElseGet(() -> alone(sql, arguments));
+    }
+
+    private int recorded(Activity call, AuditEntry entry, String sql, @Nullable Object... arguments) {
+        AuditRecord record = null;
+        try {
+            Ledger.Written written = ledger.write(entry, connection -> update(connection, sql, arguments));
+            record = written.record();
+            return written.rows();
+        } finally {
+            if (record == null) {
+                call.released();
+            } else {
+                call.written(record.sequence());
+            }
+        }
+    }
+
+    private int alone(String sql, @Nullable Object... arguments) {
+        try (Connection connection = dataSource.getConnection()) {
+            return update(connection, sql, arguments);
         } catch (SQLException e) {
             throw SqlSentence.exception(e);
         }
     }
 
-    private static PreparedStatement prepare(Connection connection, String sql, @Nullable Object... arguments)
+    private static int update(Connection connection, String sql, @Nullable Object... arguments) throws SQLException {
+        try (PreparedStatement statement = prepare(connection, sql, arguments)) {
+            return statement.executeUpdate();
+        }
+    }
+
+    static PreparedStatement prepare(Connection connection, String sql, @Nullable Object... arguments)
             throws SQLException {
         PreparedStatement statement = connection.prepareStatement(sql);
         try {

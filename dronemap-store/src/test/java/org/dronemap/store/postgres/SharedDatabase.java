@@ -31,11 +31,23 @@ final class SharedDatabase {
             statement.execute(
                     "TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key, link_security,"
                             + " recording, link, link_key, control_lease, organisation, drone_owner, user_group,"
-                            + " user_group_member, fleet, access_grant, only_granted, invitation, virtual_drone, warehouse_drone");
+                            + " user_group_member, fleet, access_grant, only_granted, invitation, virtual_drone, warehouse_drone,"
+                            + " audit");
             return DATABASE;
         } catch (SQLException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    /** The same tables through a pool of its own, with a ledger that no other test has written in; close it. */
+    static Database another() {
+        empty();
+        return again();
+    }
+
+    /** The same with what is in it. */
+    static Database again() {
+        return Database.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
     }
 
     static String url(String database) {

@@ -9,6 +9,8 @@ import java.util.Optional;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SessionCookie;
 import org.dronemap.ws.security.oidc.OidcSignIn;
+import org.dronemap.ws.service.AuditNotes;
+import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.jspecify.annotations.Nullable;
@@ -63,6 +65,7 @@ public class OidcController {
                     .location(URI.create("/"))
                     .build();
         } catch (Rejection refused) {
+            AuditNotes.turnedAway(Problem.of(refused));
             // An account that waits or is disabled is told so; of all else a person learns only that it failed.
             boolean closed = refused.kind() == RejectionKind.FORBIDDEN;
             return answer.location(URI.create(closed ? "/?signIn=closed" : "/?signIn=failed"))

@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.concurrent.CompletionException;
 import java.util.stream.Collectors;
 import org.apache.tomcat.util.http.InvalidParameterException;
+import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
@@ -131,6 +132,7 @@ public class ProblemAdvice {
     }
 
     private static ResponseEntity<Problem> body(Problem problem) {
+        AuditNotes.turnedAway(problem);
         ResponseEntity.BodyBuilder answer =
                 ResponseEntity.status(problem.status()).contentType(MediaType.APPLICATION_PROBLEM_JSON);
         Long wait = problem.retryAfterSeconds();

@@ -15,6 +15,7 @@ import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
+import org.dronemap.core.audit.Activity;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.service.FirstPassword;
@@ -88,6 +89,7 @@ public final class Authentication {
     }
 
     private NewSession session(User user) {
+        isKnown(new Principal(user.name(), user.role()), "page");
         String token = secrets.token();
         store.addSignIn(
                 new SignIn(Secrets.hash(token), user.name(), clock.instant().plus(SESSION_LENGTH)));
@@ -112,12 +114,25 @@ public final class Authentication {
 
     /** Empty when there is no such session any more. */
     public Optional<SignedIn> bySession(String token) {
-        return bySessionHash(Secrets.hash(token));
+        Optional<SignedIn> caller = bySessionHash(Secrets.hash(token));
+        caller.ifPresent(one -> isKnown(one.principal(), "page"));
+        return caller;
+    }
+
+    /** What is taken down of a call names whoever has proved to be somebody, and nobody else. */
+    private static void isKnown(Principal principal, @Nullable String face) {
+        Activity.current().ifPresent(call -> {
+            call.by(principal);
+            if (face != null) {
+                call.face(face);
+            }
+        });
     }
 
     /** A key never does more than its owner may now. */
     public SignedIn byKey(String key) {
         SignedIn caller = byKeyHash(Secrets.hash(key)).orElseThrow(() -> Rejection.notSignedIn(WRONG_KEY));
+        isKnown(caller.principal(), null);
         String id = caller.principal().key();
         if (id != null) {
             keyUses.used(id);
@@ -183,6 +198,7 @@ public final class Authentication {
 
     public SignedIn byPassword(String name, String password, String address) {
         User user = check(new Credentials(name, password), address);
+        isKnown(new Principal(user.name(), user.role()), null);
         return signedIn(user, SignedIn.Proof.PASSWORD, null, null);
     }
 
@@ -212,6 +228,8 @@ public final class Authentication {
         }
         throttle.check(name, address);
         Optional<User> user = store.user(name);
+        // A name that is none may be a password in the wrong field.
+        user.ifPresent(known -> Activity.current().ifPresent(call -> call.parameters("name=" + known.name())));
         // an unknown name takes as long as a wrong password, so that names cannot be found out
         boolean right = passwords.matches(password, user.map(User::passwordHash).orElse(nobodysHash));
         if (!right || user.isEmpty()) {

@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.audit.Activity;
 
 /** When keys were last used, written down at most once a minute for each. Any thread. */
 final class KeyUses {
@@ -33,7 +34,8 @@ final class KeyUses {
     void used(String key) {
         Instant now = clock.instant();
         if (isDue(key, now)) {
-            store.accessKeyUsed(key, now);
+            // Beside the call: it is not what the call is about.
+            Activity.aside(() -> store.accessKeyUsed(key, now));
         }
     }
 

@@ -3,6 +3,7 @@ package org.dronemap.ws.security;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 
@@ -15,6 +16,7 @@ public final class ProblemWriter {
     }
 
     public void write(HttpServletResponse response, Problem problem) throws IOException {
+        AuditNotes.turnedAway(problem);
         byte[] body = json.write(problem).getBytes(StandardCharsets.UTF_8);
         response.setStatus(problem.status());
         response.setContentType("application/problem+json");

@@ -7,6 +7,7 @@ import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
+import org.dronemap.core.audit.Activity;
 import org.jspecify.annotations.Nullable;
 
 /** Making an account of one's own. The only use case for people whom nobody knows yet. Any thread. */
@@ -79,6 +80,7 @@ public final class RegistrationService {
                 passwords.hash(password),
                 false,
                 invitation.organisation());
+        noted(user, "invitation=" + invitation.id());
         if (!store.acceptInvitation(invitation.id(), user)) {
             throw taken(name);
         }
@@ -96,10 +98,15 @@ public final class RegistrationService {
         }
         // The administrator who lets them in may give another role.
         User user = new User(name, Role.VIEWER, AccountState.WAITING, passwords.hash(password), false);
+        noted(user, "to be let in");
         if (!store.addUser(user)) {
             throw taken(name);
         }
         return answer(user);
+    }
+
+    private static void noted(User user, String how) {
+        Activity.current().ifPresent(call -> call.parameters("name=" + user.name() + ", " + how));
     }
 
     private Invitation invitation(String code) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.soap;
 
 import jakarta.xml.ws.WebFault;
+import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.Problem;
 
 /** A request that was not carried out, as SOAP tells it. */
@@ -25,6 +26,7 @@ public class DronemapFault extends Exception {
     }
 
     static DronemapFault of(Problem problem) {
+        AuditNotes.turnedAway(problem);
         return new DronemapFault(problem.detail(), SoapFaultDetail.of(problem), problem.status() < 500);
     }
 

@@ -8,6 +8,7 @@ import org.apache.cxf.message.Message;
 import org.apache.cxf.phase.AbstractPhaseInterceptor;
 import org.apache.cxf.phase.Phase;
 import org.apache.cxf.staxutils.DepthExceededStaxException;
+import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
@@ -36,9 +37,15 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
 
     @Override
     public void handleMessage(Message message) {
+        NamedCalls.note(message.getExchange());
         Exception thrown = message.getContent(Exception.class);
         Fault told = thrown instanceof Fault fault ? inOurWords(message, fault) : null;
         if (told != null) {
+            if (Fault.FAULT_CODE_SERVER.equals(told.getFaultCode())) {
+                AuditNotes.turnedAway(Problem.internal());
+            } else {
+                AuditNotes.turnedAway(Problem.of(Rejection.malformed("The XML cannot be read.")));
+            }
             message.setContent(Exception.class, told);
         }
     }

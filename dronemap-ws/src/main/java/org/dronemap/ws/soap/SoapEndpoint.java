@@ -29,7 +29,8 @@ public final class SoapEndpoint {
                 "false",
                 JAXBDataBinding.READER_VALIDATION_EVENT_HANDLER,
                 new UnreadableValues()));
-        endpoint.getInInterceptors().addAll(List.of(new NoDoctype(), new ReadingXml(), new StrictElements()));
+        endpoint.getInInterceptors()
+                .addAll(List.of(new NoDoctype(), new ReadingXml(), new StrictElements(), new NamedCalls()));
         endpoint.getOutFaultInterceptors().add(new FaultWords());
         endpoint.publish(PATH);
         return endpoint;

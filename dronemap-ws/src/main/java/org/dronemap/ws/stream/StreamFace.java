@@ -14,6 +14,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CommandRecord;
@@ -73,14 +74,17 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             ControlService controls,
             JsonReader json) {}
 
-    /** Who may come in, and who has to leave. */
+    /** Who may come in, who has to leave, and where it is taken down. */
     public record Entrance(
             Authentication authentication,
             StreamTickets tickets,
             Accounts accounts,
-            Budgets budgets,
+            Bounds bounds,
             GrantBook grants,
-            StreamCrowd crowd) {}
+            AuditDesk desk) {}
+
+    /** How much users may do, and how many streams they may have. */
+    public record Bounds(Budgets budgets, StreamCrowd crowd) {}
 
     /** What is shown, and how. */
     public record Pictures(DroneViews drones, VirtualDrones virtuals, VirtualDroneViews virtualViews) {}
@@ -102,7 +106,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.server = new StreamServer(
                 address,
                 requests,
-                services.entrance().crowd(),
+                services.entrance().bounds().crowd(),
                 services.entrance().authentication(),
                 services.entrance().tickets(),
                 pump::wake);

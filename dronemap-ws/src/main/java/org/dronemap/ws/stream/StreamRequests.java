@@ -3,9 +3,12 @@ package org.dronemap.ws.stream;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.audit.Activity;
+import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
@@ -35,15 +38,17 @@ final class StreamRequests {
     private final StreamControl controls;
     private final StreamCrowd crowd;
     private final JsonReader json;
+    private final AuditDesk desk;
 
     StreamRequests(StreamFace.Services services) {
         this.authentication = services.entrance().authentication();
-        this.budgets = services.entrance().budgets();
+        this.budgets = services.entrance().bounds().budgets();
         this.drones = services.drones();
         this.commands = services.commands();
         this.controls = new StreamControl(services.controls());
-        this.crowd = services.entrance().crowd();
+        this.crowd = services.entrance().bounds().crowd();
         this.json = services.json();
+        this.desk = services.entrance().desk();
     }
 
     /** Lets a client in, with the whole list first. */
@@ -93,12 +98,33 @@ final class StreamRequests {
     }
 
     void hear(StreamClient client, String text) {
+        Activity call = desk.begin("stream", "unreadable");
+        client.principal().ifPresent(call::by);
+        call.during(() -> {
+            heard(client, text);
+            return true;
+        });
+        desk.end(call);
+    }
+
+    /** Whoever comes with a proof that is none leaves a record, as with one that is said later. */
+    void refused(Rejection rejection) {
+        Activity call = desk.begin("stream", "authenticate");
+        call.during(() -> {
+            AuditNotes.turnedAway(Problem.of(rejection));
+            return true;
+        });
+        desk.end(call);
+    }
+
+    private void heard(StreamClient client, String text) {
         String requestId = null;
         try {
             StreamMessage.FromClient message = json.read(text, StreamMessage.FromClient.class);
             requestId = message.requestId();
             answer(client, message);
         } catch (Rejection rejection) {
+            AuditNotes.turnedAway(Problem.of(rejection));
             if (client.principal().isEmpty()) {
                 expel(client, CloseFrame.POLICY_VALIDATION, rejection);
             } else {
@@ -106,6 +132,7 @@ final class StreamRequests {
             }
         } catch (RuntimeException e) {
             LOG.error("A message of the stream failed", e);
+            AuditNotes.turnedAway(Problem.internal());
             say(client, new StreamMessage.Failure(Problem.internal(), requestId));
         }
     }
@@ -115,6 +142,7 @@ final class StreamRequests {
         if (type == null) {
             throw InvalidInput.missing("type", TYPES);
         }
+        StreamNotes.note(type, message);
         if (type.equals("authenticate")) {
             authenticate(client, message.key());
             return;

@@ -78,6 +78,7 @@ final class StreamServer extends WebSocketServer {
             StreamRequests.slowDown(client, rate(handshake.getResourceDescriptor()));
             identify(handshake).ifPresent(caller -> requests.welcome(client, caller));
         } catch (Rejection rejection) {
+            requests.refused(rejection);
             requests.say(client, new StreamMessage.Failure(Problem.of(rejection), null));
             client.pump(System.nanoTime());
             client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());

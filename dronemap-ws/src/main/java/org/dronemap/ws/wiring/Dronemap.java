@@ -1,9 +1,7 @@
 package org.dronemap.ws.wiring;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
@@ -23,11 +21,10 @@ public final class Dronemap {
         Closing closing = new Closing();
         try {
             Settings settings = Settings.fromEnvironment(environment);
-            Optional<Path> backup = backupToRestore(arguments);
-            if (backup.isPresent()) {
-                new HouseBuilder(settings, closing).restore(backup.get());
+            if (arguments.length > 0) {
+                int code = new OwnerTasks(settings, closing).run(List.of(arguments));
                 closing.close();
-                return 0;
+                return code;
             }
             start(settings, closing);
         } catch (RuntimeException | LinkageError e) {
@@ -36,21 +33,6 @@ public final class Dronemap {
             return 1;
         }
         return waitForTheEnd(closing);
-    }
-
-    private static Optional<Path> backupToRestore(String[] arguments) {
-        if (arguments.length == 0) {
-            return Optional.empty();
-        }
-        if (arguments.length != 2 || !arguments[0].equals("--restore")) {
-            throw new SetupException("Unknown arguments: " + String.join(" ", arguments)
-                    + "; there is only --restore FILE, everything else is set by the environment.");
-        }
-        Path file = Path.of(arguments[1]).toAbsolutePath();
-        if (!Files.isReadable(file)) {
-            throw new SetupException("There is no readable backup " + file + ".");
-        }
-        return Optional.of(file);
     }
 
     private static void start(Settings settings, Closing closing) {

@@ -4,6 +4,13 @@ import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.GrantStore;
+import org.dronemap.core.audit.AuditChain;
+import org.dronemap.core.audit.AuditHeads;
+import org.dronemap.core.audit.AuditStore;
+import org.dronemap.core.audit.AuditVerdict;
+import org.dronemap.core.audit.AuditVerifier;
+import org.dronemap.core.audit.HeadKeeper;
+import org.dronemap.core.audit.SignedHead;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.link.LinkStore;
@@ -15,6 +22,7 @@ import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.LinkSecurityControl;
 import org.dronemap.ws.service.Recordings;
 import org.dronemap.ws.service.VehicleLinks;
+import org.jspecify.annotations.Nullable;
 
 /** Everything behind the faces, built and running. */
 public record House(
@@ -30,7 +38,15 @@ public record House(
         LinkSecurityControl linkSecurity,
         GrantStore grants,
         GrantBook grantBook,
-        VirtualDrones virtuals) {
+        VirtualDrones virtuals,
+        AuditSide audit) {
+
+    /** Where it is kept what was done by whom, and what vouches for it beside the database. */
+    public record AuditSide(AuditStore store, AuditHeads heads, AuditChain chain, HeadKeeper keeper) {
+        AuditVerdict verify(@Nullable SignedHead receipt) {
+            return new AuditVerifier(store, heads, chain).verify(receipt);
+        }
+    }
 
     /** The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with. */
     public record LinkSide(VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys) {}

@@ -10,11 +10,16 @@ import java.util.List;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.audit.AuditVerdict;
+import org.dronemap.core.audit.AuditedCommands;
+import org.dronemap.core.cloud.AuditedControl;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.conduct.AuditedBindings;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -34,6 +39,7 @@ import org.dronemap.store.postgres.DatabaseSettings;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
 import org.dronemap.ws.service.DtlsKeyRing;
+import org.dronemap.ws.service.ReceiptView;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -63,15 +69,15 @@ final class HouseBuilder {
         Clock clock = Clock.systemUTC();
         Database database = database();
         closing.add("the database", database);
-        endUnfinished(database, clock);
+        House.AuditSide audit = new AuditBuilder(settings, clock).open(database, closing);
+        CommandStore commands = commands(database, audit, clock);
         Journal journal = new Journal();
         closing.add("the journal", journal);
         closing.add("the lanes", lanes);
-        CloudManager cloud = cloud(database, journal, clock);
+        CloudManager cloud = cloud(database, commands, journal, clock);
         GrantBook grants = grants(database, cloud, clock);
-        SecretBox box = ServerSecret.box(
-                settings.linkSecret() == null ? null : settings.linkSecret().text(),
-                settings.dataDirectory().resolve("link-secret"));
+        cloud.addListener(new AuditedControl(audit.store(), clock, grants::owner));
+        SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
         Proxy.Policy policy = new Proxy.Policy(
@@ -93,15 +99,16 @@ final class HouseBuilder {
                 new ProxyLinkSecurity(links.keyrings()),
                 database.grants(),
                 grants,
-                virtualDrones(cloud, database, grants, clock));
+                virtualDrones(cloud, database, grants, audit),
+                audit);
     }
 
-    private CloudManager cloud(Database database, Journal journal, Clock clock) {
+    private CloudManager cloud(Database database, CommandStore commands, Journal journal, Clock clock) {
         return new CloudManager(
                 lanes,
                 new CloudManager.Rules(settings.watchdog(), settings.control()),
                 clock,
-                new CloudManager.Keeping(database.drones(), database.commands(), database.leases(), journal),
+                new CloudManager.Keeping(database.drones(), commands, database.leases(), journal),
                 new DroneIds());
     }
 
@@ -115,24 +122,35 @@ final class HouseBuilder {
     }
 
     /** Takes up what was under way, before any vehicle is heard and anybody else can command. */
-    private VirtualDrones virtualDrones(CloudManager cloud, Database database, GrantBook grants, Clock clock) {
+    private VirtualDrones virtualDrones(
+            CloudManager cloud, Database database, GrantBook grants, House.AuditSide audit) {
+        Clock clock = Clock.systemUTC();
         VirtualDrones virtuals = new VirtualDrones(
                 cloud,
                 database.virtualDrones(),
                 new RunMachine(settings.virtualSilence()),
                 new AccountRights(database.access(), grants),
                 clock);
+        virtuals.addListener(new AuditedBindings(audit.store(), clock, virtuals.all()));
         virtuals.start();
         closing.add("the virtual drones", virtuals);
         return virtuals;
     }
 
-    private static void endUnfinished(Database database, Clock clock) {
-        int ended = database.commands()
-                .endUnfinished(new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
+    private SecretBox box() {
+        return ServerSecret.box(
+                Settings.Hidden.shown(settings.linkSecret()),
+                settings.dataDirectory().resolve("link-secret"));
+    }
+
+    private static CommandStore commands(Database database, House.AuditSide audit, Clock clock) {
+        CommandStore commands = new AuditedCommands(database.commands(), audit.store(), System::nanoTime);
+        int ended = commands.endUnfinished(
+                new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
         if (ended > 0) {
             LOG.warn("{} commands were under way when the server stopped; their outcome is unknown", ended);
         }
+        return commands;
     }
 
     private Doors doors(DtlsKeyRing keys) {
@@ -195,7 +213,16 @@ final class HouseBuilder {
         Database database = database();
         closing.add("the database", database);
         BackupSummary summary = database.backup().restore(backup);
+        new AuditBuilder(settings, Clock.systemUTC()).restored(database, backup);
         LOG.info("Restored from {}: {}", backup, summary);
+    }
+
+    /** Whether all records of what was done are as they were; for a server that does not run. */
+    AuditVerdict verifyAudit(@Nullable ReceiptView receipt) {
+        Database database = database();
+        closing.add("the database", database);
+        return new AuditBuilder(settings, Clock.systemUTC())
+                .verify(database, receipt == null ? null : receipt.signedHead());
     }
 
     private Database database() {

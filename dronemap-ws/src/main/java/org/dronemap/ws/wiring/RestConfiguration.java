@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import io.swagger.v3.oas.models.OpenAPI;
+import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.ws.guard.BodyLimitFilter;
 import org.dronemap.ws.guard.ClientLimits;
@@ -9,6 +10,10 @@ import org.dronemap.ws.guard.PatientProtocol;
 import org.dronemap.ws.rest.AccessKeyController;
 import org.dronemap.ws.rest.AccessLogFilter;
 import org.dronemap.ws.rest.ApiDescription;
+import org.dronemap.ws.rest.AuditController;
+import org.dronemap.ws.rest.AuditFilter;
+import org.dronemap.ws.rest.AuditedBodies;
+import org.dronemap.ws.rest.AuditedOperations;
 import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
@@ -46,6 +51,7 @@ import org.dronemap.ws.security.RefusedByTomcat;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.stream.StreamCrowd;
+import org.springframework.beans.factory.ObjectProvider;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.boot.tomcat.ConfigurableTomcatWebServerFactory;
 import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
@@ -57,6 +63,7 @@ import org.springframework.context.annotation.Import;
 import org.springframework.core.Ordered;
 import org.springframework.web.filter.OncePerRequestFilter;
 import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
+import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
 import tools.jackson.databind.DeserializationFeature;
 
 /** Constructs the REST face and the filters before it. */
@@ -64,6 +71,8 @@ import tools.jackson.databind.DeserializationFeature;
 @Import({
     SessionController.class,
     AccessKeyController.class,
+    AuditController.class,
+    AuditedBodies.class,
     UserController.class,
     OidcController.class,
     RegistrationController.class,
@@ -121,6 +130,13 @@ public class RestConfiguration {
         return first(new SecurityHeadersFilter(stream.number(), settings.tileAddress()), 1);
     }
 
+    /** Before all that turn requests away. */
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> audit(
+            AuditDesk desk, ObjectProvider<RequestMappingHandlerMapping> dispatcher) {
+        return first(new AuditFilter(desk, new AuditedOperations(dispatcher::getObject)), 2);
+    }
+
     @Bean
     CrowdFilter crowdFilter(ProblemWriter problems, Settings settings) {
         return new CrowdFilter(problems, settings.protection().clients());
@@ -133,12 +149,12 @@ public class RestConfiguration {
 
     @Bean
     FilterRegistrationBean<OncePerRequestFilter> crowd(CrowdFilter filter) {
-        return first(filter, 2);
+        return first(filter, 3);
     }
 
     @Bean
     FilterRegistrationBean<OncePerRequestFilter> bodyLimit(ProblemWriter problems, Settings settings) {
-        return first(new BodyLimitFilter(problems, settings.protection().clients()), 3);
+        return first(new BodyLimitFilter(problems, settings.protection().clients()), 4);
     }
 
     /** The web server's own patience begins anew with each byte. */
@@ -162,7 +178,7 @@ public class RestConfiguration {
     @Bean
     FilterRegistrationBean<OncePerRequestFilter> access(
             Authentication authentication, Budgets budgets, ProblemWriter problems) {
-        return first(new AccessFilter(authentication, budgets, problems), 4);
+        return first(new AccessFilter(authentication, budgets, problems), 5);
     }
 
     @Bean

@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.ws.place.PlaceNames;
 import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.security.Authentication;
@@ -11,6 +12,7 @@ import org.dronemap.ws.security.oidc.OidcSignIn;
 import org.dronemap.ws.service.AccessKeyService;
 import org.dronemap.ws.service.AccountService;
 import org.dronemap.ws.service.Accounts;
+import org.dronemap.ws.service.AuditService;
 import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.Budgets;
@@ -138,6 +140,17 @@ public class ServiceConfiguration {
     @Bean
     Budgets budgets(Settings settings) {
         return new Budgets(settings.protection().rates(), System::nanoTime);
+    }
+
+    @Bean
+    AuditDesk auditDesk(House house, Clock clock) {
+        return new AuditDesk(house.audit().store(), clock, System::nanoTime);
+    }
+
+    @Bean
+    AuditService auditService(House house) {
+        House.AuditSide audit = house.audit();
+        return new AuditService(audit.store(), audit.keeper(), audit::verify);
     }
 
     @Bean

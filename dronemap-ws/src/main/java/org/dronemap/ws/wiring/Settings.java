@@ -26,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param tileAddress null: only the base map that ships
  * @param control how long control of a drone lasts, and what happens when its holder is lost
  * @param linkSecret seals the keys of vehicles; null: it lies in a file of the data directory
+ * @param auditKey chains the records of what was done; null: it lies in a file of the data directory
  * @param registration who may make an account
  * @param protection how much clients may cost
  * @param oidc the provider that users may sign in with; null: none
@@ -46,6 +47,7 @@ public record Settings(
         LeaseRules control,
         RecordingPolicy recording,
         @Nullable Hidden linkSecret,
+        @Nullable Hidden auditKey,
         Registration registration,
         Protection protection,
         @Nullable OidcSettings oidc,
@@ -56,6 +58,10 @@ public record Settings(
 
     /** A secret that no log shows. */
     public record Hidden(String text) {
+        static @Nullable String shown(@Nullable Hidden hidden) {
+            return hidden == null ? null : hidden.text();
+        }
+
         @Override
         public String toString() {
             return "[hidden]";
@@ -112,6 +118,7 @@ public record Settings(
                 ControlSettings.of(environment),
                 RecordingSettings.of(environment),
                 hidden(environment, "DRONEMAP_LINK_SECRET"),
+                hidden(environment, "DRONEMAP_AUDIT_KEY"),
                 registration(environment),
                 ProtectionSettings.of(environment),
                 OidcEnvironment.of(environment),

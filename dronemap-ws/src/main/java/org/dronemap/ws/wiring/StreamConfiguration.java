@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.time.Clock;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
+import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.security.Authentication;
@@ -39,14 +40,19 @@ public class StreamConfiguration {
     }
 
     @Bean
+    StreamFace.Bounds streamBounds(Budgets budgets, StreamCrowd crowd) {
+        return new StreamFace.Bounds(budgets, crowd);
+    }
+
+    @Bean
     StreamFace.Entrance streamEntrance(
             Authentication authentication,
             StreamTickets tickets,
             Accounts accounts,
-            Budgets budgets,
+            StreamFace.Bounds bounds,
             House house,
-            StreamCrowd crowd) {
-        return new StreamFace.Entrance(authentication, tickets, accounts, budgets, house.grantBook(), crowd);
+            AuditDesk desk) {
+        return new StreamFace.Entrance(authentication, tickets, accounts, bounds, house.grantBook(), desk);
     }
 
     @Bean

@@ -1,6 +1,7 @@
 package org.dronemap.ws.house;
 
 import java.net.http.HttpRequest;
+import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -89,6 +90,14 @@ public final class Faces {
                                 .POST(HttpRequest.BodyPublishers.ofString(envelope)))
                 .raw()
                 .body();
+    }
+
+    /** Elements of a call in the order that the description wants. */
+    public static Map<String, String> inOrder(String first, String value, String second, String other) {
+        Map<String, String> values = new LinkedHashMap<>();
+        values.put(first, value);
+        values.put(second, other);
+        return values;
     }
 
     private String contentType(String method, String path) {

@@ -60,6 +60,50 @@ public final class ScriptedVehicle implements VehicleChannel {
         return new ScriptedVehicle(cloud, key, name, identification);
     }
 
+    /** A drone of a recording that is played; its id. */
+    public static String played(CloudManager cloud, int port) {
+        Claim claim = new Claim(session(port, true), COPTER, null, true, 0);
+        if (!(cloud.admit(claim) instanceof Admission.Bound bound)) {
+            throw new AssertionError("it was not let in");
+        }
+        return bound.link().id().value();
+    }
+
+    /** Comes from where nobody is trusted, and waits to be let in; the id that it waits under. */
+    public static String stranger(CloudManager cloud, int port) {
+        LinkSession session = session(port, false);
+        if (!(cloud.admit(new Claim(session, COPTER, null, false, 0)) instanceof Admission.Outside)) {
+            throw new AssertionError("it was let in");
+        }
+        return cloud.waiting().stream()
+                .filter(waiting -> waiting.key().equals(session.key()))
+                .map(org.dronemap.core.cloud.Waiting::id)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static LinkSession session(int port, boolean replay) {
+        return new LinkSession(new DroneKey("127.0.0.1", port, 1), "udp", replay, "Copter " + port, new Deaf());
+    }
+
+    /** Takes no command. */
+    private static final class Deaf implements VehicleChannel {
+        @Override
+        public void perform(Mandate mandate, Command command, Report report) {
+            report.ended(new Outcome.Failed("It hears nothing."));
+        }
+
+        @Override
+        public void cancel(CommandId id) {
+            // nothing is under way
+        }
+
+        @Override
+        public void probe() {
+            // nobody is there to be asked
+        }
+    }
+
     public String id() {
         return link.id().value();
     }

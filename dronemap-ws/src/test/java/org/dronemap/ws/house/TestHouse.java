@@ -16,10 +16,17 @@ import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
+import org.dronemap.core.audit.AuditChain;
+import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.audit.AuditStore;
+import org.dronemap.core.audit.AuditedCommands;
+import org.dronemap.core.audit.HeadKeeper;
+import org.dronemap.core.cloud.AuditedControl;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.conduct.AuditedBindings;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseRules;
@@ -28,7 +35,9 @@ import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
+import org.dronemap.store.file.HeadsFile;
 import org.dronemap.store.memory.MemoryAccessStore;
+import org.dronemap.store.memory.MemoryAuditStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
 import org.dronemap.store.memory.MemoryGrantStore;
@@ -38,6 +47,7 @@ import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
 import org.dronemap.store.memory.MemoryVirtualDroneStore;
 import org.dronemap.store.memory.MemoryZoneStore;
+import org.dronemap.store.secret.HmacSeal;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.security.oidc.OidcSettings;
@@ -70,6 +80,7 @@ public final class TestHouse implements AutoCloseable {
     private final CloudManager cloud;
     private final SteppingClock clock = new SteppingClock();
     private final GrantBook grants = new GrantBook(clock);
+    private final House.AuditSide audit;
     private final ConfigurableApplicationContext faces;
     private final VirtualDrones virtuals;
     private final Path data;
@@ -103,13 +114,10 @@ public final class TestHouse implements AutoCloseable {
 
     public TestHouse(Path data, Choices choices) {
         this.data = data;
+        audit = auditSide();
         cloud = new CloudManager(
-                lanes,
-                PATIENT,
-                Clock.systemUTC(),
-                new CloudManager.Keeping(
-                        new MemoryDroneStore(), new MemoryCommandStore(), new MemoryLeaseStore(), journal),
-                () -> new DroneId("drone-" + ids.incrementAndGet()));
+                lanes, PATIENT, Clock.systemUTC(), keeping(), () -> new DroneId("drone-" + ids.incrementAndGet()));
+        cloud.addListener(new AuditedControl(audit.store(), Clock.systemUTC(), grants::owner));
         recorder = new Recorder(
                 data.resolve("recordings"),
                 RecordingPolicy.DEFAULT,
@@ -122,6 +130,7 @@ public final class TestHouse implements AutoCloseable {
                 new RunMachine(RunMachine.USUAL_SILENCE),
                 new AccountRights(access, grants),
                 Clock.systemUTC());
+        virtuals.addListener(new AuditedBindings(audit.store(), Clock.systemUTC(), virtuals.all()));
         virtuals.start();
         House house = new House(
                 cloud,
@@ -136,8 +145,31 @@ public final class TestHouse implements AutoCloseable {
                 new RecordedLinkSecurity(),
                 new MemoryGrantStore(),
                 grants,
-                virtuals);
+                virtuals,
+                audit);
         faces = FacesServer.start(settings(choices), house);
+    }
+
+    private CloudManager.Keeping keeping() {
+        return new CloudManager.Keeping(
+                new MemoryDroneStore(),
+                new AuditedCommands(new MemoryCommandStore(), audit.store(), System::nanoTime),
+                new MemoryLeaseStore(),
+                journal);
+    }
+
+    private House.AuditSide auditSide() {
+        AuditChain chain = new AuditChain(new HmacSeal(new byte[] {1}));
+        AuditStore store = new MemoryAuditStore(chain);
+        HeadsFile heads = new HeadsFile(data.resolve("audit-heads"));
+        HeadKeeper keeper = new HeadKeeper(store, heads, chain, Clock.systemUTC());
+        keeper.start();
+        return new House.AuditSide(store, heads, chain, keeper);
+    }
+
+    /** Every record that was left so far, in order. */
+    public List<AuditRecord> records() {
+        return audit.store().after(0, Integer.MAX_VALUE);
     }
 
     private Settings settings(Choices choices) {
@@ -155,6 +187,7 @@ public final class TestHouse implements AutoCloseable {
                 PATIENT,
                 LeaseRules.DEFAULT,
                 RecordingPolicy.DEFAULT,
+                null,
                 null,
                 choices.registration(),
                 choices.protection(),
@@ -263,5 +296,6 @@ public final class TestHouse implements AutoCloseable {
         recorder.close();
         lanes.close();
         journal.close();
+        audit.keeper().close();
     }
 }

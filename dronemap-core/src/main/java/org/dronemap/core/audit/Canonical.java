@@ -1,0 +1,27 @@
+package org.dronemap.core.audit;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import org.jspecify.annotations.Nullable;
+
+/** Values one after the other as bytes that could come from no other values: each with its length before it. */
+final class Canonical {
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+
+    Canonical(String purpose) {
+        add(purpose);
+    }
+
+    Canonical add(@Nullable Object value) {
+        byte[] text = value == null ? new byte[0] : value.toString().getBytes(StandardCharsets.UTF_8);
+        bytes.writeBytes(
+                ByteBuffer.allocate(4).putInt(value == null ? -1 : text.length).array());
+        bytes.writeBytes(text);
+        return this;
+    }
+
+    byte[] bytes() {
+        return bytes.toByteArray();
+    }
+}

@@ -1,0 +1,80 @@
+package org.dronemap.core.audit;
+
+import java.time.Clock;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Writes down outside of the database, every few seconds, how long the chain is. A thread of its own; any may call. */
+public final class HeadKeeper implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(HeadKeeper.class);
+    private static final int PERIOD_SECONDS = 10;
+
+    private final AuditStore store;
+    private final AuditHeads heads;
+    private final AuditChain chain;
+    private final Clock clock;
+    // guarded by this
+    private AuditHead kept = AuditHead.EMPTY;
+    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread created = new Thread(task, "audit-heads");
+        created.setDaemon(true);
+        return created;
+    });
+
+    public HeadKeeper(AuditStore store, AuditHeads heads, AuditChain chain, Clock clock) {
+        this.store = store;
+        this.heads = heads;
+        this.chain = chain;
+        this.clock = clock;
+    }
+
+    public void start() {
+        if (heads.all().isEmpty()) {
+            add(SignedHead.Kind.BEGUN, store.head());
+        }
+        ScheduledFuture<?> unused =
+                thread.scheduleWithFixedDelay(this::keep, PERIOD_SECONDS, PERIOD_SECONDS, TimeUnit.SECONDS);
+    }
+
+    /** The chain of now, vouched for; kept here as well. */
+    public SignedHead receipt() {
+        return add(SignedHead.Kind.ANCHORED, store.head());
+    }
+
+    /** The chain has become another one, on purpose. */
+    public void restored() {
+        add(SignedHead.Kind.RESTORED, store.head());
+    }
+
+    private void keep() {
+        try {
+            AuditHead now = store.head();
+            if (!now.equals(kept())) {
+                add(SignedHead.Kind.ANCHORED, now);
+            }
+        } catch (RuntimeException e) {
+            LOG.error("The head of the audit chain could not be kept; it is tried again", e);
+        }
+    }
+
+    private synchronized AuditHead kept() {
+        return kept;
+    }
+
+    private synchronized SignedHead add(SignedHead.Kind kind, AuditHead head) {
+        SignedHead signed = chain.sign(kind, head, clock.instant());
+        heads.add(signed);
+        kept = head;
+        return signed;
+    }
+
+    @Override
+    public void close() {
+        thread.shutdown();
+        keep();
+    }
+}

@@ -1,0 +1,234 @@
+package org.dronemap.store.postgres;
+
+import java.sql.Connection;
+import java.sql.SQLException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.TimeUnit;
+import javax.sql.DataSource;
+import org.dronemap.core.audit.AuditChain;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.core.audit.AuditHead;
+import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.store.StoreException;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Writes changes and the records of them, each pair in one transaction. Since every record needs the hash of the one
+ * before, one thread writes them all; what waits for it goes together, so that a slow disk is waited for once and not by
+ * each. Any thread may hand work in.
+ */
+final class Ledger implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Ledger.class);
+    private static final int CAPACITY = 10_000;
+    private static final int MOST_AT_ONCE = 200;
+    private static final String TAKEN = "23505";
+
+    private final DataSource dataSource;
+    private final BlockingQueue<Work> queue = new ArrayBlockingQueue<>(CAPACITY);
+    private final BlockingQueue<AuditEntry> late = new ArrayBlockingQueue<>(CAPACITY);
+    private volatile @Nullable AuditChain chain;
+    private volatile @Nullable AuditHead head;
+    private volatile boolean closing;
+    private final Thread thread = new Thread(this::run, "ledger");
+
+    /** A change; says how many rows it changed. */
+    interface Change {
+        int on(Connection connection) throws SQLException;
+    }
+
+    /** What became of it: a change of no rows leaves no record. */
+    record Written(int rows, @Nullable AuditRecord record) {}
+
+    /** Null for a record without a change. */
+    private record Work(@Nullable Change change, AuditEntry entry, CompletableFuture<Written> done) {}
+
+    Ledger(DataSource dataSource) {
+        this.dataSource = dataSource;
+        thread.setDaemon(true);
+    }
+
+    void open(AuditChain with) {
+        chain = with;
+        head = AuditRows.head(new Sql(dataSource, this));
+        thread.start();
+    }
+
+    /** Before it is, changes are written without records. */
+    boolean isOpen() {
+        return chain != null && !closing;
+    }
+
+    Written write(AuditEntry entry, Change change) {
+        return await(new Work(change, entry, new CompletableFuture<>()));
+    }
+
+    AuditRecord append(AuditEntry entry) {
+        AuditRecord record =
+                await(new Work(null, entry, new CompletableFuture<>())).record();
+        if (record == null) {
+            throw new IllegalStateException("nothing was appended");
+        }
+        return record;
+    }
+
+    void later(AuditEntry entry) {
+        if (!late.offer(entry)) {
+            LOG.error("There is no room to keep this until the database is back: {}", entry);
+        }
+    }
+
+    AuditHead head() {
+        AuditHead known = head;
+        return known != null ? known : AuditRows.head(new Sql(dataSource, this));
+    }
+
+    private Written await(Work work) {
+        if (!isOpen() || !queue.offer(work)) {
+            throw new StoreException("The server is overloaded or stops; this was not written down.");
+        }
+        try {
+            return work.done().join();
+        } catch (CompletionException e) {
+            Throwable why = e.getCause() == null ? e : e.getCause();
+            throw new StoreException(
+                    why instanceof SQLException sql
+                            ? SqlSentence.of(sql)
+                            : "It could not be written: " + why.getMessage(),
+                    why);
+        }
+    }
+
+    // From here on: the ledger's thread.
+
+    private void run() {
+        while (!closing || !queue.isEmpty() || !late.isEmpty()) {
+            try {
+                List<Work> batch = next();
+                if (!batch.isEmpty()) {
+                    write(batch);
+                }
+                if (closing && queue.isEmpty()) {
+                    return;
+                }
+            } catch (InterruptedException e) {
+                LOG.warn("The ledger was interrupted");
+                return;
+            }
+        }
+    }
+
+    private List<Work> next() throws InterruptedException {
+        Work first = queue.poll(closing ? 0 : 200, TimeUnit.MILLISECONDS);
+        List<Work> batch = new ArrayList<>();
+        List<AuditEntry> kept = new ArrayList<>();
+        late.drainTo(kept, MOST_AT_ONCE);
+        kept.forEach(entry -> batch.add(new Work(null, entry, keptAgain(entry))));
+        if (first != null) {
+            batch.add(first);
+            queue.drainTo(batch, MOST_AT_ONCE);
+        }
+        return batch;
+    }
+
+    private CompletableFuture<Written> keptAgain(AuditEntry entry) {
+        CompletableFuture<Written> done = new CompletableFuture<>();
+        CompletableFuture<Written> unused = done.whenComplete((written, failure) -> {
+            if (failure instanceof SQLException e && SqlSentence.isOutOfReach(e)) {
+                later(entry);
+            } else if (failure != null) {
+                LOG.error("This could not be written down: {}", entry, failure);
+            }
+        });
+        return done;
+    }
+
+    private void write(List<Work> batch) {
+        try {
+            List<Written> written = commit(batch);
+            for (int i = 0; i < batch.size(); i++) {
+                batch.get(i).done().complete(written.get(i));
+            }
+        } catch (SQLException e) {
+            boolean outdated = TAKEN.equals(e.getSQLState()) && head != null;
+            head = null;
+            failed(batch, e, outdated);
+        } catch (RuntimeException e) {
+            head = null;
+            LOG.error("The ledger failed", e);
+            batch.forEach(work -> work.done().completeExceptionally(e));
+        }
+    }
+
+    private void failed(List<Work> batch, SQLException e, boolean outdated) {
+        if (SqlSentence.isOutOfReach(e)) {
+            // Nobody waits for a second try in vain.
+            List<Work> all = new ArrayList<>(batch);
+            queue.drainTo(all);
+            all.forEach(work -> work.done().completeExceptionally(e));
+        } else if (batch.size() > 1 || outdated) {
+            batch.forEach(work -> write(List.of(work)));
+        } else {
+            batch.get(0).done().completeExceptionally(e);
+        }
+    }
+
+    private List<Written> commit(List<Work> batch) throws SQLException {
+        AuditChain links = chain;
+        if (links == null) {
+            throw new IllegalStateException("the ledger is not open");
+        }
+        try (Connection connection = dataSource.getConnection()) {
+            connection.setAutoCommit(false);
+            AuditHead known = head;
+            AuditHead at = known != null ? known : AuditRows.head(connection);
+            List<Written> written = new ArrayList<>();
+            for (Work work : batch) {
+                Written one = one(connection, work, links, at);
+                AuditRecord record = one.record();
+                at = record != null && record.sequence() > at.sequence() ? record.head() : at;
+                written.add(one);
+            }
+            connection.commit();
+            head = at;
+            return written;
+        }
+    }
+
+    private static Written one(Connection connection, Work work, AuditChain links, AuditHead at) throws SQLException {
+        Change change = work.change();
+        int rows = change == null ? 1 : change.on(connection);
+        if (rows == 0) {
+            return new Written(0, null);
+        }
+        AuditEntry entry = work.entry();
+        if (entry.endsItsCommand()) {
+            Optional<AuditRecord> ended = AuditRows.endingOf(connection, entry.command());
+            if (ended.isPresent()) {
+                return new Written(rows, ended.get());
+            }
+            entry = entry.endingOf(AuditRows.sequenceOf(connection, entry.command()));
+        }
+        AuditRecord record = links.next(at, entry);
+        AuditRows.insert(connection, record);
+        return new Written(rows, record);
+    }
+
+    /** What was handed in before is still written. */
+    @Override
+    public void close() {
+        closing = true;
+        try {
+            thread.join(TimeUnit.SECONDS.toMillis(10));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

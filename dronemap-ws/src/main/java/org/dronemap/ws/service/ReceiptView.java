@@ -1,0 +1,49 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.DateTimeException;
+import java.time.Instant;
+import org.dronemap.core.audit.AuditHead;
+import org.dronemap.core.audit.SignedHead;
+import org.jspecify.annotations.Nullable;
+
+/** That the records up to this one were there at that time: whoever keeps it can have it compared later. */
+@Schema(description = "Keep it where nobody who runs the server can change it.")
+public record ReceiptView(
+        @Nullable Long sequence,
+        @Nullable String hash,
+        @Nullable String at,
+        @Nullable String signature) {
+    static ReceiptView of(SignedHead signed) {
+        return new ReceiptView(
+                signed.head().sequence(), signed.head().hash(), signed.at().toString(), signed.signature());
+    }
+
+    /** As it was signed, unless somebody changed it. */
+    public SignedHead signedHead() {
+        return new SignedHead(
+                SignedHead.Kind.ANCHORED,
+                new AuditHead(sequence == null ? missingNumber() : sequence, given("hash", hash)),
+                time(given("at", at)),
+                given("signature", signature));
+    }
+
+    private static long missingNumber() {
+        throw InvalidInput.missing("sequence", "a number as the receipt has it");
+    }
+
+    private static String given(String field, @Nullable String value) {
+        if (value == null) {
+            throw InvalidInput.missing(field, "as the receipt has it");
+        }
+        return value;
+    }
+
+    private static Instant time(String text) {
+        try {
+            return Instant.parse(text);
+        } catch (DateTimeException e) {
+            throw InvalidInput.outside("at", "a time as the receipt has it", "\"" + text + "\"");
+        }
+    }
+}

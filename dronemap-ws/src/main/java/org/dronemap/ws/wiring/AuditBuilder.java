@@ -1,0 +1,69 @@
+package org.dronemap.ws.wiring;
+
+import java.nio.file.Path;
+import java.time.Clock;
+import org.dronemap.core.audit.AuditChain;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.core.audit.AuditHeads;
+import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.core.audit.AuditStore;
+import org.dronemap.core.audit.AuditVerdict;
+import org.dronemap.core.audit.HeadKeeper;
+import org.dronemap.core.audit.SignedHead;
+import org.dronemap.store.file.HeadsFile;
+import org.dronemap.store.postgres.Database;
+import org.dronemap.store.secret.ServerSecret;
+import org.jspecify.annotations.Nullable;
+
+/** Opens the audit log of a database: its key and its heads lie beside the database, not in it. */
+final class AuditBuilder {
+    private final AuditChain chain;
+    private final AuditHeads heads;
+    private final Clock clock;
+
+    AuditBuilder(Settings settings, Clock clock) {
+        Path directory = settings.dataDirectory();
+        this.chain = new AuditChain(
+                ServerSecret.seal(Settings.Hidden.shown(settings.auditKey()), directory.resolve("audit-key")));
+        this.heads = new HeadsFile(directory.resolve("audit-heads"));
+        this.clock = clock;
+    }
+
+    /** From here on each change leaves its record. */
+    House.AuditSide open(Database database, Closing closing) {
+        AuditStore store = database.audit(chain);
+        HeadKeeper keeper = new HeadKeeper(store, heads, chain, clock);
+        keeper.start();
+        closing.add("the heads of the audit log", keeper);
+        return new House.AuditSide(store, heads, chain, keeper);
+    }
+
+    /** For a server that does not run. */
+    AuditVerdict verify(Database database, @Nullable SignedHead receipt) {
+        AuditStore store = database.audit(chain);
+        return new House.AuditSide(store, heads, chain, new HeadKeeper(store, heads, chain, clock)).verify(receipt);
+    }
+
+    /** The chain goes on from what the backup held, and says so. */
+    void restored(Database database, Path backup) {
+        AuditStore store = database.audit(chain);
+        try (HeadKeeper keeper = new HeadKeeper(store, heads, chain, clock)) {
+            keeper.restored();
+            store.append(new AuditEntry(
+                    clock.instant(),
+                    null,
+                    null,
+                    null,
+                    "script",
+                    "restore",
+                    null,
+                    null,
+                    null,
+                    "file=" + backup.getFileName(),
+                    AuditOutcome.SUCCEEDED,
+                    null,
+                    null,
+                    null));
+        }
+    }
+}

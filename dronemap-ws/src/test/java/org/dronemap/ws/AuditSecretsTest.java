@@ -1,0 +1,150 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.ws.house.Deeds;
+import org.dronemap.ws.house.Faces;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Sample;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.service.Secrets;
+import org.junit.jupiter.api.Test;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Puts secrets into every field of every call that may change something: no record has them. */
+class AuditSecretsTest extends DeedTrial {
+    /** As people choose them: nothing tells them from a word. */
+    private static final String PASSWORD = "canary of a person";
+
+    private static final Pattern SECRET_MEMBER =
+            Pattern.compile(".*/(password|current|next|key|secret|invitation|code|token)");
+    /** Of calls that were not understood, no text is kept. */
+    private static final Set<Integer> NOT_UNDERSTOOD = Set.of(400, 415, 422);
+
+    private final JsonMapper json = new JsonMapper();
+    private final List<String> wrong = new ArrayList<>();
+
+    /** What servers make: keys, tickets, session and link keys, one-time passwords. */
+    private static Map<String, String> made() {
+        Secrets secrets = new Secrets();
+        Map<String, String> all = new LinkedHashMap<>();
+        all.put("a key", secrets.token());
+        all.put("a key behind words", "of the survey: " + secrets.token());
+        all.put("a link key", "c0ffee00".repeat(8));
+        all.put("a one-time password", secrets.password());
+        return all;
+    }
+
+    @Test
+    void noRecordHasASecretThatStoodInABody() {
+        int tried = 0;
+        for (String operation : faces.rest()) {
+            if (operation.startsWith("GET ") || deed(operation).isEmpty()) {
+                continue;
+            }
+            for (String at : Sample.texts(body(deed(operation).orElseThrow()))) {
+                for (Map.Entry<String, String> secret : made().entrySet()) {
+                    say(operation, at, secret.getValue());
+                    tried++;
+                }
+                say(operation, at, PASSWORD);
+            }
+        }
+        assertThat(wrong).isEmpty();
+        assertThat(tried).isGreaterThan(200);
+    }
+
+    private void say(String operation, String at, String secret) {
+        Deeds.Deed deed = deed(operation).orElseThrow();
+        String changed = Sample.with(body(deed), at, secret).toString();
+        int before = house.records().size();
+        Http.Answer answer = deed.saying(changed).make();
+        String left = since(before).toString();
+        boolean kept = SECRET_MEMBER.matcher(at).matches()
+                || NOT_UNDERSTOOD.contains(answer.status())
+                || !secret.equals(PASSWORD);
+        if (since(before).isEmpty() || (kept && left.contains(bare(secret)))) {
+            wrong.add(operation + " with " + secret + " at " + at + ", answered " + answer.status() + ": " + left);
+        }
+    }
+
+    /** The secret part. */
+    private static String bare(String secret) {
+        return secret.equals(PASSWORD) ? secret : secret.substring(secret.lastIndexOf(' ') + 1);
+    }
+
+    private JsonNode body(Deeds.Deed deed) {
+        boolean isJson = deed.contentType().contains("json") && !deed.body().isEmpty();
+        return isJson ? json.readTree(deed.body()) : json.createObjectNode();
+    }
+
+    @Test
+    void noRecordHasASecretThatStoodInAnAddressOrAHeader() {
+        for (String operation : faces.rest()) {
+            if (operation.startsWith("GET ")) {
+                continue;
+            }
+            for (String secret : made().values()) {
+                String word = bare(secret);
+                int before = house.records().size();
+                faces.rest(
+                        new Http(house, word),
+                        operation + "?ticket=" + word,
+                        Map.of("id", word, "name", word, "identity", word, "drone", word));
+                faces.rest(
+                        estate.administrator().http(),
+                        operation,
+                        Map.of("id", word, "name", word, "identity", word, "drone", word));
+                tell(operation, word, before);
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    private void tell(String what, String secret, int before) {
+        List<AuditEntry> left = since(before);
+        if (left.toString().contains(secret)) {
+            wrong.add(what + " with " + secret + ": " + left);
+        }
+    }
+
+    @Test
+    void noRecordHasASecretThatStoodInSoapOrOnTheStream() {
+        int before = house.records().size();
+        for (String secret : made().values()) {
+            String word = bare(secret);
+            for (String operation : faces.soap()) {
+                faces.soap(estate.administrator().http(), operation, Map.of("droneId", word));
+                for (String element : List.of("mode", "name", "reason", "user", "setting", "commandId")) {
+                    faces.soap(
+                            estate.administrator().http(),
+                            operation,
+                            Faces.inOrder("droneId", vehicle.id(), element, word));
+                }
+            }
+            try (StreamListener stream =
+                    StreamListener.withKey(house, estate.administrator().key())) {
+                for (String member : List.of("type", "drone", "action", "user", "reason", "requestId", "key")) {
+                    stream.send("{\"type\":\"control\",\"drone\":\"" + vehicle.id() + "\",\"action\":\"take\",\""
+                            + member + "\":\"" + word + "\"}");
+                    stream.send("{\"type\":\"command\",\"drone\":\"" + vehicle.id()
+                            + "\",\"command\":{\"type\":\"setMode\",\"mode\":\"" + word + "\",\"id\":\"" + word
+                            + "\"}}");
+                }
+                stream.send("{\"type\":\"ping\"}");
+                stream.await(message -> message.path("type").asString().equals("pong"));
+            }
+            tell("SOAP or stream", word, before);
+        }
+        assertThat(since(before)).hasSizeGreaterThan(100);
+        assertThat(wrong).isEmpty();
+    }
+}

@@ -1,0 +1,368 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.RightsTable.Caller;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.service.AuditRules;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandlerMapping;
+import tools.jackson.databind.JsonNode;
+
+/** Tries all that the running server exposes: what may change something leaves exactly one record, whoever asks. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class AuditTest {
+    private static final Pattern WSDL_OPERATION = Pattern.compile("<wsdl:operation name=\"(\\w+)\">");
+    private static final Set<String> LOOKING = Set.of("GET", "HEAD", "OPTIONS");
+    private static final List<Caller> CALLERS =
+            List.of(Caller.NOBODY, Caller.REPORTER, Caller.VIEWER, Caller.OPERATOR, Caller.ADMINISTRATOR);
+    private static final Map<String, String> MEMBERS = Map.of(
+            "takeOff", ",\"altitude\":20",
+            "setMode", ",\"mode\":\"GUIDED\"",
+            "goTo", ",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20",
+            "uploadMission", ",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]",
+            "turn", ",\"degrees\":90",
+            "setRelay", ",\"relay\":1,\"setting\":\"on\"",
+            "setParameters", ",\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":2000}]");
+
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private JsonNode description;
+
+    @BeforeAll
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15695);
+        vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
+        description = http(Caller.NOBODY).get("/api/openapi.json").json();
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void takesDownEachCallOfRestThatMayChangeSomethingAndNoOther() {
+        List<String> wrong = new ArrayList<>();
+        for (String operation : restOperations()) {
+            String method = operation.substring(0, operation.indexOf(' '));
+            boolean changes = operation.equals("GET /api/v1/session/oidc/callback")
+                    || (!LOOKING.contains(method) && !operation.endsWith("/control/heartbeat"));
+            for (Caller caller : CALLERS) {
+                Http http = http(caller);
+                List<AuditEntry> left = left(() -> call(http, operation));
+                boolean right =
+                        changes ? left.size() == 1 && left.get(0).operation().equals(operation) : left.isEmpty();
+                if (!right) {
+                    wrong.add(operation + " by " + caller + " leaves " + left);
+                }
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void takesDownEachCallOfSoapThatMayChangeSomethingAndNoOther() {
+        List<String> wrong = new ArrayList<>();
+        for (String operation : soapOperations()) {
+            boolean changes = !operation.matches("(get|download).*|controlHeartbeat");
+            for (Caller caller : CALLERS) {
+                Http http = http(caller);
+                List<AuditEntry> left = left(() -> callSoap(http, operation));
+                boolean right = changes
+                        ? left.size() == 1
+                                && left.get(0).operation().equals(operation)
+                                && left.get(0).face().equals("soap")
+                                && "nosuchdrone".equals(left.get(0).drone())
+                        : left.isEmpty();
+                if (!right) {
+                    wrong.add(operation + " by " + caller + " leaves " + left);
+                }
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void takesDownEachThingThatClientsOfTheStreamSayAndMayChangeSomething() {
+        String key = key(Caller.OPERATOR);
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> message.path("type").asString().equals("drones"));
+            stream.send("{\"type\":\"nosuchtype\",\"requestId\":\"0\"}");
+            Set<String> types =
+                    words(error(stream, "0").path("problem").path("allowed").asString());
+            assertThat(types).contains("command", "control", "authenticate");
+            int number = 0;
+            for (String type : types) {
+                String id = String.valueOf(++number);
+                List<AuditEntry> left = left(() -> {
+                            stream.send(
+                                    "{\"type\":\"" + type
+                                            + "\",\"drone\":\"nosuchdrone\",\"action\":\"take\",\"command\":{\"type\":\"land\"}}");
+                            // Answered in order, so that all is done that came before it.
+                            stream.send("{\"type\":\"nosuchtype\",\"requestId\":\"" + id + "\"}");
+                            error(stream, id);
+                        })
+                        .stream()
+                        .filter(entry -> !entry.operation().equals("unreadable"))
+                        .toList();
+                assertThat(left).as(type).hasSize(AuditRules.leavesOutStream(type) ? 0 : 1);
+                left.forEach(entry -> assertThat(entry.operation()).isEqualTo(type));
+            }
+        }
+    }
+
+    @Test
+    void takesDownWhoIsShownTheDoorOfTheStream() {
+        List<AuditEntry> left = left(() -> {
+            try (StreamListener stream = StreamListener.with(house, "?ticket=nosuchticket-canary", Map.of())) {
+                stream.awaitClose();
+            }
+        });
+        assertThat(left).hasSize(1);
+        assertThat(left.get(0).operation()).isEqualTo("authenticate");
+        assertThat(left.get(0).outcome()).isEqualTo(AuditOutcome.REFUSED);
+        assertThat(left.toString()).doesNotContain("canary");
+    }
+
+    @Test
+    void takesDownEachCommandOnceWithWhoWhichDroneAndHowItEnds() {
+        Http operator = http(Caller.OPERATOR);
+        Set<String> types =
+                words(operator.post(commands(), "{\"type\":\"nosuchtype\"}").text("allowed"));
+        assertThat(types).hasSizeGreaterThan(15);
+        for (String type : types) {
+            List<AuditEntry> left = left(() -> operator.post(
+                    commands() + "?wait=30", "{\"type\":\"" + type + "\"" + MEMBERS.getOrDefault(type, "") + "}"));
+            assertThat(left).as(type).hasSize(1);
+            AuditEntry record = left.get(0);
+            assertThat(record.operation()).isEqualTo(type);
+            assertThat(record.drone()).isEqualTo(vehicle.id());
+            assertThat(record.by()).startsWith("user");
+            assertThat(record.key()).isEqualTo("key-" + record.by());
+            assertThat(record.command()).isNotNull();
+            AuditEntry last = house.records().stream()
+                    .map(AuditRecord::entry)
+                    .filter(entry -> String.valueOf(record.command()).equals(entry.command()))
+                    .reduce((first, second) -> second)
+                    .orElseThrow();
+            assertThat(last.outcome()).as(type).isIn(AuditOutcome.SUCCEEDED, AuditOutcome.REFUSED);
+            assertThat(last.latencyMillis()).isNotNull();
+        }
+    }
+
+    @Test
+    void takesTheSameCommandTwiceDownAsTwoCallsOfWhichOneIsTheCommand() {
+        Http operator = http(Caller.OPERATOR);
+        String body = "{\"type\":\"readHome\",\"id\":\"twice-the-same\"}";
+        List<AuditEntry> first = left(() -> operator.post(commands() + "?wait=30", body));
+        List<AuditEntry> second = left(() -> operator.post(commands() + "?wait=30", body));
+        assertThat(first)
+                .singleElement()
+                .satisfies(entry -> assertThat(entry.command()).isEqualTo("twice-the-same"));
+        assertThat(second)
+                .singleElement()
+                .satisfies(entry -> assertThat(entry.command()).isNull());
+    }
+
+    @Test
+    void takesDownACommandForAllOnceForEachDrone() {
+        List<AuditEntry> left = left(() -> http(Caller.OPERATOR)
+                .post(
+                        "/api/v1/commands?wait=30",
+                        "{\"drones\":[\"" + vehicle.id() + "\"],\"command\":{\"type\":\"readHome\"}}"));
+        assertThat(left).singleElement().satisfies(entry -> {
+            assertThat(entry.operation()).isEqualTo("readHome");
+            assertThat(entry.drone()).isEqualTo(vehicle.id());
+        });
+    }
+
+    @Test
+    void saysWhyAndByWhomWhatWasRefused() {
+        Http viewer = http(Caller.VIEWER);
+        AuditEntry role =
+                left(() -> viewer.post(commands(), "{\"type\":\"arm\"}")).get(0);
+        assertThat(role.outcome()).isEqualTo(AuditOutcome.REFUSED);
+        assertThat(role.by()).startsWith("user");
+        assertThat(role.drone()).isEqualTo(vehicle.id());
+        assertThat(role.reason()).contains("Your role may look");
+
+        AuditEntry key = left(() -> new Http(house, "nosuchkey").post("/api/v1/users", "{}"))
+                .get(0);
+        assertThat(key.by()).isNull();
+        assertThat(key.outcome()).isEqualTo(AuditOutcome.REFUSED);
+        assertThat(key.operation()).isEqualTo("POST /api/v1/users");
+        assertThat(key.parameters()).contains("from 127.0.0.1");
+
+        AuditEntry foreign = left(() ->
+                        http(Caller.OPERATOR).post("/api/v1/drones/nosuchdrone/commands", "{\"type\":\"arm\"}"))
+                .get(0);
+        assertThat(foreign.reason()).contains("There is no drone nosuchdrone");
+    }
+
+    @Test
+    void tellsWhoTakesControlUnderWhichEpochAndWhoIsHeldOff() {
+        Http one = http(Caller.OPERATOR);
+        Http other = http(Caller.OPERATOR);
+        String control = "/api/v1/drones/" + vehicle.id() + "/control";
+        AuditEntry take = left(() -> one.post(control + "/take", "")).get(0);
+        assertThat(take.epoch()).isPositive();
+        AuditEntry heldOff =
+                left(() -> other.post(commands(), "{\"type\":\"setHome\"}")).get(0);
+        assertThat(heldOff.operation()).isEqualTo("setHome");
+        assertThat(heldOff.outcome()).isEqualTo(AuditOutcome.REFUSED);
+        assertThat(heldOff.reason()).contains(String.valueOf(take.by()));
+        left(() -> one.send(control, HttpRequest.Builder::DELETE));
+    }
+
+    @Test
+    void takesDownControlThatLapsesThoughNobodyAskedForIt() {
+        ScriptedVehicle left = ScriptedVehicle.connect(house.cloud(), 15_696);
+        int before = house.records().size();
+        http(Caller.OPERATOR).post("/api/v1/drones/" + left.id() + "/control/take", "");
+
+        AuditEntry lapse = Waiting.until(
+                "control is lost",
+                () -> house.records().stream()
+                        .skip(before)
+                        .map(AuditRecord::entry)
+                        .filter(entry -> entry.operation().equals("controlLost"))
+                        .findFirst());
+        AuditEntry take = house.records().get(before).entry();
+        assertThat(lapse.face()).isEqualTo("rule");
+        assertThat(lapse.drone()).isEqualTo(left.id());
+        assertThat(lapse.parameters()).isEqualTo(take.by());
+        assertThat(lapse.epoch()).isGreaterThan(take.epoch());
+        assertThat(lapse.organisation()).isEqualTo("home");
+    }
+
+    @Test
+    void countsStrangersWhoAreManyInsteadOfListingEach() {
+        Http nobody = http(Caller.NOBODY);
+        for (int i = 0; i < 30; i++) {
+            List<AuditEntry> left = left(() -> nobody.post("/api/v1/session", "{\"name\":\"x\",\"password\":\"y\"}"));
+            assertThat(left).singleElement().satisfies(entry -> {
+                assertThat(entry.outcome()).isEqualTo(AuditOutcome.REFUSED);
+                assertThat(entry.parameters()).doesNotContain("x,");
+            });
+        }
+    }
+
+    private List<AuditEntry> left(Runnable work) {
+        int before = house.records().size();
+        work.run();
+        List<AuditRecord> all = house.records();
+        return all.subList(before, all.size()).stream()
+                .map(AuditRecord::entry)
+                .filter(entry -> entry.ends() == null)
+                .toList();
+    }
+
+    private String commands() {
+        return "/api/v1/drones/" + vehicle.id() + "/commands";
+    }
+
+    private String key(Caller caller) {
+        return caller.key(house);
+    }
+
+    private Http http(Caller caller) {
+        return new Http(house, key(caller));
+    }
+
+    private Set<String> restOperations() {
+        Set<String> operations = new TreeSet<>();
+        house.bean(RequestMappingHandlerMapping.class)
+                .getHandlerMethods()
+                .keySet()
+                .forEach(mapping -> mapping.getPatternValues().stream()
+                        .filter(path -> path.startsWith("/api/v1/"))
+                        .forEach(path -> mapping.getMethodsCondition()
+                                .getMethods()
+                                .forEach(method -> operations.add(method.name() + " " + path))));
+        assertThat(operations).hasSizeGreaterThan(70);
+        return operations;
+    }
+
+    private void call(Http http, String operation) {
+        String method = operation.substring(0, operation.indexOf(' '));
+        String path = operation.substring(operation.indexOf(' ') + 1);
+        http.send(
+                path.replaceAll("\\{number}", "1").replaceAll("\\{\\w+}", "nosuchthing"),
+                request -> request.header("Content-Type", contentType(method, path))
+                        .method(method, HttpRequest.BodyPublishers.ofString(method.equals("GET") ? "" : "{}")));
+    }
+
+    private String contentType(String method, String path) {
+        JsonNode content = description
+                .path("paths")
+                .path(path)
+                .path(method.toLowerCase(Locale.ROOT))
+                .path("requestBody")
+                .path("content");
+        return content.propertyNames().stream().findFirst().orElse("application/json");
+    }
+
+    private Set<String> soapOperations() {
+        String wsdl = http(Caller.NOBODY)
+                .get("/services/MAVLinkControllerService?wsdl")
+                .raw()
+                .body();
+        Set<String> operations = new TreeSet<>();
+        Matcher found = WSDL_OPERATION.matcher(wsdl);
+        while (found.find()) {
+            operations.add(found.group(1));
+        }
+        assertThat(operations).hasSizeGreaterThan(20);
+        return operations;
+    }
+
+    private static void callSoap(Http http, String operation) {
+        String of = switch (operation) {
+            case "getDronesList" -> "";
+            case "getCommand" -> "<commandId>nosuchcommand</commandId>";
+            default -> "<droneId>nosuchdrone</droneId>";
+        };
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + of + "</w:" + operation
+                + "></s:Body></s:Envelope>";
+        http.send(
+                "/services/MAVLinkControllerService",
+                request ->
+                        request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
+    }
+
+    private static JsonNode error(StreamListener stream, String id) {
+        return stream.await(message -> message.path("type").asString().equals("error")
+                && message.path("requestId").asString().equals(id));
+    }
+
+    private static Set<String> words(String list) {
+        return Set.of(list.replaceFirst("^one of ", "").split(",? or |, "));
+    }
+}

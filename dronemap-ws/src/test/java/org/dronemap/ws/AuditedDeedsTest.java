@@ -1,0 +1,206 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.audit.AuditEntry;
+import org.dronemap.core.audit.AuditOutcome;
+import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.house.Deeds;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Waiting;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Carries out, with success, all that the running server exposes and that may change something: each leaves exactly one
+ * record, which says so. What the server offers and nobody here knows how to do fails the test.
+ */
+class AuditedDeedsTest extends DeedTrial {
+    /** A sign of life, every two seconds. */
+    private static final String HEARTBEAT = "POST /api/v1/drones/{id}/control/heartbeat";
+
+    private static final Set<AuditOutcome> DONE = Set.of(AuditOutcome.SUCCEEDED, AuditOutcome.UNDER_WAY);
+    private static final String HERE = "<latitude>47.3978</latitude><longitude>8.5457</longitude>";
+
+    /** What operations of SOAP take beside the drone. */
+    private static final Map<String, String> ELEMENTS = Map.of(
+            "disarm", "<force>false</force>",
+            "setMode", "<mode>GUIDED</mode>",
+            "takeoff", "<altitude>20</altitude>",
+            "goto", HERE + "<altitude>20</altitude>",
+            "uploadMission", "<waypoint>" + HERE + "<altitude>20</altitude></waypoint>",
+            "turn", "<degrees>90</degrees>",
+            "setRelay", "<relay>1</relay><setting>on</setting>",
+            "setParameter", "<name>RTL_ALT</name><value>2000</value>",
+            "takeOverControl", "<reason>smoke</reason>",
+            "handControlOver", "<user>our-other</user>");
+
+    @Test
+    void eachOperationOfRestThatSucceedsLeavesOneRecordThatSaysSo() {
+        List<String> wrong = new ArrayList<>();
+        int done = 0;
+        for (String operation : faces.rest()) {
+            boolean changes = !operation.startsWith("GET ") || operation.endsWith("/oidc/callback");
+            if (!changes || operation.equals(HEARTBEAT)) {
+                continue;
+            }
+            Optional<Deeds.Deed> deed = deed(operation);
+            if (deed.isEmpty()) {
+                wrong.add("Nobody knows how to do " + operation);
+                continue;
+            }
+            int before = house.records().size();
+            Http.Answer answer = deed.get().make();
+            List<AuditEntry> left = since(before);
+            boolean right = answer.status() < 400
+                    && left.size() == 1
+                    && isOf(left.get(0), operation)
+                    && DONE.contains(left.get(0).outcome());
+            if (!right) {
+                wrong.add(operation + " is answered " + answer.status() + " "
+                        + answer.raw().body() + " and leaves " + left);
+            }
+            done++;
+        }
+        assertThat(wrong).isEmpty();
+        assertThat(done).isGreaterThan(75);
+    }
+
+    /** Commands are recorded by what they command. */
+    private boolean isOf(AuditEntry entry, String operation) {
+        boolean ofDrone = operation.contains("/drones/{id}");
+        return (entry.operation().equals(operation) || entry.command() != null)
+                && (!ofDrone || entry.drone() != null)
+                && (entry.by() != null || operation.equals("POST /api/v1/registrations"))
+                && Set.of("rest", "page").contains(entry.face());
+    }
+
+    @Test
+    void tellsWhichDroneServesAVirtualOneAndWhy() {
+        int before = house.records().size();
+        String resume = "POST /api/v1/virtual-drones/{id}/resume";
+        assertThat(deed(resume)).isPresent();
+
+        List<AuditEntry> left = house.records().stream()
+                .skip(before)
+                .map(AuditRecord::entry)
+                .filter(entry -> entry.operation().matches("bindDrone|releaseDrone"))
+                .toList();
+        assertThat(left).extracting(AuditEntry::operation).containsExactly("bindDrone", "releaseDrone");
+        assertThat(left.get(0).face()).isEqualTo("virtual");
+        assertThat(left.get(0).reason()).contains(left.get(0).drone() + " was chosen");
+        assertThat(left.get(1).drone()).isEqualTo(left.get(0).drone());
+    }
+
+    @Test
+    void eachOperationOfSoapThatSucceedsLeavesOneRecordThatSaysSo() {
+        List<String> wrong = new ArrayList<>();
+        for (String operation : faces.soap()) {
+            if (operation.matches("get.*|downloadMission|controlHeartbeat")) {
+                continue;
+            }
+            beReadyFor(operation);
+            int before = house.records().size();
+            String answer = soap(operation);
+            List<AuditEntry> left = since(before);
+            boolean right = !answer.contains("Fault>")
+                    && left.size() == 1
+                    && left.get(0).face().equals("soap")
+                    && vehicle.id().equals(left.get(0).drone())
+                    && left.get(0).by() != null
+                    && DONE.contains(left.get(0).outcome());
+            if (!right) {
+                wrong.add(operation + " is answered " + answer + " and leaves " + left);
+            }
+        }
+        assertThat(wrong).isEmpty();
+    }
+
+    private void beReadyFor(String operation) {
+        String control = "/api/v1/drones/" + vehicle.id() + "/control";
+        for (Member one : List.of(estate.administrator(), other)) {
+            one.http().send(control, HttpRequest.Builder::DELETE);
+        }
+        switch (operation) {
+            case "giveControlBack", "handControlOver" ->
+                estate.administrator().http().post(control + "/take", "");
+            case "takeOverControl" -> other.http().post(control + "/take", "");
+            default -> {
+                boolean flying = Set.of("goto", "turn").contains(operation);
+                FlightPhase phase = flying ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND;
+                vehicle.says(new DroneEvent.ModeHeard("GUIDED", !operation.equals("arm")));
+                vehicle.says(new DroneEvent.PhaseHeard(phase));
+                vehicle.says(new DroneEvent.MissionRead(List.of(new MissionItem.TakeOff(20)), null, true));
+                Waiting.until(
+                        "it is heard",
+                        () -> house.cloud().drone(new DroneId(vehicle.id())).filter(state -> state.phase() == phase));
+            }
+        }
+    }
+
+    private String soap(String operation) {
+        String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + "><droneId>" + vehicle.id()
+                + "</droneId>" + ELEMENTS.getOrDefault(operation, "") + "</w:" + operation + "></s:Body></s:Envelope>";
+        return estate.administrator()
+                .http()
+                .send(
+                        "/services/MAVLinkControllerService",
+                        request -> request.header("Content-Type", "text/xml")
+                                .POST(HttpRequest.BodyPublishers.ofString(envelope)))
+                .raw()
+                .body();
+    }
+
+    @Test
+    void eachRequestOfTheStreamThatSucceedsLeavesOneRecordThatSaysSo() {
+        beReadyFor("arm");
+        try (StreamListener mine =
+                        StreamListener.withKey(house, estate.administrator().key());
+                StreamListener others = StreamListener.withKey(house, other.key())) {
+            said(others, "\"control\",\"action\":\"take\"");
+            said(mine, "\"control\",\"action\":\"request\",\"reason\":\"a survey\"");
+            said(others, "\"control\",\"action\":\"refuse\",\"user\":\"our-root\"");
+            said(mine, "\"control\",\"action\":\"request\"");
+            said(others, "\"control\",\"action\":\"grant\",\"user\":\"our-root\"");
+            said(mine, "\"control\",\"action\":\"handOver\",\"user\":\"our-other\"");
+            said(mine, "\"control\",\"action\":\"takeOver\",\"reason\":\"smoke\"");
+            said(mine, "\"command\",\"command\":{\"type\":\"readHome\"}");
+            said(mine, "\"control\",\"action\":\"release\"");
+        }
+    }
+
+    private int said;
+
+    private void said(StreamListener stream, String about) {
+        String id = "said-" + ++said;
+        int before = house.records().size();
+        stream.send("{\"requestId\":\"" + id + "\",\"drone\":\"" + vehicle.id() + "\",\"type\":" + about + "}");
+        String answer = stream.await(
+                        message -> message.path("requestId").asString("").equals(id))
+                .toString();
+        assertThat(answer).as(about).doesNotContain("\"error\"");
+        // Answered in order, so that all is done that came before it.
+        stream.send("{\"type\":\"nosuchtype\",\"requestId\":\"" + id + "-after\"}");
+        stream.await(message -> message.path("requestId").asString("").equals(id + "-after"));
+        List<AuditEntry> all = since(before).stream()
+                .filter(entry -> !entry.operation().equals("unreadable"))
+                .toList();
+        assertThat(all).as(about).hasSize(1);
+        AuditEntry left = all.get(0);
+        assertThat(left.face()).isEqualTo("stream");
+        assertThat(left.drone()).isEqualTo(vehicle.id());
+        assertThat(left.outcome()).as(about).isIn(DONE);
+    }
+}

@@ -1,0 +1,166 @@
+package org.dronemap.ws.house;
+
+import java.net.URI;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.organisation.OrganisationId;
+
+/** What is done about accounts, rights, organisations, links and the server, each with success. */
+public final class OfficeDeeds extends Deeds {
+    private static final String PASSWORD = "a long enough one";
+
+    private final StandInProvider provider;
+
+    public OfficeDeeds(TestHouse house, Member root, StandInProvider provider) {
+        super(house, root);
+        this.provider = provider;
+        sessions();
+        keys();
+        users();
+        groups();
+        organisations();
+        server();
+    }
+
+    private void sessions() {
+        can(
+                "POST /api/v1/registrations",
+                () -> new Deed(nobody, "POST", "/api/v1/registrations", JSON, credentials(name()), null));
+        can("POST /api/v1/session", () -> new Deed(nobody, "POST", "/api/v1/session", JSON, credentials(user()), null));
+        can("GET /api/v1/session/oidc/callback", this::comingBack);
+        can("DELETE /api/v1/session", () -> session("DELETE", "/api/v1/session", ""));
+        can(
+                "POST /api/v1/session/password",
+                () -> session(
+                        "POST",
+                        "/api/v1/session/password",
+                        "{\"current\":\"" + PASSWORD + "\",\"next\":\"another long one\"}"));
+        can(
+                "POST /api/v1/session/sign-out-everywhere",
+                () -> session("POST", "/api/v1/session/sign-out-everywhere", ""));
+        can("POST /api/v1/stream-tickets", () -> deed("POST", "stream-tickets", ""));
+    }
+
+    private Deed session(String method, String path, String body) {
+        String cookie = cookie(nobody.post("/api/v1/session", credentials(user())));
+        return new Deed(nobody, method, path, JSON, body, null).inSession(cookie);
+    }
+
+    private Deed comingBack() {
+        Http.Answer there = nobody.get("/api/v1/session/oidc");
+        URI address = URI.create(there.raw().headers().firstValue("Location").orElseThrow());
+        String path = "/api/v1/session/oidc/callback?" + provider.visit(address);
+        return new Deed(nobody, "GET", path, JSON, "", cookie(there));
+    }
+
+    private static String cookie(Http.Answer answer) {
+        return answer.raw().headers().firstValue("Set-Cookie").orElseThrow().split(";", 2)[0];
+    }
+
+    private static String credentials(String name) {
+        return "{\"name\":\"" + name + "\",\"password\":\"" + PASSWORD + "\"}";
+    }
+
+    private String user() {
+        String name = name();
+        return made(
+                "users", "{\"name\":\"" + name + "\",\"role\":\"operator\",\"password\":\"" + PASSWORD + "\"}", "name");
+    }
+
+    private void keys() {
+        can("POST /api/v1/access-keys", () -> deed("POST", "access-keys", "{\"label\":\"a key\",\"role\":\"viewer\"}"));
+        can("POST /api/v1/access-keys/{id}/renew", () -> deed("POST", "access-keys/" + key() + "/renew", ""));
+        can("DELETE /api/v1/access-keys/{id}", () -> deed("DELETE", "access-keys/" + key(), ""));
+        can("POST /api/v1/invitations", () -> deed("POST", "invitations", "{\"label\":\"x\",\"role\":\"viewer\"}"));
+        can(
+                "DELETE /api/v1/invitations/{id}",
+                () -> deed(
+                        "DELETE", "invitations/" + made("invitations", "{\"label\":\"x\",\"role\":\"viewer\"}"), ""));
+        can("POST /api/v1/dtls-keys", () -> deed("POST", "dtls-keys", "{\"label\":\"a copter\"}"));
+        can(
+                "DELETE /api/v1/dtls-keys/{identity}",
+                () -> deed("DELETE", "dtls-keys/" + made("dtls-keys", "{\"label\":\"a copter\"}", "identity"), ""));
+    }
+
+    private String key() {
+        return made("access-keys", "{\"label\":\"a key\",\"role\":\"viewer\"}");
+    }
+
+    private void users() {
+        can(
+                "POST /api/v1/users",
+                () -> deed(
+                        "POST",
+                        "users",
+                        "{\"name\":\"" + name() + "\",\"role\":\"viewer\",\"password\":\"" + PASSWORD + "\"}"));
+        can("PATCH /api/v1/users/{name}", () -> deed("PATCH", "users/" + user(), "{\"role\":\"viewer\"}"));
+        can("DELETE /api/v1/users/{name}", () -> deed("DELETE", "users/" + user(), ""));
+        can("POST /api/v1/users/{name}/password", () -> deed("POST", "users/" + user() + "/password", ""));
+        can("POST /api/v1/users/{name}/sign-out", () -> deed("POST", "users/" + user() + "/sign-out", ""));
+        can(
+                "PUT /api/v1/users/{name}/only-granted",
+                () -> deed("PUT", "users/" + user() + "/only-granted", "{\"onlyGranted\":true}"));
+    }
+
+    private void groups() {
+        can("POST /api/v1/groups", () -> deed("POST", "groups", named()));
+        can("PUT /api/v1/groups/{id}", () -> deed("PUT", "groups/" + made("groups", named()), named()));
+        can("DELETE /api/v1/groups/{id}", () -> deed("DELETE", "groups/" + made("groups", named()), ""));
+        can(
+                "PUT /api/v1/groups/{id}/only-granted",
+                () -> deed("PUT", "groups/" + made("groups", named()) + "/only-granted", "{\"onlyGranted\":true}"));
+        can("POST /api/v1/fleets", () -> deed("POST", "fleets", named()));
+        can("PUT /api/v1/fleets/{id}", () -> deed("PUT", "fleets/" + made("fleets", named()), named()));
+        can("DELETE /api/v1/fleets/{id}", () -> deed("DELETE", "fleets/" + made("fleets", named()), ""));
+        can("POST /api/v1/grants", () -> deed("POST", "grants", grant()));
+        can("DELETE /api/v1/grants/{id}", () -> deed("DELETE", "grants/" + made("grants", grant()), ""));
+    }
+
+    private String named() {
+        return "{\"name\":\"" + name() + "\"}";
+    }
+
+    private String grant() {
+        return "{\"user\":\"" + user() + "\",\"all\":true,\"operations\":[\"view\"]}";
+    }
+
+    private void organisations() {
+        can("POST /api/v1/organisations", () -> deed("POST", "organisations", named()));
+        can(
+                "PATCH /api/v1/organisations/{id}",
+                () -> deed("PATCH", "organisations/" + made("organisations", named()), named()));
+        can(
+                "DELETE /api/v1/organisations/{id}",
+                () -> deed("DELETE", "organisations/" + made("organisations", named()), ""));
+        can(
+                "PUT /api/v1/organisations/{id}/drones/{drone}",
+                () -> deed(
+                        "PUT",
+                        "organisations/" + made("organisations", named()) + "/drones/"
+                                + ScriptedVehicle.connect(house.cloud(), 16000 + house.number())
+                                        .id(),
+                        ""));
+    }
+
+    private void server() {
+        can("POST /api/v1/endpoints", () -> deed("POST", "endpoints", url()));
+        can("DELETE /api/v1/endpoints/{id}", () -> deed("DELETE", "endpoints/" + made("endpoints", url()), ""));
+        can("POST /api/v1/waiting/{id}/enrol", () -> deed("POST", "waiting/" + stranger() + "/enrol", "{}"));
+        can("DELETE /api/v1/waiting/{id}", () -> deed("DELETE", "waiting/" + stranger(), ""));
+        can("POST /api/v1/backup", () -> deed("POST", "backup", ""));
+        can("POST /api/v1/audit/verification", () -> deed("POST", "audit/verification", ""));
+    }
+
+    private String url() {
+        return "{\"url\":\"udpserver://127.0.0.1:" + (20_000 + house.number()) + "\"}";
+    }
+
+    /** A vehicle that nobody vouches for, which has to wait. */
+    private String stranger() {
+        return ScriptedVehicle.stranger(house.cloud(), 17_000 + house.number());
+    }
+
+    /** Somebody of the server's own organisation who may command. */
+    public static Member operator(TestHouse house, String name) {
+        return house.member(OrganisationId.HOME, name, Role.OPERATOR);
+    }
+}
