@@ -1,5 +1,6 @@
 import { AccessKeyCalls } from './access-keys';
 import { AccountCalls, type Session } from './accounts';
+import { AuditCalls } from './audit';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint } from './endpoints';
 import { GrantCalls } from './grants';
@@ -31,6 +32,7 @@ export class RestClient {
   readonly #fetch: Fetch;
   readonly accessKeys = new AccessKeyCalls((method, path, body) => this.#call(method, path, body));
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
+  readonly audit: AuditCalls;
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
   readonly grants = new GrantCalls((method, path, body) => this.#call(method, path, body));
   readonly virtuals = new VirtualCalls((method, path, body) => this.#call(method, path, body));
@@ -39,6 +41,7 @@ export class RestClient {
   constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {
     this.#base = base;
     this.#fetch = fetcher;
+    this.audit = new AuditCalls((method, path, body) => this.#call(method, path, body), base);
   }
 
   session(): Promise<Session> {

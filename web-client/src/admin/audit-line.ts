@@ -1,0 +1,52 @@
+import type { AuditOutcome, AuditRecord } from '../api/audit';
+
+export const OUTCOME_WORDS: Record<AuditOutcome, string> = {
+  underWay: 'under way',
+  succeeded: 'done',
+  refused: 'refused',
+  failed: 'failed',
+  timedOut: 'timed out',
+  superseded: 'superseded',
+  unknown: 'not known',
+};
+
+const FACES: Record<string, string> = {
+  page: 'on the page',
+  rest: 'by REST',
+  soap: 'by SOAP',
+  stream: 'on the stream',
+  rule: 'by a rule',
+  safety: 'by a zone',
+  script: 'by the script',
+};
+
+/** Who it was, in a word. */
+export function whoLine(record: AuditRecord): string {
+  return record.by ?? 'nobody known';
+}
+
+/** What it was: of commands the summary, of the rest method and address without what all have in common. */
+export function whatLine(record: AuditRecord): string {
+  return record.command !== null && record.parameters !== ''
+    ? record.parameters
+    : record.operation.replace('/api/v1/', '');
+}
+
+/** Everything else, without what is not known. */
+export function moreLine(record: AuditRecord, nameOf: (drone: string) => string): string {
+  return [
+    record.drone === null ? null : nameOf(record.drone),
+    FACES[record.face] ?? record.face,
+    record.accessKey === null ? null : 'with a key',
+    record.epoch === null ? null : `control ${record.epoch}`,
+    record.command === null && record.parameters !== '' ? record.parameters : null,
+    record.latencyMillis === null ? null : `${record.latencyMillis} ms`,
+    `no. ${record.sequence}`,
+  ]
+    .filter((part) => part !== null)
+    .join(' · ');
+}
+
+export function dateAndTime(iso: string): string {
+  return new Date(iso).toLocaleString([], { dateStyle: 'short', timeStyle: 'medium' });
+}
