@@ -17,6 +17,9 @@ public final class CostModel {
     private static final String CROWDED_OUT =
             "No drone has time, or charge, to serve it besides what the plan gives it to do.";
 
+    /** So many waypoints times drones are looked at one by one before the search, else as if no zone were in the way. */
+    private static final int MOST_LOOKED_AT = 20_000;
+
     private final Problem problem;
     private final Instance instance;
     private final Feasibility feasibility;
@@ -35,11 +38,13 @@ public final class CostModel {
         OpenLegs open = new OpenLegs(track, fleet.paces());
         FencedLegs fenced = problem.barriers().isEmpty() ? null : fenced(problem, track, fleet, open);
         Legs legs = fenced == null ? open : fenced;
+        Detours detours = fenced == null ? Detours.NONE : fenced;
+        boolean small = (long) problem.waypoints().size() * problem.crafts().size() <= MOST_LOOKED_AT;
         double[] ranges = ranges(problem);
-        Feasibility feasibility = new Feasibility(problem, fleet, legs, ranges);
+        Feasibility feasibility = new Feasibility(problem, fleet, small ? legs : open, detours, ranges);
         Instance instance = new Instance(
                 legs, visits(problem, fleet, feasibility), carriers(problem, fleet, ranges), aim(problem.objective()));
-        WayWriter ways = new WayWriter(problem, track, fleet, fenced == null ? Detours.NONE : fenced);
+        WayWriter ways = new WayWriter(problem, track, fleet, detours);
         return new CostModel(problem, instance, feasibility, new PlanWriter(problem, fleet, ways));
     }
 

@@ -2,11 +2,26 @@ package org.dronemap.cognitive.cost;
 
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
 
-/** Where a way turns between two places, numbered as in {@link Legs}. */
+/** What barriers do to ways between places, numbered as in {@link Legs}. */
 interface Detours {
-    Detours NONE = (type, from, to) -> List.of();
+    Detours NONE = new Detours() {
+        @Override
+        public List<Geodetic> between(int type, int from, int to) {
+            return List.of();
+        }
 
-    /** Nothing for a straight way. */
+        @Override
+        public @Nullable String obstacle(int type, int waypoint) {
+            return null;
+        }
+    };
+
+    /** Where the way turns; nothing for a straight one. */
     List<Geodetic> between(int type, int from, int to);
+
+    /** What keeps drones from a waypoint, in words; null when nothing does. */
+    @Nullable
+    String obstacle(int type, int waypoint);
 }

@@ -13,12 +13,15 @@ final class Feasibility {
     private final Problem problem;
     private final Fleet fleet;
     private final Legs legs;
+    private final Detours detours;
     private final double[] ranges;
 
-    Feasibility(Problem problem, Fleet fleet, Legs legs, double[] ranges) {
+    /** {@code legs}: those of the problem, or where these take too long shorter ones. */
+    Feasibility(Problem problem, Fleet fleet, Legs legs, Detours detours, double[] ranges) {
         this.problem = problem;
         this.fleet = fleet;
         this.legs = legs;
+        this.detours = detours;
         this.ranges = ranges;
     }
 
@@ -42,7 +45,8 @@ final class Feasibility {
     }
 
     private boolean isReachable(int drone, int waypoint) {
-        return arrival(drone, waypoint) < Double.POSITIVE_INFINITY
+        return detours.obstacle(fleet.typeOf(drone), waypoint) == null
+                && arrival(drone, waypoint) < Double.POSITIVE_INFINITY
                 && legs.seconds(fleet.typeOf(drone), waypoint, end(drone)) < Double.POSITIVE_INFINITY;
     }
 
@@ -91,7 +95,11 @@ final class Feasibility {
         if (left.isEmpty()) {
             return Optional.of("No drone in good contact can " + wants(wanted) + ".");
         }
+        String obstacle = detours.obstacle(fleet.typeOf(left.nextSetBit(0)), waypoint);
         keep(left, drone -> isReachable(drone, waypoint));
+        if (left.isEmpty() && obstacle != null) {
+            return Optional.of("It lies where " + obstacle + " keeps drones from.");
+        }
         if (left.isEmpty()) {
             return Optional.of("No way leads there and on to the end of any drone that could serve it: zones, or the"
                     + " wind, are in the way.");

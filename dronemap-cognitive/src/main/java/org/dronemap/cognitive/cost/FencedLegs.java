@@ -4,22 +4,23 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Ways round barriers, each found when it is first asked for. Of a problem that is not too big all are kept; of a bigger
  * one as many as there is room for. Safe for several threads: two may find the same way at once, and find the same.
  */
 final class FencedLegs implements Legs, Detours {
-    /** Up to so many places all ways are kept. */
-    private static final int MOST_PLACES = 1_500;
-    /** Of a bigger problem so many, a power of two. */
-    private static final int KEPT = 1 << 20;
+    /** So many ways are kept at most, of all groups of drones together; a power of two. */
+    private static final int KEPT = 1 << 21;
 
     /** Whatever its ends. */
     private static final Detour STRAIGHT = new Detour(-1, -1, List.of(), null);
 
     private final OpenLegs open;
     private final int places;
+    private final boolean all;
+    private final int room;
     private final Guide[] guides;
     /** Of each type; types in the same surroundings share one. */
     private final AtomicReferenceArray<Detour>[] kept;
@@ -30,8 +31,11 @@ final class FencedLegs implements Legs, Detours {
         this.places = track.places;
         this.guides = new Guide[paces.length];
         this.kept = new AtomicReferenceArray[paces.length];
-        int size = places <= MOST_PLACES ? places * places : KEPT;
         IdentityHashMap<Surroundings, Integer> known = new IdentityHashMap<>();
+        int groups = (int) surroundings.stream().distinct().count();
+        this.room = Integer.highestOneBit(KEPT / groups);
+        this.all = (long) places * places <= room;
+        int size = all ? places * places : room;
         for (int type = 0; type < paces.length; type++) {
             Integer same = known.putIfAbsent(surroundings.get(type), type);
             guides[type] = same == null ? new Guide(track, paces, surroundings.get(type)) : guides[same];
@@ -41,7 +45,7 @@ final class FencedLegs implements Legs, Detours {
 
     private Detour find(int type, int from, int to) {
         AtomicReferenceArray<Detour> ways = kept[type];
-        if (places <= MOST_PLACES) {
+        if (all) {
             Detour way = ways.getAcquire(from * places + to);
             return way == null ? findAll(type, from, to) : way;
         }
@@ -61,9 +65,9 @@ final class FencedLegs implements Legs, Detours {
         return shared;
     }
 
-    private static int slot(int from, int to) {
+    private int slot(int from, int to) {
         int mixed = (from * 0x9E3779B1) ^ (to * 0x85EBCA6B);
-        return (mixed ^ mixed >>> 15) & (KEPT - 1);
+        return (mixed ^ mixed >>> 15) & (room - 1);
     }
 
     @Override
@@ -92,5 +96,10 @@ final class FencedLegs implements Legs, Detours {
     @Override
     public List<Geodetic> between(int type, int from, int to) {
         return find(type, from, to).turns();
+    }
+
+    @Override
+    public @Nullable String obstacle(int type, int waypoint) {
+        return guides[type].obstacle(waypoint);
     }
 }

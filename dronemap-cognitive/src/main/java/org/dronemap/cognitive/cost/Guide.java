@@ -47,6 +47,11 @@ final class Guide {
         }
     }
 
+    @Nullable
+    String obstacle(int waypoint) {
+        return surroundings.obstacle(track.x[waypoint], track.y[waypoint], track.altitude[waypoint]);
+    }
+
     Detour find(int from, int to) {
         double leaves = track.leaves(from, to);
         double reaches = track.reaches(from, to);

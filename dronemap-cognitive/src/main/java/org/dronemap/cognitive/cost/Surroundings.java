@@ -10,6 +10,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
+import org.jspecify.annotations.Nullable;
 
 /**
  * All that stands around one group of drones. Which of it is in the way depends on how high a leg leads: each such choice
@@ -21,6 +22,9 @@ final class Surroundings {
     /** Barriers beyond so many with bounded heights are taken to stand at all heights. */
     private static final int MOST_CHOICES = 62;
 
+    private record Named(Block block, String words) {}
+
+    private final List<Named> all = new ArrayList<>();
     private final List<Block> everywhere = new ArrayList<>();
     private final List<Block> layered = new ArrayList<>();
     private final List<Block> stays = new ArrayList<>();
@@ -38,6 +42,7 @@ final class Surroundings {
                 : new double[] {Math.max(rules.roomMeters(), far)};
         for (Barrier barrier : region.barriers()) {
             Block block = block(barrier, region.homeAmslMeters(), track.chart);
+            all.add(new Named(block, barrier.words()));
             boolean choice = !block.isKeepIn()
                     && layered.size() < MOST_CHOICES
                     && (block.low() > Double.NEGATIVE_INFINITY || block.high() < Double.POSITIVE_INFINITY);
@@ -101,6 +106,20 @@ final class Surroundings {
             }
         }
         return new Maze(blocks, bend, rooms);
+    }
+
+    /** What keeps a drone from being there, at that height; null when nothing does. */
+    @Nullable
+    String obstacle(double x, double y, double altitude) {
+        for (Named one : all) {
+            boolean within =
+                    altitude >= one.block().low() && altitude <= one.block().high();
+            boolean spot = one.block().isFree(x, y, x, y, bend.room(0));
+            if (one.block().isKeepIn() ? !within || !spot : within && !spot) {
+                return one.words();
+            }
+        }
+        return null;
     }
 
     /** Whether all areas to stay in reach so high, and so low. */

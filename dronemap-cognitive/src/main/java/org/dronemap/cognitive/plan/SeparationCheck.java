@@ -58,11 +58,11 @@ public final class SeparationCheck {
             Trace.Piece mine = one.pieces().get(i);
             Trace.Piece yours = other.pieces().get(j);
             double both = Math.min(mine.tillSeconds(), yours.tillSeconds());
-            Optional<Conflict> conflict = both > from && !isStacked(mine, yours)
-                    ? meet(new Pair(one, mine, other, yours), from, both)
-                    : Optional.empty();
-            if (conflict.isPresent()) {
-                return conflict;
+            if (both > from && !mine.isBeyond(yours, separation.horizontalMeters()) && !isStacked(mine, yours)) {
+                Optional<Conflict> conflict = meet(new Pair(one, mine, other, yours), from, both);
+                if (conflict.isPresent()) {
+                    return conflict;
+                }
             }
             from = Math.max(from, both);
             i = mine.tillSeconds() <= both ? i + 1 : i;
@@ -73,7 +73,17 @@ public final class SeparationCheck {
 
     private record Pair(Trace one, Trace.Piece mine, Trace other, Trace.Piece yours) {
         double meters(double seconds) {
-            return one.at(mine, seconds).distanceMeters(other.at(yours, seconds));
+            double here = one.along(mine, seconds);
+            double there = other.along(yours, seconds);
+            double east = mine.middle().eastMeters()
+                    - yours.middle().eastMeters()
+                    + here * mine.east()
+                    - there * yours.east();
+            double north = mine.middle().northMeters()
+                    - yours.middle().northMeters()
+                    + here * mine.north()
+                    - there * yours.north();
+            return Math.sqrt(east * east + north * north);
         }
     }
 
@@ -95,6 +105,9 @@ public final class SeparationCheck {
                 return Optional.empty();
             }
             double stride = Math.max(TOUCH_METERS, meters - separation.horizontalMeters()) / fastest;
+            if (seconds + stride >= till && stride * fastest > TOUCH_METERS) {
+                return Optional.empty();
+            }
             seconds = Math.min(till, seconds + stride);
         }
     }

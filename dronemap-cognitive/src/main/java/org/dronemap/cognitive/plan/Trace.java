@@ -7,6 +7,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
+import org.dronemap.core.geo.Stretch;
 
 /**
  * Where one drone is at each moment that it is in the air: pieces, one after the other, on each of which it moves
@@ -17,8 +18,34 @@ final class Trace {
     private final List<Piece> pieces;
     private final double acceleration;
 
-    /** {@code peak}: the greatest speed on it, in m/s. */
-    record Piece(Spot from, Spot to, double fromSeconds, double tillSeconds, double low, double high, double peak) {}
+    /**
+     * One straight movement.
+     *
+     * @param low the lowest height it may be at
+     * @param peak the greatest speed on it, in m/s
+     * @param middle halfway
+     * @param east share of what it moves that goes east
+     * @param north the same to the north
+     * @param reach from there to either end, in metres
+     */
+    record Piece(
+            double fromSeconds,
+            double tillSeconds,
+            double low,
+            double high,
+            double peak,
+            Spot middle,
+            double east,
+            double north,
+            double reach) {
+        /** Whether all of it is farther than that from all of another one: a quick look that spares the close one. */
+        boolean isBeyond(Piece other, double meters) {
+            double eastward = middle.eastMeters() - other.middle.eastMeters();
+            double northward = middle.northMeters() - other.middle.northMeters();
+            double near = reach + other.reach + meters;
+            return eastward * eastward + northward * northward > near * near;
+        }
+    }
 
     private Trace(Craft craft, List<Piece> pieces) {
         this.craft = craft;
@@ -78,25 +105,20 @@ final class Trace {
         return low;
     }
 
-    /** Where it is on a piece. */
-    Spot at(Piece piece, double seconds) {
+    /** How far from the middle of a piece it is, along it: from minus {@code reach} to plus it. */
+    double along(Piece piece, double seconds) {
         double total = piece.tillSeconds() - piece.fromSeconds();
-        double length = piece.from().distanceMeters(piece.to());
+        double length = 2 * piece.reach();
         if (length == 0) {
-            return piece.from();
+            return 0;
         }
         double since = Math.max(0, Math.min(total, seconds - piece.fromSeconds()));
         boolean secondHalf = since > total / 2;
         double early = secondHalf ? total - since : since;
-        double runUp = Double.isInfinite(acceleration) ? 0 : piece.peak() / acceleration;
+        double runUp = piece.peak() / acceleration;
         double gone = early < runUp ? acceleration * early * early / 2 : piece.peak() * (early - runUp / 2);
-        double share = Math.min(1, gone / length);
-        double whole = secondHalf ? 1 - share : share;
-        return new Spot(
-                piece.from().eastMeters()
-                        + whole * (piece.to().eastMeters() - piece.from().eastMeters()),
-                piece.from().northMeters()
-                        + whole * (piece.to().northMeters() - piece.from().northMeters()));
+        double left = piece.reach() - Math.min(length, gone);
+        return secondHalf ? left : -left;
     }
 
     /** Puts pieces together. Used once, by one thread. */
@@ -127,7 +149,7 @@ final class Trace {
         void stay(double until) {
             if (until > seconds) {
                 double height = place.altitudeAmslMeters();
-                pieces.add(new Piece(spot, spot, seconds, until, height, height, 0));
+                pieces.add(new Piece(seconds, until, height, height, 0, spot, 0, 0, 0));
                 seconds = until;
             }
         }
@@ -136,8 +158,17 @@ final class Trace {
             Spot next = plane.spot(fix.place().point());
             double one = place.altitudeAmslMeters();
             double other = fix.place().altitudeAmslMeters();
-            double peak = peak(spot.distanceMeters(next), fix.seconds() - seconds);
-            pieces.add(new Piece(spot, next, seconds, fix.seconds(), Math.min(one, other), Math.max(one, other), peak));
+            double length = spot.distanceMeters(next);
+            pieces.add(new Piece(
+                    seconds,
+                    fix.seconds(),
+                    Math.min(one, other),
+                    Math.max(one, other),
+                    peak(length, fix.seconds() - seconds),
+                    new Stretch(spot, next).at(0.5),
+                    length == 0 ? 0 : (next.eastMeters() - spot.eastMeters()) / length,
+                    length == 0 ? 0 : (next.northMeters() - spot.northMeters()) / length,
+                    length / 2));
             place = fix.place();
             spot = next;
             seconds = fix.seconds();

@@ -87,6 +87,22 @@ class FencedLegsTest {
     }
 
     @Test
+    void saysWhichZoneAWaypointLiesIn() {
+        Field field = new Field();
+        field.polygon(false, WALL);
+        field.polygon(true, new double[][] {{-300, -300}, {300, -300}, {300, 300}, {-300, 300}});
+        List<Waypoint> waypoints = Scenes.waypoints(
+                new double[] {0, 0}, new double[] {200, 0}, new double[] {400, 0}, new double[] {21, 0});
+        CostModel model = CostModel.of(
+                Problem.of(waypoints, List.of(Scenes.craft(0, -200, 0))).withBarriers(field.barriers));
+
+        assertThat(model.whyNobody(0)).hasValue("It lies where zone 0 keeps drones from.");
+        assertThat(model.whyNobody(1)).isEmpty();
+        assertThat(model.whyNobody(2)).hasValue("It lies where zone 1 keeps drones from.");
+        assertThat(model.whyNobody(3)).isEmpty();
+    }
+
+    @Test
     void passesOverAndUnderAZoneThatEndsThere() {
         FenceZone wall = new FenceZone.Polygon(
                 false,
