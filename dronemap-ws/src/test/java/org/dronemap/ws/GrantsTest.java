@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.event.DroneEvent;
@@ -17,7 +16,6 @@ import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
-import org.dronemap.ws.house.Waiting;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -171,10 +169,17 @@ class GrantsTest {
         grant("\"user\":\"ann\",\"all\":true,\"until\":\"" + until + "\"", "command");
         ann.http().post("/api/v1/drones/" + one.id() + "/control/take", "");
         assertThat(control(one)).isEqualTo("held");
+        try (StreamListener stream = StreamListener.withKey(house, root.key())) {
+            stream.await(message -> isType(message, "drones"));
 
-        house.clock().forward(Duration.ofHours(2));
+            house.clock().forward(Duration.ofHours(2));
 
-        Waiting.until("nobody has control", () -> control(one).equals("free") ? Optional.of(true) : Optional.empty());
+            JsonNode end = stream.await(message -> isType(message, "control"));
+            assertThat(end.path("change").path("kind").asString())
+                    .as("not because nothing was heard of the holder")
+                    .isEqualTo("expelled");
+        }
+        assertThat(control(one)).isEqualTo("free");
     }
 
     @Test
