@@ -1,6 +1,7 @@
 """A vehicle of our own, spoken with pymavlink: it does what a test tells it to, rightly or not."""
 
 import socket
+import struct
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -13,6 +14,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 Handler = Callable[["Peer", Any], None]
 
 ACCEPTED = mavlink.MAV_RESULT_ACCEPTED
+
+# Of Linux; Python has no name for it.
+SO_TIMESTAMPNS = 35
 
 
 @dataclass(frozen=True)
@@ -59,6 +63,7 @@ class Peer:
         self.link: Any = dialect.MAVLink(self, srcSystem=system_id, srcComponent=self.kind.component)
         self.link.robust_parsing = True
         self.silent = False
+        self.arrived = 0.0
         self._closed = False
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -142,8 +147,18 @@ class Peer:
     def turn(self) -> None:
         """Called again and again on the peer's thread; kinds of peers do more here."""
 
+    def _receive(self) -> bytes:
+        """Notes when it came to the socket, as the system says, however late it is read."""
+        data, more, _, _ = self._socket.recvmsg(65535, 64)
+        stamps = [each for level, kind, each in more if (level, kind) == (socket.SOL_SOCKET, SO_TIMESTAMPNS)]
+        if stamps:
+            seconds, nanos = struct.unpack("qq", stamps[0][:16])
+            self.arrived = seconds + nanos / 1e9
+        return data
+
     def _open(self, port: int) -> socket.socket:
         opened = socket.socket(socket.AF_INET, socket.SOCK_STREAM if self._tcp else socket.SOCK_DGRAM)
+        opened.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
         opened.connect(("127.0.0.1", port))
         opened.settimeout(0.05)
         return opened
@@ -156,7 +171,7 @@ class Peer:
                 self.beat()
                 next_beat = time.monotonic() + 0.5
             try:
-                data = self._socket.recv(65535)
+                data = self._receive()
             except (TimeoutError, ConnectionError):
                 continue
             for message in self.link.parse_buffer(data) or []:

@@ -1,5 +1,6 @@
 """Two clients who want one drone at once, each through its own face, and the judge at the vehicle."""
 
+import bisect
 import json
 import random
 import secrets
@@ -18,6 +19,7 @@ from .peer import Peer
 
 GUIDED = 4
 STEP = 1e-5
+CALM_SECONDS = 1.2
 
 
 @dataclass(frozen=True)
@@ -35,11 +37,19 @@ class Move:
         return Move(round((message.x / 1e7 - 10) / STEP))
 
 
+@dataclass(frozen=True)
+class Seen:
+    """A go-to at the vehicle's socket, and when it came there (seconds of the clock)."""
+
+    move: Move
+    at: float
+
+
 class Hoverer:
     """In the air, guided, and slow to acknowledge: most commands are repeated until somebody stops them."""
 
     def __init__(self, port: int, system_id: int) -> None:
-        self.moves: list[Move] = []
+        self.moves: list[Seen] = []
         self.peer = Peer(
             port, system_id=system_id, handlers={"COMMAND_INT": self._obey, "COMMAND_LONG": self._obey}
         )
@@ -53,7 +63,7 @@ class Hoverer:
         elif message.command == mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH:
             peer.state.custom_mode = 6
         elif message.command == mavlink.MAV_CMD_DO_REPOSITION and message.get_type() == "COMMAND_INT":
-            self.moves.append(Move.of(message))
+            self.moves.append(Seen(Move.of(message), peer.arrived))
             if len(self.moves) % 3:
                 return
         else:
@@ -64,9 +74,9 @@ class Hoverer:
 
 
 class Client(Protocol):
-    """Takes the drone over, or commands it; None: refused, or nobody answered."""
+    """Takes the drone over, and says the epoch, or commands it; None: refused, or nobody answered."""
 
-    def take_over(self) -> None: ...
+    def take_over(self) -> int | None: ...
 
     def move(self, move: Move, command: str) -> Json | None: ...
 
@@ -76,8 +86,9 @@ class RestClient:
         self._api = api
         self._drone = drone
 
-    def take_over(self) -> None:
-        self._api.call("POST", f"/drones/{self._drone}/control/take-over", {"reason": "a race"})
+    def take_over(self) -> int | None:
+        answer = self._api.call("POST", f"/drones/{self._drone}/control/take-over", {"reason": "a race"})
+        return int(answer.json()["epoch"]) if answer.ok else None
 
     def move(self, move: Move, command: str) -> Json | None:
         answer = self._api.call("POST", f"/drones/{self._drone}/commands", {**move.body, "id": command})
@@ -93,8 +104,9 @@ class StreamClient:
         self._drone = drone
         self._socket: ClientConnection | None = None
 
-    def take_over(self) -> None:
-        self._ask({"type": "control", "action": "takeOver", "reason": "a race"})
+    def take_over(self) -> int | None:
+        answer = self._ask({"type": "control", "action": "takeOver", "reason": "a race"})
+        return int(answer["control"]["epoch"]) if "control" in answer else None
 
     def move(self, move: Move, command: str) -> Json | None:
         answer = self._ask({"type": "command", "command": {**move.body, "id": command}})
@@ -127,6 +139,16 @@ class StreamClient:
 
 
 @dataclass
+class Calm:
+    """Nobody commands: what is repeated now, after control was taken, is of an epoch that is over."""
+
+    until: float = 0.0
+
+    def wait(self) -> None:
+        time.sleep(max(0.0, self.until - time.monotonic()))
+
+
+@dataclass
 class Racer:
     """One side: what it was allowed to send, by the epoch that the server gave it."""
 
@@ -136,6 +158,9 @@ class Racer:
     seed: int
     allowed: dict[Move, int] = field(default_factory=dict)
     refused: set[Move] = field(default_factory=set)
+    taken: list[tuple[float, int]] = field(default_factory=list)
+    calm_every: int = 8
+    calm: Calm = field(default_factory=Calm)
     prefix: str = field(default_factory=lambda: secrets.token_hex(4))
 
     def command(self, move: Move) -> str:
@@ -149,13 +174,22 @@ class Racer:
             during(round_number)
             move = Move(number)
             number += 2
+            self.calm.wait()
             self._attempt(move, chance.random() < 0.4)
             time.sleep(chance.random() * 0.01)
+
+    def _take_over(self) -> None:
+        epoch = self.client.take_over()
+        if epoch is not None:
+            self.taken.append((time.time(), epoch))
+        if len(self.taken) % self.calm_every == 1:
+            self.calm.until = time.monotonic() + CALM_SECONDS
+            self.calm.wait()
 
     def _attempt(self, move: Move, takes_over: bool) -> None:
         try:
             if takes_over:
-                self.client.take_over()
+                self._take_over()
             record = self.client.move(move, self.command(move))
         except (OSError, ConnectionClosed, TimeoutError):
             return  # the server is being restarted: whether the command counts is for its record to say
@@ -167,6 +201,8 @@ class Racer:
 
 def race(racers: list[Racer], rounds: int, during: Callable[[int], None] = lambda _: None) -> None:
     """Lets all race at once; `during` is called by the first one before each of its rounds."""
+    for racer in racers:
+        racer.calm = racers[0].calm
     threads = [
         threading.Thread(target=racer.race, args=(rounds, during) if racer is racers[0] else (rounds,))
         for racer in racers
@@ -177,10 +213,10 @@ def race(racers: list[Racer], rounds: int, during: Callable[[int], None] = lambd
         thread.join()
 
 
-def settle(moves: list[Move], racers: list[Racer], record: Callable[[str], Json | None]) -> int:
+def settle(moves: list[Seen], racers: list[Racer], record: Callable[[str], Json | None]) -> int:
     """Of commands whose answer was lost with the server, the records say the epoch. Returns how many."""
     asked = 0
-    for move in set(moves):
+    for move in {seen.move for seen in moves}:
         racer = racers[move.number % len(racers)]
         if move not in racer.allowed and move not in racer.refused:
             found = record(racer.command(move))
@@ -190,20 +226,25 @@ def settle(moves: list[Move], racers: list[Racer], record: Callable[[str], Json 
     return asked
 
 
-def judge(moves: list[Move], racers: list[Racer]) -> int:
-    """What reached the vehicle, in order: no refused command, epochs that never fall, one holder each.
+def judge(moves: list[Seen], racers: list[Racer]) -> int:
+    """What reached the vehicle, in order: no refused command, epochs that never fall, one holder each; and
+    nothing of an epoch after somebody had been told of a later one.
 
     Returns how often control changed hands on the wire.
     """
     holders: dict[int, str] = {}
     newest = 0
     changes = 0
-    for move in moves:
+    taken = sorted(each for racer in racers for each in racer.taken)
+    for seen in moves:
+        move = seen.move
         racer = racers[move.number % len(racers)]
         assert move not in racer.refused, f"{move} was refused, and sent all the same"
         assert move in racer.allowed, f"nobody was allowed to send {move}"
         epoch = racer.allowed[move]
         assert epoch >= newest, f"{move} of epoch {epoch} was sent after epoch {newest}"
+        told = max((later for at, later in taken[: bisect.bisect_left(taken, (seen.at, 0))][-5:]), default=0)
+        assert epoch >= told, f"{move} of epoch {epoch} was sent after epoch {told} was given"
         changes += epoch > newest > 0
         newest = epoch
         assert holders.setdefault(epoch, racer.name) == racer.name, f"epoch {epoch} has two holders"

@@ -100,10 +100,13 @@ def _flying(api: Api, port: int) -> Json | None:
     )
 
 
-def racers(sky: Sky, drone: str) -> list[Racer]:
+def racers(sky: Sky, drone: str, calm_every: int = 8) -> list[Racer]:
     stream = StreamClient(sky.server.stream_address, sky.key("supervisor"), drone)
     rest = RestClient(Api(sky.server.address, sky.key("supervisor")), drone)
-    return [Racer("rest", rest, 0, seed=1), Racer("stream", stream, 1, seed=2)]
+    return [
+        Racer("rest", rest, 0, seed=1, calm_every=calm_every),
+        Racer("stream", stream, 1, seed=2, calm_every=calm_every),
+    ]
 
 
 def test_two_clients_who_race_never_both_have_the_drone(
@@ -131,7 +134,7 @@ def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
     sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
 ) -> None:
     hoverer, drone = hover()
-    both = racers(sky, drone)
+    both = racers(sky, drone, calm_every=100)
 
     def restart(round_number: int) -> None:
         if round_number and round_number % (SOAK_ROUNDS // 4) == 0:

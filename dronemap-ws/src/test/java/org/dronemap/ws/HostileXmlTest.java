@@ -166,6 +166,40 @@ class HostileXmlTest {
                 .doesNotContain("Exception");
     }
 
+    /** Each bound of docs/security.md, in a header that nobody reads: nothing else is in the way there. */
+    static Stream<Arguments> bounds() {
+        return Stream.of(
+                Arguments.of("depth", "<a>".repeat(20) + "</a>".repeat(20), "<a>".repeat(40) + "</a>".repeat(40)),
+                Arguments.of("elements", group("<b/>", 4, 4_000), group("<b/>", 6, 4_000)),
+                Arguments.of("attributes", "<a" + attributes(40) + "/>", "<a" + attributes(60) + "/>"),
+                Arguments.of("a text", "<a>" + "a".repeat(60_000) + "</a>", "<a>" + "a".repeat(70_000) + "</a>"));
+    }
+
+    private static String group(String element, int groups, int each) {
+        return ("<a>" + element.repeat(each) + "</a>").repeat(groups);
+    }
+
+    private static String attributes(int count) {
+        return IntStream.range(0, count).mapToObj(n -> " a" + n + "=\"1\"").collect(Collectors.joining());
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("bounds")
+    void keepsToEachBoundThatItStates(String what, String within, String beyond) {
+        assertThat(send("/services/MAVLinkControllerService", "text/xml", withHeader(within))
+                        .raw()
+                        .body())
+                .contains("getDronesListResponse");
+        assertThat(send("/services/MAVLinkControllerService", "text/xml", withHeader(beyond))
+                        .raw()
+                        .body())
+                .containsPattern("<faultcode>\\w+:Client</faultcode>");
+    }
+
+    private static String withHeader(String header) {
+        return soap("<w:getDronesList/>").replace("<s:Body>", "<s:Header><h>" + header + "</h></s:Header><s:Body>");
+    }
+
     @Test
     void repeatsNoLongNameOfAnOperation() {
         Http.Answer answer =

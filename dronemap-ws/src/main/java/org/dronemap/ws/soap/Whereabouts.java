@@ -16,6 +16,8 @@ import javax.xml.stream.util.StreamReaderDelegate;
 final class Whereabouts extends StreamReaderDelegate {
     /** Envelope, body and operation are around every value. */
     private static final int OUTER = 3;
+    /** The parser counts them by its settings of before any message, which cannot be changed from here. */
+    private static final int MOST_ATTRIBUTES = 50;
     /** What may stand more than once is numbered from the first on. */
     private static final Set<String> REPEATED = Set.of("waypoint");
 
@@ -94,6 +96,9 @@ final class Whereabouts extends StreamReaderDelegate {
     }
 
     private void enter() {
+        if (getAttributeCount() > MOST_ATTRIBUTES) {
+            throw FaultWords.unreadable("An element may have at most " + MOST_ATTRIBUTES + " attributes.");
+        }
         Element parent = open.peek();
         String name = getLocalName();
         if (parent == null || open.size() < OUTER) {
