@@ -18,6 +18,19 @@ const FACES: Record<string, string> = {
   rule: 'by a rule',
   safety: 'by a zone',
   script: 'by the script',
+  virtual: 'for a virtual drone',
+};
+
+/** What the server does by itself. */
+const OWN_DEEDS: Record<string, string> = {
+  controlLost: 'control lost',
+  controlExpired: 'control expired',
+  controlWithdrawn: 'control withdrawn',
+  returnDue: 'return due',
+  pilotActed: 'the pilot took control',
+  pilotLeft: 'the pilot left',
+  bindDrone: 'drone bound',
+  releaseDrone: 'drone released',
 };
 
 /** Who it was, in a word. */
@@ -29,7 +42,7 @@ export function whoLine(record: AuditRecord): string {
 export function whatLine(record: AuditRecord): string {
   return record.command !== null && record.parameters !== ''
     ? record.parameters
-    : record.operation.replace('/api/v1/', '');
+    : (OWN_DEEDS[record.operation] ?? record.operation.replace('/api/v1/', ''));
 }
 
 /** Everything else, without what is not known. */
