@@ -1,10 +1,11 @@
 package org.dronemap.cognitive.cost;
 
 import java.util.List;
+import org.dronemap.cognitive.problem.Barrier;
 
 /** A disc, seen with its own scales since the chart's are true elsewhere. */
 final class CircleBlock extends Block {
-    private static final int TURNS = 16;
+    private static final int TURNS = Barrier.CIRCLE_TURNS;
 
     private final double x;
     private final double y;

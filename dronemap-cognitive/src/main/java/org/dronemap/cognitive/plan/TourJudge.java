@@ -17,6 +17,9 @@ final class TourJudge {
     /** How far a duration or an energy may be off, as a share and on top of it. */
     private static final double SLACK = 0.01;
 
+    /** By which share two ways of measuring lengths may differ where a battery is used to its last. */
+    private static final double RANGE_SLACK = 1e-4;
+
     private static final double SLACK_SECONDS = 0.5;
     private static final double SLACK_JOULES = 200;
 
@@ -90,7 +93,7 @@ final class TourJudge {
         expect(isNear(tour.usedJoules(), joules, SLACK_JOULES), energyWords("its end", tour.usedJoules(), joules));
         double range = craft.supply().rangeJoules();
         expect(
-                joules <= range * (1 + 1e-6),
+                joules <= range * (1 + RANGE_SLACK),
                 String.format(Locale.ROOT, "draws %.1f Wh and may draw %.1f Wh", joules / 3_600, range / 3_600));
     }
 

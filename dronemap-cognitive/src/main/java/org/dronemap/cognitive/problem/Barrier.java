@@ -14,6 +14,9 @@ import org.dronemap.core.zone.Zone;
  * @param drones whom it binds; nobody named: everybody
  */
 public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<DroneId> drones) {
+    /** A circle is gone round in so many straight pieces. */
+    public static final int CIRCLE_TURNS = 16;
+
     public Barrier {
         drones = Set.copyOf(drones);
         ShapeFaults.of(shape).ifPresent(fault -> {
@@ -27,6 +30,11 @@ public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<Dron
 
     public boolean isKeepIn() {
         return shape.inside();
+    }
+
+    /** At how many spots ways round it may turn. */
+    public int turns() {
+        return shape instanceof FenceZone.Polygon polygon ? polygon.corners().size() : CIRCLE_TURNS;
     }
 
     public boolean binds(DroneId drone) {

@@ -17,7 +17,8 @@ public record Problem(
         Rules rules) {
     public static final int MOST_WAYPOINTS = 100_000;
     public static final int MOST_CRAFTS = 1_000;
-    public static final int MOST_BARRIERS = 1_000;
+    /** Of all zones together, a circle having {@link Barrier#CIRCLE_TURNS}: more take too long to find ways between. */
+    public static final int MOST_CORNERS = 4_000;
     /** From the first place to any other one, along either axis. */
     public static final double WIDEST_METERS = 200_000;
 
@@ -29,7 +30,11 @@ public record Problem(
         barriers = List.copyOf(barriers);
         Require.within("number of waypoints", waypoints.size(), 0, MOST_WAYPOINTS);
         Require.within("number of drones", crafts.size(), 1, MOST_CRAFTS);
-        Require.within("number of zones", barriers.size(), 0, MOST_BARRIERS);
+        Require.within(
+                "number of corners of all zones",
+                barriers.stream().mapToInt(Barrier::turns).sum(),
+                0,
+                MOST_CORNERS);
         distinct("waypoint", waypoints.stream().map(Waypoint::id));
         distinct("drone", crafts.stream().map(craft -> craft.id().value()));
         near(waypoints, crafts);

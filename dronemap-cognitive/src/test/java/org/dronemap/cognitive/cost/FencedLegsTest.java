@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.dronemap.cognitive.Scenes;
 import org.dronemap.cognitive.plan.Fix;
 import org.dronemap.cognitive.plan.Plan;
@@ -239,6 +240,24 @@ class FencedLegsTest {
                 assertThat(big.seconds(0, from, to)).isCloseTo(small.seconds(0, from, to), within(0.05));
                 assertThat(small.meters(0, from, to)).isCloseTo(small.meters(0, to, from), within(1e-6));
             }
+        }
+    }
+
+    @Test
+    void answersTheSameToSeveralThreadsAtOnce() {
+        SplittableRandom random = new SplittableRandom(8);
+        Field field = Field.random(random);
+        Problem problem = Problem.of(waypoints(random, 80), Scenes.crafts(2)).withBarriers(field.barriers);
+        Legs alone = CostModel.of(problem).instance().legs();
+        Legs shared = CostModel.of(problem).instance().legs();
+
+        double[] together = IntStream.range(0, 80 * 80)
+                .parallel()
+                .mapToDouble(pair -> shared.seconds(0, pair / 80, pair % 80))
+                .toArray();
+
+        for (int pair = 0; pair < together.length; pair++) {
+            assertThat(together[pair]).isEqualTo(alone.seconds(0, pair / 80, pair % 80));
         }
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
@@ -52,6 +53,11 @@ class ProblemTest {
     @Test
     void refusesProblemsThatAreNone() {
         refuses(() -> Problem.of(List.of(waypoint), List.of()), "number of drones must be 1 to 1000: 0");
+        Barrier circle = new Barrier(
+                "the pond", new FenceZone.Circle(false, Scenes.point(0, 0), 10), AltitudeBand.ALL, Set.of());
+        refuses(
+                () -> Problem.of(List.of(waypoint), List.of(craft)).withBarriers(Collections.nCopies(251, circle)),
+                "number of corners of all zones must be 0 to 4000: 4016");
         refuses(() -> Problem.of(List.of(waypoint, waypoint), List.of(craft)), "the waypoint w0 is named twice");
         refuses(() -> Problem.of(List.of(), List.of(craft, craft)), "the drone d0 is named twice");
         assertThatIllegalArgumentException()
