@@ -163,6 +163,15 @@ class FencedLegsTest {
         assertThat(model.instance().legs().seconds(0, 2, 1)).isFinite();
         assertThat(model.instance().legs().seconds(0, 1, 3)).isFinite();
         assertThat(model.whyNobody(0).orElseThrow()).startsWith("No way leads there");
+
+        AltitudeBand between = new AltitudeBand(425.0, 435.0, Altitude.Reference.AMSL);
+        Legs layer = CostModel.of(Problem.of(waypoints, List.of(Scenes.craft(0, 0, 0)))
+                        .withBarriers(List.of(new Barrier("the layer", over, between, Set.of()))))
+                .instance()
+                .legs();
+        assertThat(layer.seconds(0, 2, 0)).as("up through it").isInfinite();
+        assertThat(layer.seconds(0, 0, 3)).as("down through it").isInfinite();
+        assertThat(layer.seconds(0, 2, 1)).isFinite();
     }
 
     @Test
