@@ -40,6 +40,9 @@ class SettingsTest {
     @Test
     void boundsWorkUnlessToldOtherwise() {
         assertThat(Settings.fromEnvironment(Map.of()).protection()).isEqualTo(Settings.Protection.DEFAULT);
+        assertThat(Settings.Protection.DEFAULT.rates().perSecond())
+                .as("as docs/security.md says")
+                .isEqualTo(Map.of(Work.REQUEST, 200.0, Work.COMMAND, 50.0, Work.EXPORT, 5.0, Work.SIGN_IN, 5.0));
         Settings.Protection own = Settings.fromEnvironment(Map.of(
                         "DRONEMAP_RATE_COMMANDS", "0",
                         "DRONEMAP_RATE_REQUESTS", "7",
