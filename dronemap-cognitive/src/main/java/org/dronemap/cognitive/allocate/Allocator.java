@@ -1,0 +1,138 @@
+package org.dronemap.cognitive.allocate;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import org.dronemap.cognitive.cost.Instance;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Allocates waypoints to drones and orders them: ruin and recreate under simulated annealing, from a plan at hand or from
+ * none. The best plan so far is there at any time. Safe for several threads: each search has its own state.
+ */
+public final class Allocator {
+    private static final int NEIGHBOURS = 40;
+    private static final int BETWEEN_LOOKS = 64;
+    /** Smaller gains are told of with the next larger one, or in the end. */
+    private static final double WORTH_TELLING = 1e-4;
+
+    private static final int BETWEEN_SURVEYS = 64 * 256;
+
+    private final Instance instance;
+    private final Costs costs;
+    private final Neighbours near;
+
+    public Allocator(Instance instance) {
+        this.instance = instance;
+        costs = new Costs(instance);
+        near = new Neighbours(costs, instance.visits().size(), NEIGHBOURS);
+    }
+
+    /** A search from nothing; {@code improved} hears of every better plan, on this thread. */
+    public Allocation search(long seed, Budget budget, Consumer<Allocation> improved) {
+        return new Search(seed, null).run(budget, improved);
+    }
+
+    /** A search that begins with tours at hand; waypoints in none of them are put in first. */
+    public Allocation improve(int[][] orders, long seed, Budget budget, Consumer<Allocation> improved) {
+        return new Search(seed, orders).run(budget, improved);
+    }
+
+    /** One walk through the plans. */
+    private final class Search {
+        private final SplittableRandom random;
+        private final Tours tours = new Tours(instance, costs);
+        private final Worth worth = new Worth(tours, costs, instance);
+        private final GreedyInsertion insertion;
+        private final StringRemoval removal;
+        private final Cooling cooling;
+        private int[][] best;
+        private double bestExact;
+        private double toldExact = Double.POSITIVE_INFINITY;
+        private long iterations;
+
+        Search(long seed, int @Nullable [][] orders) {
+            random = new SplittableRandom(seed);
+            insertion = new GreedyInsertion(tours, worth, costs, near, random);
+            removal = new StringRemoval(tours, near, random);
+            if (orders != null) {
+                tours.set(orders);
+            }
+            worth.rescale();
+            worth.now();
+            insertion.insertAll();
+            tours.keep();
+            if (ExactSearch.suits(tours)) {
+                tours.set(ExactSearch.best(tours, costs, worth));
+            }
+            best = tours.orders();
+            bestExact = worth.exact();
+            cooling = Cooling.of(instance, worth.total(), orders != null);
+        }
+
+        Allocation run(Budget budget, Consumer<Allocation> improved) {
+            tell(improved);
+            double current = worth.now();
+            double heat = 0;
+            while (!ExactSearch.suits(tours)) {
+                if (iterations % BETWEEN_LOOKS == 0) {
+                    tell(improved);
+                    double used = budget.used(iterations);
+                    if (used >= 1) {
+                        break;
+                    }
+                    heat = cooling.heat(used);
+                    current = lookAnew();
+                }
+                iterations++;
+                current = step(current, heat);
+            }
+            return allocation();
+        }
+
+        private void tell(Consumer<Allocation> improved) {
+            if (bestExact < toldExact - WORTH_TELLING * Math.abs(toldExact) || Double.isInfinite(toldExact)) {
+                toldExact = bestExact;
+                improved.accept(allocation());
+            }
+        }
+
+        private double lookAnew() {
+            if (iterations % BETWEEN_SURVEYS == 0) {
+                tours.surveyAll();
+            }
+            worth.rescale();
+            return worth.now();
+        }
+
+        private double step(double current, double heat) {
+            removal.remove();
+            insertion.insertAbsent();
+            double candidate = worth.now();
+            if (candidate >= current - heat * Math.log(random.nextDouble())) {
+                tours.takeBack();
+                return current;
+            }
+            tours.keep();
+            double exact = worth.exact();
+            if (exact < bestExact - 1e-12 * Math.abs(bestExact)) {
+                bestExact = exact;
+                best = tours.orders();
+            }
+            return candidate;
+        }
+
+        private Allocation allocation() {
+            Tours found = new Tours(instance, costs);
+            found.set(best);
+            Bag absent = found.absent();
+            int[] unserved = new int[absent.size()];
+            for (int i = 0; i < unserved.length; i++) {
+                unserved[i] = absent.get(i);
+            }
+            Arrays.sort(unserved);
+            Worth its = new Worth(found, costs, instance);
+            return new Allocation(best, unserved, its.longest(), its.total(), iterations);
+        }
+    }
+}

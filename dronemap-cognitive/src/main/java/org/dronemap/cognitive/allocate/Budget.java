@@ -1,0 +1,33 @@
+package org.dronemap.cognitive.allocate;
+
+import java.time.Duration;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
+
+/** How long a search may go on. */
+@FunctionalInterface
+public interface Budget {
+    /** The share that is used up after so many iterations; 1 and more ends the search. */
+    double used(long iterations);
+
+    /** With the same seed the same plan on any machine. */
+    static Budget iterations(long most) {
+        return iterations -> (double) iterations / most;
+    }
+
+    /**
+     * From now on.
+     *
+     * @param nanoTime a monotonic clock
+     */
+    static Budget time(Duration most, LongSupplier nanoTime) {
+        long began = nanoTime.getAsLong();
+        double nanos = most.toNanos();
+        return iterations -> (nanoTime.getAsLong() - began) / nanos;
+    }
+
+    /** Ends sooner when asked to. */
+    default Budget orWhen(BooleanSupplier cancelled) {
+        return iterations -> cancelled.getAsBoolean() ? Double.POSITIVE_INFINITY : used(iterations);
+    }
+}

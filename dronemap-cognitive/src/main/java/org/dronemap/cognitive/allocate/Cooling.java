@@ -1,0 +1,26 @@
+package org.dronemap.cognitive.allocate;
+
+import org.dronemap.cognitive.cost.Instance;
+
+/** Exponential cooling, in the unit of the search's worth. */
+record Cooling(double hot, double cold) {
+    /** In legs of mean length, shared by the drones where only the longest tour matters. */
+    private static final double HOT = 5;
+
+    private static final double COLD = 0.1;
+    /** Where a plan at hand is improved, so that it is not torn up first. */
+    private static final double WARM = 0.5;
+
+    static Cooling of(Instance instance, double total, boolean begun) {
+        int drones = instance.carriers().size();
+        double leg = total / (instance.visits().size() + drones);
+        double unit =
+                instance.aim().longestWeight() * leg / drones + instance.aim().sumWeight() * leg;
+        return new Cooling(unit * (begun ? WARM : HOT), unit * COLD);
+    }
+
+    /** For a share of the budget, 0 to 1. */
+    double heat(double used) {
+        return hot * Math.pow(cold / hot, used);
+    }
+}

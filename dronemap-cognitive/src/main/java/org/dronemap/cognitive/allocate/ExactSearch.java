@@ -1,0 +1,100 @@
+package org.dronemap.cognitive.allocate;
+
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
+
+/** Tries every plan of a tiny problem, drone after drone, and leaves those that are no better already. */
+final class ExactSearch {
+    /** More ways to share out and to order than this are left to the annealed search. */
+    private static final double MOST_PLANS = 300_000;
+
+    private final Tours tours;
+    private final Costs costs;
+    private final Worth worth;
+    private final Deque<Integer>[] orders;
+    private final boolean[] visited;
+    private final int[][] best;
+    private double bestExact;
+
+    @SuppressWarnings({"unchecked", "rawtypes"})
+    private ExactSearch(Tours tours, Costs costs, Worth worth) {
+        this.tours = tours;
+        this.costs = costs;
+        this.worth = worth;
+        orders = new Deque[tours.drones];
+        Arrays.setAll(orders, r -> new ArrayDeque<>());
+        visited = new boolean[tours.waypoints];
+        best = tours.orders();
+        bestExact = worth.exact();
+    }
+
+    static boolean suits(Tours tours) {
+        double plans = 1;
+        for (int waypoint = 0; waypoint < tours.waypoints && plans <= MOST_PLANS; waypoint++) {
+            plans *= tours.drones + waypoint;
+        }
+        return plans <= MOST_PLANS;
+    }
+
+    /** The best plan of all; the tours at hand are what it has to be better than. */
+    static int[][] best(Tours tours, Costs costs, Worth worth) {
+        ExactSearch search = new ExactSearch(tours, costs, worth);
+        search.extend(0, new Flight(costs, 0), tours.start(0), new Worth.Tally(0, 0, 0));
+        return search.best;
+    }
+
+    private void extend(int r, Flight flight, int at, Worth.Tally before) {
+        close(r, flight, at, before);
+        for (int waypoint = 0; waypoint < tours.waypoints; waypoint++) {
+            if (visited[waypoint] || !costs.allows(waypoint, r)) {
+                continue;
+            }
+            Flight further = flight.copy();
+            further.fly(at, waypoint);
+            if (further.late()
+                    || !Double.isFinite(further.seconds())
+                    || isDear(before.with(further.seconds(), further.sum()))) {
+                continue;
+            }
+            visited[waypoint] = true;
+            orders[r].addLast(waypoint);
+            extend(r, further, waypoint, before);
+            orders[r].removeLast();
+            visited[waypoint] = false;
+        }
+    }
+
+    /** Flies home, and goes on with the next drone. */
+    private void close(int r, Flight flight, int at, Worth.Tally before) {
+        boolean idle = orders[r].isEmpty();
+        Flight home = flight.copy();
+        home.fly(at, tours.end(r));
+        if (!idle && (!Double.isFinite(home.seconds()) || !Room.withinRange(costs, r, home.joules()))) {
+            return;
+        }
+        boolean stays = idle && !costs.mustFly(r);
+        Worth.Tally flown = stays ? before : before.with(home.seconds(), home.sum());
+        Worth.Tally tally = idle ? flown.withIdle() : flown;
+        if (isDear(tally)) {
+            return;
+        }
+        if (r + 1 < tours.drones) {
+            extend(r + 1, new Flight(costs, r + 1), tours.start(r + 1), tally);
+            return;
+        }
+        double exact = worth.exact(tally);
+        for (int waypoint = 0; waypoint < visited.length; waypoint++) {
+            exact += visited[waypoint] ? 0 : worth.leftOut(waypoint);
+        }
+        if (exact < bestExact) {
+            bestExact = exact;
+            Arrays.setAll(
+                    best, i -> orders[i].stream().mapToInt(Integer::intValue).toArray());
+        }
+    }
+
+    private boolean isDear(Worth.Tally tally) {
+        return worth.exact(tally) >= bestExact;
+    }
+}

@@ -1,0 +1,60 @@
+package org.dronemap.cognitive.allocate;
+
+/** What one drone's tour takes, flown leg by leg: waits for windows to open, and notices those that closed before. */
+final class Flight {
+    private final Costs costs;
+    private final int drone;
+    private double seconds;
+    private double sum;
+    private double joules;
+    private boolean late;
+
+    Flight(Costs costs, int drone) {
+        this.costs = costs;
+        this.drone = drone;
+        seconds = costs.readySeconds(drone);
+    }
+
+    Flight copy() {
+        Flight copy = new Flight(costs, drone);
+        copy.seconds = seconds;
+        copy.sum = sum;
+        copy.joules = joules;
+        copy.late = late;
+        return copy;
+    }
+
+    /** Flies on to a place and serves it. */
+    void fly(int from, int to) {
+        double leg = costs.seconds(drone, from, to);
+        double begins = seconds + leg - costs.serviceSeconds(to);
+        double waits = Math.max(0, costs.opensSeconds(to) - begins);
+        late |= begins + waits > costs.closesSeconds(to);
+        seconds += leg + waits;
+        double drawn = 0;
+        if (costs.limited() || costs.sumsJoules()) {
+            drawn = costs.joules(drone, from, to) + waits * costs.watts(to);
+        }
+        joules += drawn;
+        sum += costs.sumsJoules() ? drawn : costs.sumOf(drone, from, to, leg + waits);
+    }
+
+    /** On the plan's clock. */
+    double seconds() {
+        return seconds;
+    }
+
+    /** What the aim sums; waiting counts as time and as energy. */
+    double sum() {
+        return sum;
+    }
+
+    double joules() {
+        return joules;
+    }
+
+    /** Whether a window had closed. */
+    boolean late() {
+        return late;
+    }
+}

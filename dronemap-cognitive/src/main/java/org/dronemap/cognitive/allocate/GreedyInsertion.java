@@ -1,0 +1,179 @@
+package org.dronemap.cognitive.allocate;
+
+import java.util.SplittableRandom;
+
+/**
+ * Puts absent waypoints where they cost least, one after the other, beside their near neighbours or at an end of a tour, and
+ * now and then overlooks a place (Christiaens and Vanden Berghe, Slack Induction by String Removals, Transportation Science
+ * 54(2), 2020, section 5.3).
+ */
+final class GreedyInsertion {
+    private static final int NEAREST = 16;
+    private static final int OVERLOOKED_IN_1024 = 10;
+    /** More that cannot be served are not all tried again each time. */
+    private static final int MOST_TRIED = 64;
+
+    private final Tours tours;
+    private final Worth worth;
+    private final Costs costs;
+    private final Room room;
+    private final Neighbours near;
+    private final SplittableRandom random;
+    private final int breadth;
+    private final int[] order;
+    private final double[] keys;
+    private double bestChange;
+    private int bestAfter;
+
+    GreedyInsertion(Tours tours, Worth worth, Costs costs, Neighbours near, SplittableRandom random) {
+        this.tours = tours;
+        this.worth = worth;
+        this.costs = costs;
+        this.near = near;
+        this.random = random;
+        room = new Room(tours, costs);
+        breadth = Math.min(NEAREST, near.length());
+        order = new int[tours.waypoints];
+        keys = new double[tours.waypoints];
+    }
+
+    /** All that are absent, in random order: how a search begins. */
+    void insertAll() {
+        insert(tours.waypoints);
+    }
+
+    void insertAbsent() {
+        insert(MOST_TRIED);
+    }
+
+    private void insert(int most) {
+        Bag absent = tours.absent();
+        int count = Math.min(absent.size(), most);
+        for (int i = 0; i < count; i++) {
+            order[i] = absent.size() <= most ? absent.get(i) : absent.get(random.nextInt(absent.size()));
+        }
+        if (count <= MOST_TRIED) {
+            sort(count);
+        } else {
+            shuffle(count);
+        }
+        for (int i = 0; i < count; i++) {
+            if (tours.drone(order[i]) == Tours.NONE) {
+                insertOne(order[i]);
+            }
+        }
+    }
+
+    private void shuffle(int count) {
+        for (int i = count - 1; i > 0; i--) {
+            int other = random.nextInt(i + 1);
+            int waypoint = order[i];
+            order[i] = order[other];
+            order[other] = waypoint;
+        }
+    }
+
+    /** By chance, farthest from the first drone's start first, or nearest first: 4, 2, 1 times of 7. */
+    private void sort(int count) {
+        int rule = random.nextInt(7);
+        int base = tours.start(0);
+        for (int i = 0; i < count; i++) {
+            double distance = rule < 4 ? random.nextDouble() : costs.seconds(0, base, order[i]);
+            insertSorted(i, order[i], rule == 4 || rule == 5 ? -distance : distance);
+        }
+    }
+
+    private void insertSorted(int sorted, int waypoint, double key) {
+        int at = sorted;
+        while (at > 0 && keys[at - 1] > key) {
+            keys[at] = keys[at - 1];
+            order[at] = order[at - 1];
+            at--;
+        }
+        keys[at] = key;
+        order[at] = waypoint;
+    }
+
+    private void insertOne(int waypoint) {
+        bestChange = Double.POSITIVE_INFINITY;
+        bestAfter = Tours.NONE;
+        for (int rank = 0; rank < breadth; rank++) {
+            int other = near.get(waypoint, rank);
+            int r = tours.drone(other);
+            if (r != Tours.NONE && costs.allows(waypoint, r) && !overlooked()) {
+                beside(waypoint, r, other);
+            }
+        }
+        for (int r = 0; r < tours.drones; r++) {
+            if (costs.allows(waypoint, r)) {
+                atAnEnd(waypoint, r);
+            }
+        }
+        if (bestAfter != Tours.NONE) {
+            tours.insert(waypoint, bestAfter);
+        }
+    }
+
+    private boolean overlooked() {
+        return (random.nextInt() & 1023) < OVERLOOKED_IN_1024;
+    }
+
+    private void beside(int waypoint, int r, int other) {
+        int before = tours.prev(other);
+        int after = tours.next(other);
+        double ahead = costs.seconds(r, before, waypoint) + costs.seconds(r, waypoint, other) - tours.out(before);
+        double behind = costs.seconds(r, other, waypoint) + costs.seconds(r, waypoint, after) - tours.out(other);
+        if (costs.timed()) {
+            judge(waypoint, r, before, ahead);
+            judge(waypoint, r, other, behind);
+        } else if (ahead < behind) {
+            judge(waypoint, r, before, ahead);
+        } else {
+            judge(waypoint, r, other, behind);
+        }
+    }
+
+    private void atAnEnd(int waypoint, int r) {
+        int start = tours.start(r);
+        int first = tours.next(start);
+        judge(waypoint, r, start, more(waypoint, r, start, first));
+        int last = tours.prev(tours.end(r));
+        if (last != start) {
+            judge(waypoint, r, last, more(waypoint, r, last, tours.end(r)));
+        }
+    }
+
+    private double more(int waypoint, int r, int after, int before) {
+        return costs.seconds(r, after, waypoint) + costs.seconds(r, waypoint, before) - tours.out(after);
+    }
+
+    private void judge(int waypoint, int r, int after, double moreSeconds) {
+        if (!Double.isFinite(moreSeconds)) {
+            return;
+        }
+        if (costs.timed()) {
+            judgeFlown(waypoint, r, after);
+            return;
+        }
+        double moreSum = costs.moreSum(r, after, waypoint, tours.next(after), moreSeconds);
+        double change = worth.insertion(r, moreSeconds, moreSum, bestChange);
+        if (change < bestChange && room.fits(r, after, waypoint)) {
+            bestChange = change;
+            bestAfter = after;
+        }
+    }
+
+    /** Waiting for windows counts as well. */
+    private void judgeFlown(int waypoint, int r, int after) {
+        Flight flight = room.flown(r, after, waypoint);
+        if (flight == null) {
+            return;
+        }
+        double moreSum = flight.sum() - tours.sum(r);
+        double change = worth.insertion(r, flight.seconds() - tours.seconds(r), moreSum, bestChange);
+        if (change < bestChange) {
+            bestChange = change;
+            bestAfter = after;
+        }
+    }
+}

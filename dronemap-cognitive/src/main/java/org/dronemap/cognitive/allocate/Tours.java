@@ -1,0 +1,278 @@
+package org.dronemap.cognitive.allocate;
+
+import java.util.Arrays;
+import org.dronemap.cognitive.cost.Instance;
+
+/**
+ * The tours of all drones as linked lists of places, each from its drone's start to its end, and what each of them takes.
+ * What was changed since the last {@link #keep()} can be taken back.
+ */
+final class Tours {
+    static final int NONE = -1;
+
+    private static final int NEXT = 0;
+    private static final int PREV = 1;
+    private static final int DRONE = 2;
+    private static final int FIELDS = 3;
+
+    final int waypoints;
+    final int drones;
+    private final Instance instance;
+    private final Costs costs;
+    private final int[] next;
+    private final int[] prev;
+    private final int[] drone;
+    private final double[] out;
+    private final Bag absent;
+    private final Journal journal = new Journal();
+
+    private final int[] size;
+    private final double[] seconds;
+    private final double[] sums;
+    private final double[] joules;
+    private final Bag touched;
+    private final int[] oldSize;
+    private final double[] oldSeconds;
+    private final double[] oldSums;
+    private final double[] oldJoules;
+
+    Tours(Instance instance, Costs costs) {
+        this.instance = instance;
+        this.costs = costs;
+        waypoints = instance.visits().size();
+        drones = instance.carriers().size();
+        int places = waypoints + 2 * drones;
+        next = new int[places];
+        prev = new int[places];
+        drone = new int[places];
+        out = new double[places];
+        absent = new Bag(waypoints);
+        size = new int[drones];
+        seconds = new double[drones];
+        sums = new double[drones];
+        joules = new double[drones];
+        touched = new Bag(drones);
+        oldSize = new int[drones];
+        oldSeconds = new double[drones];
+        oldSums = new double[drones];
+        oldJoules = new double[drones];
+        set(new int[drones][0]);
+    }
+
+    /** Takes over an order of waypoints for each drone; what is in none is absent. This cannot be taken back. */
+    final void set(int[][] orders) {
+        Arrays.fill(drone, NONE);
+        absent.fill();
+        for (int r = 0; r < drones; r++) {
+            int last = start(r);
+            drone[last] = r;
+            for (int waypoint : orders[r]) {
+                join(last, waypoint);
+                put(waypoint, r);
+                last = waypoint;
+            }
+            join(last, end(r));
+            drone[end(r)] = r;
+            size[r] = orders[r].length;
+        }
+        surveyAll();
+        keep();
+    }
+
+    int[][] orders() {
+        int[][] orders = new int[drones][];
+        for (int r = 0; r < drones; r++) {
+            orders[r] = order(r);
+        }
+        return orders;
+    }
+
+    int[] order(int r) {
+        int[] order = new int[size[r]];
+        int place = next[start(r)];
+        for (int i = 0; i < order.length; i++) {
+            order[i] = place;
+            place = next[place];
+        }
+        return order;
+    }
+
+    /** Sums all up anew, so that rounding does not add up over millions of moves. */
+    void surveyAll() {
+        for (int r = 0; r < drones; r++) {
+            survey(r);
+        }
+    }
+
+    private void survey(int r) {
+        Flight flight = new Flight(costs, r);
+        int end = end(r);
+        for (int place = start(r); place != end; place = next[place]) {
+            out[place] = costs.seconds(r, place, next[place]);
+            flight.fly(place, next[place]);
+        }
+        seconds[r] = flight.seconds();
+        sums[r] = flight.sum();
+        joules[r] = flight.joules();
+    }
+
+    int start(int r) {
+        return instance.start(r);
+    }
+
+    int end(int r) {
+        return instance.end(r);
+    }
+
+    int next(int place) {
+        return next[place];
+    }
+
+    int prev(int place) {
+        return prev[place];
+    }
+
+    /** From this place to the next of its tour in seconds, the service there included. */
+    double out(int place) {
+        return out[place];
+    }
+
+    /** The drone that a place belongs to, or {@link #NONE} for an absent waypoint. */
+    int drone(int place) {
+        return drone[place];
+    }
+
+    boolean isWaypoint(int place) {
+        return place < waypoints;
+    }
+
+    Bag absent() {
+        return absent;
+    }
+
+    int size(int r) {
+        return size[r];
+    }
+
+    /** When the tour ends, on the plan's clock. */
+    double seconds(int r) {
+        return seconds[r];
+    }
+
+    /** What the aim sums. */
+    double sum(int r) {
+        return sums[r];
+    }
+
+    double joules(int r) {
+        return joules[r];
+    }
+
+    void insert(int waypoint, int after) {
+        int r = drone[after];
+        int before = next[after];
+        touch(r);
+        change(r, after, waypoint, before, 1);
+        link(after, waypoint, costs.seconds(r, after, waypoint));
+        link(waypoint, before, costs.seconds(r, waypoint, before));
+        assign(waypoint, r);
+        size[r]++;
+        surveyIfTimed(r);
+    }
+
+    void remove(int waypoint) {
+        int r = drone[waypoint];
+        int after = prev[waypoint];
+        int before = next[waypoint];
+        touch(r);
+        change(r, after, waypoint, before, -1);
+        link(after, before, costs.seconds(r, after, before));
+        assign(waypoint, NONE);
+        size[r]--;
+        surveyIfTimed(r);
+    }
+
+    /** Where drones wait for windows to open, no tour is the sum of its legs. */
+    private void surveyIfTimed(int r) {
+        if (costs.timed()) {
+            survey(r);
+        }
+    }
+
+    private void change(int r, int after, int waypoint, int before, int sign) {
+        double more = costs.seconds(r, after, waypoint)
+                + costs.seconds(r, waypoint, before)
+                - costs.seconds(r, after, before);
+        seconds[r] += sign * more;
+        sums[r] += sign * costs.moreSum(r, after, waypoint, before, more);
+        if (costs.limited()) {
+            joules[r] += sign * costs.moreJoules(r, after, waypoint, before);
+        }
+    }
+
+    private void touch(int r) {
+        if (!touched.has(r)) {
+            touched.add(r);
+            oldSize[r] = size[r];
+            oldSeconds[r] = seconds[r];
+            oldSums[r] = sums[r];
+            oldJoules[r] = joules[r];
+        }
+    }
+
+    private void link(int place, int after, double secondsBetween) {
+        journal.note(FIELDS * place + NEXT, next[place], out[place]);
+        journal.note(FIELDS * after + PREV, prev[after], 0);
+        join(place, after);
+        out[place] = secondsBetween;
+    }
+
+    private void join(int place, int after) {
+        next[place] = after;
+        prev[after] = place;
+    }
+
+    private void assign(int waypoint, int r) {
+        journal.note(FIELDS * waypoint + DRONE, drone[waypoint], 0);
+        put(waypoint, r);
+    }
+
+    private void put(int waypoint, int r) {
+        drone[waypoint] = r;
+        if (r == NONE) {
+            absent.add(waypoint);
+        } else {
+            absent.remove(waypoint);
+        }
+    }
+
+    /** What was changed stays so. */
+    void keep() {
+        journal.clear();
+        touched.clear();
+    }
+
+    /** Everything is again as at the last {@link #keep()}. */
+    void takeBack() {
+        for (int i = journal.count() - 1; i >= 0; i--) {
+            int place = journal.slot(i) / FIELDS;
+            int value = journal.value(i);
+            switch (journal.slot(i) % FIELDS) {
+                case NEXT -> {
+                    next[place] = value;
+                    out[place] = journal.seconds(i);
+                }
+                case PREV -> prev[place] = value;
+                default -> put(place, value);
+            }
+        }
+        for (int i = 0; i < touched.size(); i++) {
+            int r = touched.get(i);
+            size[r] = oldSize[r];
+            seconds[r] = oldSeconds[r];
+            sums[r] = oldSums[r];
+            joules[r] = oldJoules[r];
+        }
+        keep();
+    }
+}

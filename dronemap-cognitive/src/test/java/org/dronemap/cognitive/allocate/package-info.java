@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.cognitive.allocate;
+
+import org.jspecify.annotations.NullMarked;
