@@ -1,0 +1,52 @@
+package org.dronemap.cognitive.engine;
+
+import java.util.function.Consumer;
+import org.dronemap.cognitive.allocate.Allocation;
+import org.dronemap.cognitive.allocate.Allocator;
+import org.dronemap.cognitive.allocate.Budget;
+import org.dronemap.cognitive.allocate.LowerBound;
+import org.dronemap.cognitive.cost.Aim;
+import org.dronemap.cognitive.cost.CostModel;
+import org.dronemap.cognitive.plan.Arranger;
+import org.dronemap.cognitive.plan.Plan;
+import org.dronemap.cognitive.plan.PlanChecker;
+import org.dronemap.cognitive.problem.Problem;
+
+/** Plans missions of several drones. Every plan that leaves here was looked at by the independent checker. */
+public final class Engine {
+    /** Work for the bound, in legs looked at: a few hundredths of a second. */
+    private static final long BOUND_LEGS = 4_000_000;
+
+    private static final int MOST_BOUND_ROUNDS = 200;
+
+    private Engine() {}
+
+    /**
+     * Searches until the budget is spent.
+     *
+     * @param seed the same one gives the same plan for a budget of iterations
+     * @param progress hears of better plans, on this thread
+     */
+    public static Planned plan(Problem problem, long seed, Budget budget, Consumer<Progress> progress) {
+        CostModel costs = CostModel.of(problem);
+        Aim aim = costs.instance().aim();
+        double bound = LowerBound.of(costs.instance(), boundRounds(problem));
+        Allocation found = new Allocator(costs.instance())
+                .search(seed, budget, better -> progress.accept(progress(better, aim, bound)));
+        Plan apart = Arranger.apart(problem, costs.plan(found.orders())).plan();
+        return new Planned(apart, progress(found, aim, bound), PlanChecker.faults(problem, apart));
+    }
+
+    private static int boundRounds(Problem problem) {
+        long legs = Math.max(
+                1, (long) problem.waypoints().size() * problem.waypoints().size());
+        return (int) Math.min(MOST_BOUND_ROUNDS, BOUND_LEGS / legs);
+    }
+
+    private static Progress progress(Allocation found, Aim aim, double bound) {
+        double cost = aim.longestWeight() * found.longestSeconds() + aim.sumWeight() * found.sum();
+        int unserved = found.unserved().length;
+        double gap = unserved > 0 ? 1 : cost > 0 ? Math.max(0, 1 - bound / cost) : 0;
+        return new Progress(found.longestSeconds(), found.sum(), unserved, gap, found.iterations());
+    }
+}

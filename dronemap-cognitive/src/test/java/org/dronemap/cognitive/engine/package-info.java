@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.cognitive.engine;
+
+import org.jspecify.annotations.NullMarked;
