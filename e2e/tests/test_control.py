@@ -82,6 +82,9 @@ def hover(sky: Sky) -> Iterator[Callable[[], tuple[Hoverer, str]]]:
         hoverer = Hoverer(sky.server.udp_port, 50 + len(flying))
         flying.append(hoverer)
         drone = wait_for("it flies", lambda: _flying(sky.api, hoverer.peer.port), 60)
+        # On the page those of earlier tests, lost by now, would else be called the same.
+        name = {"name": f"Hoverer {hoverer.peer.port}"}
+        assert sky.api.call("PATCH", f"/drones/{drone['id']}", name).ok
         return hoverer, drone["id"]
 
     yield make
