@@ -11,6 +11,7 @@ import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.MissionItem;
@@ -163,7 +164,8 @@ public final class RunMachine {
     }
 
     private static Step fly(Run before, Assignment assignment, DroneState drone, Sight sight) {
-        if (drone.mission().items() == null || drone.mission().current() == null) {
+        MissionProgress mission = drone.mission();
+        if (mission.items() == null || (mission.current() == null && !isBackFromAll(drone))) {
             // After a restart, until the vehicle has been asked.
             return Step.stay(before);
         }
@@ -299,8 +301,13 @@ public final class RunMachine {
         }
         Share share = share(run, assignment);
         return share.isOnBoard(drone.mission()).equals(Optional.of(true))
-                ? run.flown(share.flown(drone.mission()))
+                ? run.flown(isBackFromAll(drone) ? share.end() : share.flown(drone.mission()))
                 : run;
+    }
+
+    /** Flown to the end and put down, maybe while nobody here listened: then it names no item any more. */
+    private static boolean isBackFromAll(DroneState drone) {
+        return drone.mission().complete() && Boolean.FALSE.equals(drone.armed());
     }
 
     private static Share share(Run run, Assignment assignment) {

@@ -27,7 +27,11 @@ public record Share(Mission mission, int first, int lead) {
         if (progress.phase() == MissionPhase.RUNNING && progress.current() != null) {
             passed = Math.max(passed, progress.current());
         }
-        int waypoints = mission.items().size() - lead - 1;
-        return first + Math.max(0, Math.min(waypoints, passed - lead));
+        return Math.max(first, Math.min(end(), first + passed - lead));
+    }
+
+    /** How many waypoints of the tour are behind it when all of it is flown. */
+    int end() {
+        return first + mission.items().size() - lead - 1;
     }
 }

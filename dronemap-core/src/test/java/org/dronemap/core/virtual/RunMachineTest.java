@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
@@ -134,6 +135,21 @@ class RunMachineTest {
         drone.carries(share(), 4, 0, 1, 2, 3, 4);
         step(null);
         step(null);
+        assertThat(run.stage()).isEqualTo(Stage.DONE);
+    }
+
+    @Test
+    void isDoneWhenTheDroneFlewAllAndCameBackDuringARestart() {
+        flyTo(2);
+        drone.armed = false;
+        drone.airborne = false;
+        // The vehicle names no item any more, and nobody heard which ones it reached.
+        drone.mission =
+                new MissionProgress(share().mission().items(), null, null, MissionPhase.COMPLETE, List.of(), null);
+        step(null);
+        assertThat(run.flown()).isEqualTo(run.total());
+        step(null);
+
         assertThat(run.stage()).isEqualTo(Stage.DONE);
     }
 
