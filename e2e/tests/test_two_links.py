@@ -18,7 +18,7 @@ from dronemap_e2e.waiting import rounds, wait_for
 from .conftest import SYSTEM_IDS
 from .test_links import endpoint, go_and_land, take_off
 
-WORSE = Weather(delay=0.15, jitter=0.05, loss=0.3)
+WORSE = Weather(delay=0.15, jitter=0.05, loss=0.2)
 # The share of lost messages is looked at over some seconds before the way is changed.
 LONGEST_CHOICE = 60.0
 
