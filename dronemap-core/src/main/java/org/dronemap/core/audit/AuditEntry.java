@@ -61,25 +61,27 @@ public record AuditEntry(
     }
 
     public AuditEntry ended(AuditOutcome how, @Nullable String why, @Nullable Long afterMillis) {
-        return new AuditEntry(
-                at,
-                by,
-                organisation,
-                key,
-                face,
-                operation,
-                drone,
-                epoch,
-                command,
-                parameters,
-                how,
-                why,
-                afterMillis,
-                ends);
+        return with(at, parameters, how, why, afterMillis, ends);
     }
 
     /** The end of the call that this is the record of. */
     public AuditEntry ending(Instant when, AuditOutcome how, @Nullable String why, @Nullable Long afterMillis) {
+        return with(when, "", how, why, afterMillis, OF_ITS_COMMAND);
+    }
+
+    /** Null: the command has no record, so that this is all there is of it. */
+    public AuditEntry endingOf(@Nullable Long record) {
+        return with(at, parameters, outcome, reason, latencyMillis, record);
+    }
+
+    /** Of the same call. */
+    private AuditEntry with(
+            Instant when,
+            String what,
+            AuditOutcome how,
+            @Nullable String why,
+            @Nullable Long afterMillis,
+            @Nullable Long record) {
         return new AuditEntry(
                 when,
                 by,
@@ -90,29 +92,10 @@ public record AuditEntry(
                 drone,
                 epoch,
                 command,
-                "",
+                what,
                 how,
                 why,
                 afterMillis,
-                OF_ITS_COMMAND);
-    }
-
-    /** Null: the command has no record, so that this is all there is of it. */
-    public AuditEntry endingOf(@Nullable Long record) {
-        return new AuditEntry(
-                at,
-                by,
-                organisation,
-                key,
-                face,
-                operation,
-                drone,
-                epoch,
-                command,
-                parameters,
-                outcome,
-                reason,
-                latencyMillis,
                 record);
     }
 
