@@ -11,6 +11,10 @@ function key(more: Partial<AccessKey> = {}): AccessKey {
     role: 'operator',
     operations: ['view', 'command'],
     drones: null,
+    area: null,
+    floor: null,
+    ceiling: null,
+    altitudeReference: null,
     expiresAt: null,
     parent: null,
     lastUsedAt: null,
@@ -25,6 +29,9 @@ describe('the lines of a key', () => {
       'operator: view, command · Copter a, Copter b',
     );
     expect(reachLine(key({ drones: ['a', 'b', 'c', 'd'] }), (id) => id)).toContain('4 drones');
+    expect(reachLine(key({ ceiling: 50, altitudeReference: 'home' }), (id) => id)).toBe(
+      'operator: view, command · all drones · up to 50 m above home',
+    );
   });
 
   it('say until when it serves and when it did', () => {

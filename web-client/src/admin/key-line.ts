@@ -1,6 +1,7 @@
 import type { AccessKey, KeyOperation } from '../api/access-keys';
 import { mayAct, type Role } from '../api/accounts';
 import { age, counted } from '../ui/format';
+import { boundsLine } from './key-bounds';
 
 /** What a key can be made for, least first; each needs a role of its owner. */
 export const REACHES: readonly { label: string; operations: KeyOperation[]; needs: Role }[] = [
@@ -22,7 +23,8 @@ export function reachLine(key: AccessKey, nameOf: (drone: string) => string): st
       : key.drones.length > 3
         ? counted(key.drones.length, 'drone')
         : key.drones.map(nameOf).join(', ');
-  return `${key.role}: ${key.operations.join(', ')} · ${drones}`;
+  const parts = [`${key.role}: ${key.operations.join(', ')}`, drones, boundsLine(key)];
+  return parts.filter((part) => part !== '').join(' · ');
 }
 
 /** Until when it serves, and when it last did. */

@@ -2,7 +2,22 @@ import type { Role } from './accounts';
 
 export type KeyOperation = 'view' | 'plan' | 'command' | 'administer';
 
-export interface AccessKey {
+/** As in GeoJSON, longitude first; a circle is a point with a radius in metres. */
+export interface KeyArea {
+  type: string;
+  coordinates: unknown;
+  radius?: number | null;
+}
+
+/** Metres; what is null is no bound. */
+export interface KeyBounds {
+  area: KeyArea | null;
+  floor: number | null;
+  ceiling: number | null;
+  altitudeReference: 'home' | 'amsl' | null;
+}
+
+export interface AccessKey extends KeyBounds {
   id: string;
   label: string;
   role: Role;
@@ -27,6 +42,10 @@ export interface AccessKeyRequest {
   label: string;
   operations: KeyOperation[];
   drones?: string[];
+  area?: KeyArea;
+  floor?: number;
+  ceiling?: number;
+  altitudeReference?: 'home' | 'amsl';
   days?: number;
 }
 

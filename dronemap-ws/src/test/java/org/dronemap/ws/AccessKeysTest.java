@@ -14,11 +14,19 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Bounds;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.soap.DronemapFault;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -210,6 +218,70 @@ class AccessKeysTest {
     }
 
     @Test
+    void flyOnlyInTheirAreaAndHeights() {
+        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
+        Http http = new Http(house, made.text("key"));
+        String path = "/api/v1/drones/" + mine.id() + "/commands?wait=10";
+
+        assertThat(made.json().path("area").path("radius").asDouble()).isEqualTo(500);
+        assertThat(made.text("altitudeReference")).isEqualTo("home");
+        armed(FlightPhase.ON_GROUND, 0);
+        assertThat(http.post(path, "{\"type\":\"takeOff\",\"altitude\":80}").text("detail"))
+                .contains("over the ceiling of the bounds of this access key at 60 m above home");
+        armed(FlightPhase.IN_AIR, 20);
+        assertThat(http.post(path, goTo(47.41, 30)).text("detail"))
+                .contains("leaves the bounds of this access key after 500 m");
+        assertThat(mine.performed()).isEmpty();
+        assertThat(http.post(path, goTo(47.399, 30)).status()).isEqualTo(200);
+        assertThat(http.post(path, "{\"type\":\"returnToLaunch\"}").status()).isEqualTo(200);
+        assertThat(user.post(path, goTo(47.41, 30)).status()).isEqualTo(200);
+    }
+
+    @Test
+    void makeOthersOnlyWithinTheirAreaAndHeights() {
+        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http byParent = new Http(
+                house,
+                user.post(
+                                "/api/v1/access-keys",
+                                "{\"label\":\"parent\"," + circle(500) + ",\"floor\":10,\"ceiling\":60}")
+                        .text("key"));
+
+        Http.Answer wide = byParent.post("/api/v1/access-keys", "{\"label\":\"child\"," + circle(501) + "}");
+        assertThat(wide.status()).isEqualTo(422);
+        assertThat(wide.text("field")).isEqualTo("area");
+        assertThat(wide.text("allowed")).isEqualTo("within the circle of 500 m around 47.397700, 8.545600");
+        Http.Answer high = byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"ceiling\":61}");
+        assertThat(high.text("field")).isEqualTo("ceiling");
+        assertThat(high.text("allowed")).isEqualTo("10 to 60 m above home, as for the key that it is made with");
+        assertThat(byParent.post(
+                                "/api/v1/access-keys",
+                                "{\"label\":\"child\",\"ceiling\":50,\"altitudeReference\":\"amsl\"}")
+                        .text("field"))
+                .isEqualTo("altitudeReference");
+
+        Http.Answer child = byParent.post("/api/v1/access-keys", "{\"label\":\"child\",\"ceiling\":50}");
+        assertThat(child.json().path("area").path("radius").asDouble()).isEqualTo(500);
+        assertThat(child.json().path("floor").asDouble()).isEqualTo(10);
+        assertThat(child.json().path("ceiling").asDouble()).isEqualTo(50);
+    }
+
+    @Test
+    void doNothingBeyondLookingWhereTheirAreaDoesNotCount() {
+        KeyScope scope =
+                KeyScope.ALL.boundedBy(new Bounds(null, new AltitudeBand(null, 60.0, Altitude.Reference.HOME)));
+        Http http = new Http(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
+
+        assertThat(http.get("/api/v1/users").text("detail"))
+                .isEqualTo("This access key has an area or heights, and what has none is closed to it.");
+        assertThat(http.post("/api/v1/virtual-drones", "{}").text("detail"))
+                .isEqualTo("This access key has an area or heights, and a virtual drone flies without it.");
+        assertThat(http.get("/api/v1/virtual-drones").status()).isEqualTo(200);
+        assertThat(http.get("/metrics").status()).isEqualTo(200);
+    }
+
+    @Test
     void areRenewedWithTheSameRights() {
         Http user = new Http(house, house.key(Role.OPERATOR));
         Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\",\"operations\":[\"view\"]}");
@@ -259,9 +331,32 @@ class AccessKeysTest {
         assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"drones\":[null]}")
                         .text("field"))
                 .isEqualTo("drones");
+        assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"area\":{\"type\":\"Point\",\"radius\":5}}")
+                        .text("field"))
+                .isEqualTo("area.coordinates");
+        assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"floor\":50,\"ceiling\":40}")
+                        .text("field"))
+                .isEqualTo("ceiling");
         assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"days\":0}")
                         .text("field"))
                 .isEqualTo("days");
+    }
+
+    private void armed(FlightPhase phase, double meters) {
+        mine.says(new DroneEvent.ModeHeard("GUIDED", true));
+        mine.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3977, 8.5456), 488 + meters, meters)));
+        mine.says(new DroneEvent.PhaseHeard(phase));
+        Waiting.until(
+                "it is heard",
+                () -> house.cloud().drone(new DroneId(mine.id())).filter(state -> state.phase() == phase));
+    }
+
+    private static String circle(int radius) {
+        return "\"area\":{\"type\":\"Point\",\"coordinates\":[8.5456,47.3977],\"radius\":" + radius + "}";
+    }
+
+    private static String goTo(double latitude, int meters) {
+        return "{\"type\":\"goTo\",\"latitude\":" + latitude + ",\"longitude\":8.5456,\"altitude\":" + meters + "}";
     }
 
     private static KeyRights operatorOf(ScriptedVehicle vehicle) {

@@ -39,7 +39,7 @@ class ApiDescriptionTest {
     /** Schemas go by the names of classes: two of one name would be one schema. */
     @ParameterizedTest
     @CsvSource({
-        "/api/v1/access-keys, label role operations drones days",
+        "/api/v1/access-keys, label role operations drones area floor ceiling altitudeReference days",
         "/api/v1/dtls-keys, label drone",
         "/api/v1/drones/{id}/link-key, key",
         "/api/v1/users, name role password",

@@ -1,9 +1,13 @@
 package org.dronemap.core.access;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,8 +15,9 @@ import org.jspecify.annotations.Nullable;
  *
  * @param drones null: all of them, also those to come; others do not exist for it
  * @param permissions looking is always among them
+ * @param bounds what flights that it commands stay within: all of them, each within the one before
  */
-public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permissions) {
+public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permissions, List<Bounds> bounds) {
     /** Takes nothing away. */
     public static final KeyScope ALL = new KeyScope(null, EnumSet.allOf(Permission.class));
 
@@ -21,6 +26,12 @@ public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permission
         EnumSet<Permission> all = EnumSet.of(Permission.VIEW);
         all.addAll(permissions);
         permissions = Collections.unmodifiableSet(all);
+        bounds = List.copyOf(bounds);
+    }
+
+    /** Wherever one may fly at all. */
+    public KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permissions) {
+        this(drones, permissions, List.of());
     }
 
     public boolean covers(DroneId drone) {
@@ -31,6 +42,26 @@ public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permission
         return drones == null;
     }
 
+    /** It commands flights only here and there. */
+    public boolean isBounded() {
+        return !bounds.isEmpty();
+    }
+
+    /** The closest of all bounds; null: there are none. */
+    public @Nullable Bounds innermost() {
+        return bounds.isEmpty() ? null : bounds.get(bounds.size() - 1);
+    }
+
+    /** Within these bounds, too. */
+    public KeyScope boundedBy(Bounds closer) {
+        if (closer.equals(innermost())) {
+            return this;
+        }
+        List<Bounds> all = new ArrayList<>(bounds);
+        all.add(closer);
+        return new KeyScope(drones, permissions, all);
+    }
+
     boolean permits(Role needed) {
         Permission permission = needed.permission();
         return permission == null || permissions.contains(permission);
@@ -38,5 +69,23 @@ public record KeyScope(@Nullable Set<DroneId> drones, Set<Permission> permission
 
     boolean includesDronesOf(KeyScope other) {
         return drones == null || (other.drones != null && drones.containsAll(other.drones));
+    }
+
+    /**
+     * The part in which these bounds go beyond those. All of those must hold here, too: two judgements of one leg may
+     * differ by the room that each of them keeps from its own edge.
+     */
+    Optional<Bounds.Side> boundsBeyond(KeyScope outer) {
+        Bounds widest = outer.innermost();
+        Bounds own = innermost();
+        if (widest == null) {
+            return Optional.empty();
+        }
+        if (own == null) {
+            return Optional.of(widest.area() == null ? Bounds.Side.ALTITUDE : Bounds.Side.AREA);
+        }
+        Optional<Bounds.Side> side = own.beyond(widest);
+        boolean allHold = bounds.containsAll(outer.bounds);
+        return side.isPresent() || allHold ? side : Optional.of(Bounds.Side.AREA);
     }
 }

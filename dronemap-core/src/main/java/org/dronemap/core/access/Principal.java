@@ -38,12 +38,16 @@ public record Principal(
                 && (permission == null || permissions(drone).contains(permission));
     }
 
-    /** With virtual drones, which any drone may serve: a proof that reaches certain drones reaches none of them. */
+    /**
+     * With virtual drones, which any drone may serve, and which fly on without whoever started them: a proof that
+     * reaches certain drones reaches none of them, and one with bounds only looks.
+     */
     public boolean mayVirtually(Role needed) {
         Permission permission = needed.permission();
         return role.includes(needed)
                 && scope.permits(needed)
                 && scope.coversAllDrones()
+                && (!scope.isBounded() || !needed.includes(Role.PLANNER))
                 && (permission == null || reach.virtually().contains(permission));
     }
 

@@ -66,7 +66,11 @@ public final class CommandGate {
 
     /** A command on its way, with the promise of its outcome, and what stands between it and the wire. */
     private record Underway(
-            OpenCommand open, ManagedDrone drone, Passage.Open passage, CompletableFuture<CommandRecord> end) {
+            OpenCommand open,
+            ManagedDrone drone,
+            Passage.Open passage,
+            Principal principal,
+            CompletableFuture<CommandRecord> end) {
         boolean isOutdated() {
             return !passage.fence().isOpen();
         }
@@ -118,15 +122,17 @@ public final class CommandGate {
         if (passage instanceof Passage.Closed closed) {
             return refuse(record, closed.why());
         }
-        return begin(managed, command, record, (Passage.Open) passage);
+        return begin(managed, command, record, (Passage.Open) passage, source.principal());
     }
 
-    private CommandRecord begin(ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage) {
+    private CommandRecord begin(
+            ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage, Principal principal) {
         CommandRecord record = passage.epoch() == null ? given : given.withEpoch(passage.epoch());
         Underway entry = new Underway(
                 new OpenCommand(command, record, managed.lane().activeNanos()),
                 managed,
                 passage,
+                principal,
                 new CompletableFuture<>());
         Underway earlier = underway.putIfAbsent(record.id(), entry);
         if (earlier != null) {
@@ -142,7 +148,8 @@ public final class CommandGate {
             // The lane must not wait for the disk.
             journal.write(
                     "what a rule commands: " + command.summary(),
-                    () -> begin(managed, command, intent(SAFETY, managed.id(), id, command), passage),
+                    () -> begin(
+                            managed, command, intent(SAFETY, managed.id(), id, command), passage, SAFETY.principal()),
                     () -> {});
         });
     }
@@ -151,7 +158,13 @@ public final class CommandGate {
     public Optional<String> whyNot(Principal principal, DroneState drone, Command command) {
         return RoleRules.whyNot(principal, drone, command.needs())
                 .or(() -> CommandRules.whyNot(drone, command))
-                .or(() -> zones.whyNot(principal.name(), drone, command, clock.instant()));
+                .or(() -> whyNotThere(principal, drone, command));
+    }
+
+    private Optional<String> whyNotThere(Principal principal, DroneState drone, Command command) {
+        return zones.whyNot(principal.name(), drone, command, clock.instant())
+                .or(() ->
+                        ZoneRules.whyNot(principal.scope().bounds(), "the bounds of this access key", drone, command));
     }
 
     public Optional<CommandRecord> find(CommandId id) {
@@ -273,8 +286,7 @@ public final class CommandGate {
         }
         DroneState now = entry.drone().drone().state();
         Command command = entry.open().command();
-        Optional<String> why = CommandRules.whyNot(now, command)
-                .or(() -> zones.whyNot(entry.open().record().by(), now, command, clock.instant()));
+        Optional<String> why = CommandRules.whyNot(now, command).or(() -> whyNotThere(entry.principal(), now, command));
         Optional<VehicleChannel> channel = entry.drone().channel();
         if (why.isPresent() || channel.isEmpty()) {
             end(entry, new Outcome.Refused(GATE, why.orElse("There is no link to the drone.")));

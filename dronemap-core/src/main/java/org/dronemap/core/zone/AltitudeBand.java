@@ -35,12 +35,30 @@ public record AltitudeBand(
         return ceilingMeters == null ? Double.POSITIVE_INFINITY : ceilingMeters;
     }
 
+    /** Heights of different references cannot be compared as long as nobody flies. */
+    public boolean isWithin(AltitudeBand outer) {
+        return !outer.isBounded()
+                || (reference == outer.reference
+                        && lowMeters() >= outer.lowMeters()
+                        && highMeters() <= outer.highMeters());
+    }
+
+    /** "10 to 120 m above home", "up to 500 m above sea level"; empty without bounds. */
+    public String words() {
+        if (floorMeters == null) {
+            return ceilingMeters == null ? "" : "up to " + words(ceilingMeters);
+        }
+        return ceilingMeters == null
+                ? "from " + words(floorMeters) + " upwards"
+                : number(floorMeters) + " to " + words(ceilingMeters);
+    }
+
     /** "120 m above home", "500 m above sea level". */
     String words(double meters) {
-        return String.format(
-                Locale.ROOT,
-                "%s m above %s",
-                meters == Math.rint(meters) ? String.format(Locale.ROOT, "%.0f", meters) : String.valueOf(meters),
-                reference == Altitude.Reference.HOME ? "home" : "sea level");
+        return number(meters) + " m above " + (reference == Altitude.Reference.HOME ? "home" : "sea level");
+    }
+
+    private static String number(double meters) {
+        return meters == Math.rint(meters) ? String.format(Locale.ROOT, "%.0f", meters) : String.valueOf(meters);
     }
 }

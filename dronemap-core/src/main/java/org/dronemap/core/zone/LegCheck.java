@@ -40,11 +40,25 @@ final class LegCheck {
 
     /** A sentence that names leg, zone and distance; empty when the leg keeps to the zone. */
     Optional<String> whyNot(Zone zone) {
-        if (stretch.lengthMeters() > LONGEST_LEG_METERS) {
-            return Optional.of(
-                    leg.words() + " is longer than 1000 km; it cannot be checked against " + zone.words() + ".");
+        if (zone.shape().inside()) {
+            return whyNot(new Bounds(zone.shape(), zone.band()), zone.words());
         }
-        return zone.shape().inside() ? leaves(zone) : enters(zone);
+        return isTooLong() ? Optional.of(tooLong(zone.words())) : enters(zone);
+    }
+
+    /** The same of bounds that are called so. */
+    Optional<String> whyNot(Bounds bounds, String words) {
+        return isTooLong()
+                ? Optional.of(tooLong(words))
+                : outOfBand(bounds.band(), words).or(() -> leaves(bounds.area(), words));
+    }
+
+    private boolean isTooLong() {
+        return stretch.lengthMeters() > LONGEST_LEG_METERS;
+    }
+
+    private String tooLong(String words) {
+        return leg.words() + " is longer than 1000 km; it cannot be checked against " + words + ".";
     }
 
     private Optional<String> enters(Zone zone) {
@@ -63,27 +77,22 @@ final class LegCheck {
         return near(contact).map(how -> leg.words() + " passes " + how + " of " + named(zone) + ".");
     }
 
-    private Optional<String> leaves(Zone zone) {
-        Optional<String> height = outOfBand(zone);
-        if (height.isPresent()) {
-            return height;
+    private Optional<String> leaves(@Nullable FenceZone area, String words) {
+        if (area == null) {
+            return Optional.empty();
         }
-        if (zone.shape() instanceof FenceZone.Circle circle) {
-            return leaves(zone, staysIn(circle));
-        }
-        return leaves(zone, meets(outline(zone.shape())));
+        return leaves(area instanceof FenceZone.Circle circle ? staysIn(circle) : meets(outline(area)), words);
     }
 
-    private Optional<String> leaves(Zone zone, Contact contact) {
+    private Optional<String> leaves(Contact contact, String words) {
         if (!contact.beginsInside()) {
-            return Optional.of(leg.words() + " begins outside " + zone.words() + ", " + meters(contact.startGapMeters())
+            return Optional.of(leg.words() + " begins outside " + words + ", " + meters(contact.startGapMeters())
                     + " away from it.");
         }
         if (contact.metersToCrossing() < Double.POSITIVE_INFINITY) {
-            return Optional.of(
-                    leg.words() + " leaves " + zone.words() + " after " + meters(contact.metersToCrossing()) + ".");
+            return Optional.of(leg.words() + " leaves " + words + " after " + meters(contact.metersToCrossing()) + ".");
         }
-        return near(contact).map(how -> leg.words() + " comes " + how + " of the edge of " + zone.words() + ".");
+        return near(contact).map(how -> leg.words() + " comes " + how + " of the edge of " + words + ".");
     }
 
     private static Optional<String> near(Contact contact) {
@@ -215,23 +224,22 @@ final class LegCheck {
                 && range.highMeters() >= zone.band().lowMeters();
     }
 
-    private Optional<String> outOfBand(Zone zone) {
-        AltitudeBand band = zone.band();
+    private Optional<String> outOfBand(AltitudeBand band, String words) {
         if (!band.isBounded()) {
             return Optional.empty();
         }
         Heights.Range range = leg.heights().from(band.reference(), homeAmslMeters);
         if (range.equals(Heights.Range.ANY)) {
             return Optional.of("How high " + lowerFirst(leg.words()) + " leads cannot be compared with the heights of "
-                    + zone.words() + " as long as the altitude of the home is not known.");
+                    + words + " as long as the altitude of the home is not known.");
         }
         if (range.highMeters() > band.highMeters()) {
             return Optional.of(leg.words() + " reaches " + band.words(Math.round(range.highMeters() * 10) / 10.0)
-                    + ", over the ceiling of " + zone.words() + " at " + band.words(band.highMeters()) + ".");
+                    + ", over the ceiling of " + words + " at " + band.words(band.highMeters()) + ".");
         }
         if (!leg.heights().toTheGround() && range.lowMeters() < band.lowMeters()) {
             return Optional.of(leg.words() + " goes down to " + band.words(Math.round(range.lowMeters() * 10) / 10.0)
-                    + ", under the floor of " + zone.words() + " at " + band.words(band.lowMeters()) + ".");
+                    + ", under the floor of " + words + " at " + band.words(band.lowMeters()) + ".");
         }
         return Optional.empty();
     }

@@ -2,10 +2,12 @@ package org.dronemap.core.zone;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.MissionItem;
 
 /** Which way a command sends a drone. */
@@ -29,6 +31,27 @@ public final class Routes {
             return onBoard(drone);
         }
         return Route.NONE;
+    }
+
+    /** Where a drone would go by itself later on, once it is called home. */
+    static Route refuges(Command command) {
+        if (command instanceof Command.SetHome home && home.point() != null) {
+            return new Route(List.of(refuge("The new home", home.point())), null);
+        }
+        if (command instanceof Command.SetRallyPoints rally) {
+            return new Route(
+                    IntStream.range(0, rally.points().size())
+                            .mapToObj(index -> refuge(
+                                    "Rally point " + (index + 1),
+                                    rally.points().get(index).point()))
+                            .toList(),
+                    null);
+        }
+        return Route.NONE;
+    }
+
+    private static Leg refuge(String words, Geodetic point) {
+        return new Leg(words, point, point, new Heights(List.of(), true));
     }
 
     /** The way home and down, which is only warned of. */

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
@@ -27,6 +28,23 @@ public final class ZoneRules {
         return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.of(drone, command));
     }
 
+    /** The same for bounds that hold whoever commands this, all of them; {@code words} is what they are called. */
+    public static Optional<String> whyNot(List<Bounds> bounds, String words, DroneState drone, Command command) {
+        if (bounds.isEmpty()) {
+            return Optional.empty();
+        }
+        return whyNot(
+                        Routes.of(drone, command),
+                        drone,
+                        check -> firstOf(bounds, one -> check.whyNot(one, words)),
+                        words)
+                .or(() -> whyNot(
+                        Routes.refuges(command),
+                        drone,
+                        check -> firstOf(bounds, one -> check.whyNot(one.atAnyHeight(), words)),
+                        words));
+    }
+
     /** What a return home would cross, for a warning: it is never forbidden. */
     public Optional<String> homewardDoubt(String user, DroneState drone, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now);
@@ -34,21 +52,25 @@ public final class ZoneRules {
     }
 
     private static Optional<String> whyNot(List<Zone> zones, DroneState drone, Route route) {
+        return whyNot(
+                route,
+                drone,
+                check -> firstOf(zones, check::whyNot),
+                "the zones that bind this flight, such as " + zones.get(0).words());
+    }
+
+    private static Optional<String> whyNot(
+            Route route, DroneState drone, Function<LegCheck, Optional<String>> judge, String against) {
         Double home = homeAmslMeters(drone);
-        for (Leg leg : route.legs()) {
-            LegCheck check = new LegCheck(leg, home);
-            for (Zone zone : zones) {
-                Optional<String> why = check.whyNot(zone);
-                if (why.isPresent()) {
-                    return why;
-                }
-            }
-        }
+        Optional<String> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, home)));
         String doubt = route.doubt();
-        return doubt == null
-                ? Optional.empty()
-                : Optional.of(doubt + "; so the way cannot be checked against the zones that bind this flight, such as "
-                        + zones.get(0).words() + ".");
+        return why.isPresent() || doubt == null
+                ? why
+                : Optional.of(doubt + "; so the way cannot be checked against " + against + ".");
+    }
+
+    private static <T> Optional<String> firstOf(List<T> all, Function<T, Optional<String>> judge) {
+        return all.stream().map(judge).flatMap(Optional::stream).findFirst();
     }
 
     /** The height of home above the sea, also when only what is measured from it tells it. */

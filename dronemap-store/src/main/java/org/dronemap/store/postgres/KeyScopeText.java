@@ -32,8 +32,8 @@ final class KeyScopeText {
         return permissions.stream().map(Permission::name).collect(Collectors.joining(COMMA));
     }
 
-    static KeyScope scope(@Nullable String drones, String permissions) {
-        return new KeyScope(drones == null ? null : ids(drones), permissions(permissions));
+    static @Nullable Set<DroneId> dronesOrAll(@Nullable String drones) {
+        return drones == null ? null : ids(drones);
     }
 
     static Set<Permission> permissions(String words) {

@@ -9,6 +9,7 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
@@ -115,9 +116,9 @@ public final class PostgresAccessStore implements AccessStore {
         KeyRights rights = key.rights();
         sql.update(
                 """
-                INSERT INTO access_key (id, label, account_name, parent, role, drones, permissions, expires_at,
+                INSERT INTO access_key (id, label, account_name, parent, role, drones, permissions, bounds, expires_at,
                     secret_hash, created_at, last_used_at)
-                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)""",
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?::json, ?, ?, ?, ?)""",
                 key.id(),
                 key.label(),
                 key.owner(),
@@ -125,6 +126,7 @@ public final class PostgresAccessStore implements AccessStore {
                 rights.role(),
                 KeyScopeText.drones(rights.scope()),
                 KeyScopeText.permissions(rights.scope()),
+                BoundsJson.write(rights.scope().bounds()),
                 rights.expiresAt(),
                 key.secretHash(),
                 key.createdAt(),
@@ -244,7 +246,10 @@ public final class PostgresAccessStore implements AccessStore {
                 row.textOrNull("parent"),
                 new KeyRights(
                         row.name("role", Role.class),
-                        KeyScopeText.scope(row.textOrNull("drones"), row.text("permissions")),
+                        new KeyScope(
+                                KeyScopeText.dronesOrAll(row.textOrNull("drones")),
+                                KeyScopeText.permissions(row.text("permissions")),
+                                BoundsJson.read(row.textOrNull("bounds"))),
                         row.timeOrNull("expires_at")),
                 row.text("secret_hash"),
                 row.time("created_at"),

@@ -1,14 +1,9 @@
 package org.dronemap.store.postgres;
 
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.organisation.OrganisationId;
-import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Validity;
@@ -44,17 +39,8 @@ final class ZoneJson {
     private static void write(Zone zone, ObjectNode to) {
         to.put("id", zone.id());
         to.put("name", zone.name());
-        to.put("inside", zone.shape().inside());
-        if (zone.shape() instanceof FenceZone.Circle circle) {
-            point(circle.center(), to.putObject("center"));
-            to.put("radiusMeters", circle.radiusMeters());
-        } else if (zone.shape() instanceof FenceZone.Polygon polygon) {
-            ArrayNode corners = to.putArray("corners");
-            polygon.corners().forEach(corner -> point(corner, corners.addObject()));
-        }
-        to.put("floorMeters", zone.band().floorMeters());
-        to.put("ceilingMeters", zone.band().ceilingMeters());
-        to.put("altitudeReference", zone.band().reference().name());
+        ShapeJson.write(zone.shape(), to);
+        ShapeJson.write(zone.band(), to);
         if (zone.binding() instanceof Binding.OfUser user) {
             to.put("user", user.name());
         } else if (zone.binding() instanceof Binding.OfDrone drone) {
@@ -70,11 +56,6 @@ final class ZoneJson {
         }
     }
 
-    private static void point(Geodetic point, ObjectNode to) {
-        to.put("latitudeDegrees", point.latitudeDegrees());
-        to.put("longitudeDegrees", point.longitudeDegrees());
-    }
-
     private static @Nullable String text(@Nullable Instant moment) {
         return moment == null ? null : moment.toString();
     }
@@ -83,12 +64,8 @@ final class ZoneJson {
         return new Zone(
                 from.required("id").stringValue(),
                 from.required("name").stringValue(),
-                shape(from),
-                new AltitudeBand(
-                        number(from, "floorMeters"),
-                        number(from, "ceilingMeters"),
-                        Altitude.Reference.valueOf(
-                                from.required("altitudeReference").stringValue())),
+                ShapeJson.shape(from),
+                ShapeJson.band(from),
                 binding(from),
                 new Validity(moment(from, "from"), moment(from, "until")),
                 BreachAction.valueOf(from.required("onBreach").stringValue()),
@@ -99,25 +76,6 @@ final class ZoneJson {
                         : OrganisationId.HOME);
     }
 
-    private static FenceZone shape(JsonNode from) {
-        boolean inside = from.required("inside").booleanValue();
-        if (from.has("center")) {
-            return new FenceZone.Circle(
-                    inside,
-                    point(from.required("center")),
-                    from.required("radiusMeters").doubleValue());
-        }
-        List<Geodetic> corners = new ArrayList<>();
-        from.required("corners").forEach(corner -> corners.add(point(corner)));
-        return new FenceZone.Polygon(inside, corners);
-    }
-
-    private static Geodetic point(JsonNode from) {
-        return new Geodetic(
-                from.required("latitudeDegrees").doubleValue(),
-                from.required("longitudeDegrees").doubleValue());
-    }
-
     private static Binding binding(JsonNode from) {
         if (from.has("user")) {
             return new Binding.OfUser(from.required("user").stringValue());
@@ -125,10 +83,6 @@ final class ZoneJson {
         return from.has("drone")
                 ? new Binding.OfDrone(new DroneId(from.required("drone").stringValue()))
                 : Binding.EVERYBODY;
-    }
-
-    private static @Nullable Double number(JsonNode from, String field) {
-        return from.hasNonNull(field) ? Double.valueOf(from.required(field).doubleValue()) : null;
     }
 
     private static @Nullable Instant moment(JsonNode from, String field) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Instant;
+import java.util.List;
 import java.util.Set;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
@@ -16,6 +17,11 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Bounds;
 import org.dronemap.store.SignInLimit;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
@@ -157,7 +163,12 @@ public abstract class AccessStoreContract {
         store.addUser(ALICE);
         KeyScope one = new KeyScope(Set.of(new DroneId("d1"), new DroneId("d2")), Set.of(Permission.PLAN));
         KeyScope none = new KeyScope(Set.of(), Set.of(Permission.values()));
-        AccessKey root = key("k1", "alice", null, new KeyRights(Role.PLANNER, one, NOW.plusSeconds(60)), "s1");
+        FenceZone circle = new FenceZone.Circle(true, new Geodetic(47.397712345678, 8.5456), 500);
+        FenceZone triangle = new FenceZone.Polygon(
+                true, List.of(new Geodetic(47.397, 8.545), new Geodetic(47.398, 8.545), new Geodetic(47.398, 8.546)));
+        KeyScope bounded = one.boundedBy(new Bounds(circle, AltitudeBand.ALL))
+                .boundedBy(new Bounds(triangle, new AltitudeBand(null, 60.5, Altitude.Reference.AMSL)));
+        AccessKey root = key("k1", "alice", null, new KeyRights(Role.PLANNER, bounded, NOW.plusSeconds(60)), "s1");
         AccessKey child = key("k2", "alice", "k1", new KeyRights(Role.VIEWER, none, null), "s2");
         store.addAccessKey(root);
         store.addAccessKey(child);

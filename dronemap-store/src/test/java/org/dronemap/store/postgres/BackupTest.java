@@ -37,9 +37,12 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.SavedMission;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Bounds;
 import org.dronemap.store.StoreException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -78,7 +81,11 @@ class BackupTest {
             "script",
             "alice",
             null,
-            new KeyRights(Role.OPERATOR, new KeyScope(Set.of(DRONE.id()), Set.of(Permission.COMMAND)), AT),
+            new KeyRights(
+                    Role.OPERATOR,
+                    new KeyScope(Set.of(DRONE.id()), Set.of(Permission.COMMAND))
+                            .boundedBy(new Bounds(null, new AltitudeBand(10.0, 50.0, Altitude.Reference.HOME))),
+                    AT),
             "secret",
             AT,
             AT);

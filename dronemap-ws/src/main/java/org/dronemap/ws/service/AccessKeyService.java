@@ -14,6 +14,8 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -55,7 +57,7 @@ public final class AccessKeyService {
         KeyRights widest = widest(principal);
         KeyRights rights = request.rights(widest, now);
         rights.beyond(widest).ifPresent(excess -> {
-            throw Rejection.forbidden(sentence(excess, principal));
+            throw refusal(excess, principal);
         });
         String secret = secrets.token();
         AccessKey key = new AccessKey(
@@ -130,13 +132,36 @@ public final class AccessKeyService {
                 .orElse(null);
     }
 
-    private static String sentence(KeyRights.Excess excess, Principal principal) {
+    private static Rejection refusal(KeyRights.Excess excess, Principal principal) {
         return switch (excess) {
-            case ROLE -> "A key cannot do more than its owner, who is " + WireNames.camel(principal.role()) + ".";
-            case DRONES -> "A key made with this one cannot reach drones other than " + drones(principal) + ".";
-            case PERMISSIONS -> "A key made with this one can do no more than " + operations(principal) + ".";
-            case EXPIRY -> "A key made with this one cannot last longer than it.";
+            case ROLE ->
+                Rejection.forbidden(
+                        "A key cannot do more than its owner, who is " + WireNames.camel(principal.role()) + ".");
+            case DRONES ->
+                Rejection.forbidden(
+                        "A key made with this one cannot reach drones other than " + drones(principal) + ".");
+            case PERMISSIONS ->
+                Rejection.forbidden("A key made with this one can do no more than " + operations(principal) + ".");
+            case AREA -> beyond(KeyArea.FIELD, "within " + area(principal));
+            case ALTITUDE -> beyond("ceiling", heights(principal));
+            case EXPIRY -> Rejection.forbidden("A key made with this one cannot last longer than it.");
         };
+    }
+
+    private static Rejection beyond(String field, String allowed) {
+        return new InvalidInput(
+                field, allowed, "\"" + field + "\" of a key made with this one must be " + allowed + ".");
+    }
+
+    private static String area(Principal principal) {
+        Bounds bounds = principal.scope().innermost();
+        FenceZone area = bounds == null ? null : bounds.area();
+        return area == null ? "reach" : KeyArea.words(area);
+    }
+
+    private static String heights(Principal principal) {
+        Bounds bounds = principal.scope().innermost();
+        return bounds == null ? "any" : bounds.band().words();
     }
 
     private static String drones(Principal principal) {

@@ -12,13 +12,19 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A new access key as its owner asks for it. What is left out is as wide as who asks: the role, all operations, all
- * drones, no end.
+ * drones, everywhere, no end.
  *
  * @param operations of view, plan, command, administer; view always is among them
+ * @param area that flights stay within
+ * @param floor in metres, as the ceiling
+ * @param altitudeReference what both are measured from: home or amsl
  * @param days until it ends
  */
 public record KeyRequest(
@@ -26,6 +32,10 @@ public record KeyRequest(
         @Nullable String role,
         @Nullable List<@Nullable String> operations,
         @Nullable List<@Nullable String> drones,
+        @Nullable KeyArea area,
+        @Nullable Double floor,
+        @Nullable Double ceiling,
+        @Nullable String altitudeReference,
         @Nullable Integer days) {
     static final String OPERATIONS = "a list of view, plan, command and administer";
     private static final int MOST_DRONES = 500;
@@ -33,12 +43,48 @@ public record KeyRequest(
 
     /** Within {@code widest}, from which comes what was left out. */
     KeyRights rights(KeyRights widest, Instant now) {
-        KeyScope scope = new KeyScope(
+        KeyScope scope = bounded(new KeyScope(
                 drones == null ? widest.scope().drones() : ids(drones),
-                operations == null ? widest.scope().permissions() : permissions(operations));
+                operations == null ? widest.scope().permissions() : permissions(operations),
+                widest.scope().bounds()));
         Role asked = role == null ? widest.role() : Roles.named(role);
         return new KeyRights(
                 asked, scope, days == null ? widest.expiresAt() : now.plus(Duration.ofDays(checked(days))));
+    }
+
+    /** Area, floor and ceiling are each as wide as before when they are left out. */
+    private KeyScope bounded(KeyScope widest) {
+        if (area == null && floor == null && ceiling == null) {
+            return widest;
+        }
+        Bounds outer = widest.innermost();
+        AltitudeBand heights = outer == null ? AltitudeBand.ALL : outer.band();
+        FenceZone inherited = outer == null ? null : outer.area();
+        return widest.boundedBy(new Bounds(area == null ? inherited : area.shape(), band(heights)));
+    }
+
+    private AltitudeBand band(AltitudeBand outer) {
+        if (!outer.isBounded()) {
+            return new BandReader("").band(floor, ceiling, altitudeReference);
+        }
+        String reference = WireNames.camel(outer.reference());
+        if (altitudeReference != null && !altitudeReference.equals(reference)) {
+            throw InvalidInput.outside(
+                    "altitudeReference",
+                    reference + ", as for the key that it is made with",
+                    "\"" + altitudeReference + "\"");
+        }
+        return new BandReader("").band(within("floor", floor, outer), within("ceiling", ceiling, outer), reference);
+    }
+
+    private static @Nullable Double within(String field, @Nullable Double meters, AltitudeBand outer) {
+        if (meters == null) {
+            return field.equals("floor") ? outer.floorMeters() : outer.ceilingMeters();
+        }
+        if (!(meters >= outer.lowMeters() && meters <= outer.highMeters())) {
+            throw InvalidInput.outside(field, outer.words() + ", as for the key that it is made with", meters + " m");
+        }
+        return meters;
     }
 
     private static int checked(int days) {

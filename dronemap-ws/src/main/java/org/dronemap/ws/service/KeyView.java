@@ -3,10 +3,13 @@ package org.dronemap.ws.service;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Bounds;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,6 +17,9 @@ import org.jspecify.annotations.Nullable;
  *
  * @param operations what it may be used for: view, plan, command, administer
  * @param drones null: all
+ * @param area that flights stay within; null: anywhere
+ * @param floor in metres, as the ceiling; null: no bound on that side
+ * @param altitudeReference what both are measured from: home or amsl; null: neither is there
  * @param expiresAt null: it does not end by itself
  * @param parent the key that it was made with; null: none
  * @param lastUsedAt to about a minute; null: not used yet
@@ -25,15 +31,22 @@ public record KeyView(
         String role,
         List<String> operations,
         @Nullable List<String> drones,
+        @Nullable KeyArea area,
+        @Nullable Double floor,
+        @Nullable Double ceiling,
+        @Nullable String altitudeReference,
         @Nullable Instant expiresAt,
         @Nullable String parent,
         Instant createdAt,
         @Nullable Instant lastUsedAt,
         @Nullable String key) {
+    private static final Bounds NONE = new Bounds(null, AltitudeBand.ALL);
 
     static KeyView of(AccessKey key, @Nullable String secret) {
         KeyScope scope = key.rights().scope();
         Set<DroneId> drones = scope.drones();
+        Bounds bounds = Objects.requireNonNullElse(scope.innermost(), NONE);
+        AltitudeBand band = bounds.band();
         return new KeyView(
                 key.id(),
                 key.label(),
@@ -42,6 +55,10 @@ public record KeyView(
                 drones == null
                         ? null
                         : drones.stream().map(DroneId::value).sorted().toList(),
+                KeyArea.of(bounds.area()),
+                band.floorMeters(),
+                band.ceilingMeters(),
+                band.isBounded() ? WireNames.camel(band.reference()) : null,
                 millis(key.rights().expiresAt()),
                 key.parent(),
                 key.createdAt().truncatedTo(ChronoUnit.MILLIS),

@@ -53,6 +53,10 @@ public final class Roles {
         if (!principal.scope().coversAllDrones()) {
             throw Rejection.forbidden("This access key is for certain drones only, and this concerns all of them.");
         }
+        // Who may make users, or zones, would get round any bounds.
+        if (principal.scope().isBounded() && needed.includes(Role.PLANNER)) {
+            throw Rejection.forbidden("This access key has an area or heights, and what has none is closed to it.");
+        }
         if (!principal.isWhole()) {
             throw Rejection.forbidden("You see only what you were granted, and this concerns all drones.");
         }

@@ -130,11 +130,17 @@ public final class VirtualDroneService {
     private static void requireVirtually(Principal principal, Role needed) {
         Roles.require(principal, needed);
         if (!principal.mayVirtually(needed)) {
-            throw Rejection.forbidden(
-                    principal.scope().coversAllDrones()
-                            ? "This was not granted to you with virtual drones; ask an administrator."
-                            : "This access key is for certain drones only, and any may serve a virtual one.");
+            throw Rejection.forbidden(notVirtually(principal));
         }
+    }
+
+    private static String notVirtually(Principal principal) {
+        if (!principal.scope().coversAllDrones()) {
+            return "This access key is for certain drones only, and any may serve a virtual one.";
+        }
+        return principal.scope().isBounded()
+                ? "This access key has an area or heights, and a virtual drone flies without it."
+                : "This was not granted to you with virtual drones; ask an administrator.";
     }
 
     private VirtualDrone find(Principal principal, String id) {

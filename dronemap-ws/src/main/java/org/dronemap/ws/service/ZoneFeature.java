@@ -88,11 +88,11 @@ public record ZoneFeature(
         return new ZoneFeature(
                 "Feature",
                 zone.id(),
-                shape(zone.shape()),
+                geometry(zone.shape()),
                 properties(zone, zone.organisation().equals(to)));
     }
 
-    private static ZoneGeometry shape(FenceZone shape) {
+    static ZoneGeometry geometry(FenceZone shape) {
         if (shape instanceof FenceZone.Circle circle) {
             return new ZoneGeometry("Point", position(circle.center()));
         }

@@ -3,17 +3,11 @@ package org.dronemap.ws.service;
 import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
-import org.dronemap.core.zone.ShapeFaults;
 import org.dronemap.core.zone.Validity;
 import org.jspecify.annotations.Nullable;
 
@@ -21,8 +15,6 @@ import org.jspecify.annotations.Nullable;
 final class ZoneReader {
     private static final int LONGEST_NAME = 80;
     private static final String NOTHING = "nothing";
-    private static final String SHAPES = "Polygon or Point";
-    private static final String CORNERS = "3 to 100 corners";
     private static final String MOMENT = "a time such as 2026-05-04T10:00:00Z";
 
     private final String at;
@@ -36,7 +28,7 @@ final class ZoneReader {
             throw InvalidInput.outside(at + "type", "Feature", quoted(feature.type()));
         }
         if (feature.geometry() == null) {
-            throw InvalidInput.missing(at + "geometry", "a " + SHAPES);
+            throw InvalidInput.missing(at + "geometry", "a " + AreaReader.SHAPES);
         }
         if (feature.properties() == null) {
             throw InvalidInput.missing(at + "properties", "an object with at least a name");
@@ -56,88 +48,12 @@ final class ZoneReader {
             default ->
                 throw InvalidInput.outside(at + "properties.kind", "exclusion or inclusion", quoted(properties.kind()));
         };
-        FenceZone shape = switch (geometry.type() == null ? "" : geometry.type()) {
-            case "Polygon" -> new FenceZone.Polygon(inside, corners());
-            case "Point" ->
-                new FenceZone.Circle(
-                        inside,
-                        position(at + "geometry.coordinates", geometry.coordinates()),
-                        Ranges.checked(at + "properties.radius", properties.radius(), 1, 100_000, "m"));
-            default -> throw InvalidInput.outside(at + "geometry.type", SHAPES, quoted(geometry.type()));
-        };
-        Optional<String> fault = ShapeFaults.of(shape);
-        if (fault.isPresent()) {
-            throw new InvalidInput(at + "geometry", "a simple area", fault.get());
-        }
-        return shape;
-    }
-
-    private List<Geodetic> corners() {
-        String field = at + "geometry.coordinates";
-        List<?> rings = list(field, "one ring of positions", geometry.coordinates());
-        if (rings.size() != 1) {
-            throw new InvalidInput(
-                    field, "one ring", "An area with holes cannot be guarded as one; draw it in parts without holes.");
-        }
-        List<?> ring = list(field + "[0]", CORNERS, rings.get(0));
-        List<Geodetic> corners = new ArrayList<>();
-        for (int i = 0; i < ring.size(); i++) {
-            corners.add(position(field + "[0][" + i + "]", ring.get(i)));
-        }
-        // A ring of GeoJSON ends where it began.
-        if (corners.size() > 1 && corners.get(0).equals(corners.get(corners.size() - 1))) {
-            corners.remove(corners.size() - 1);
-        }
-        if (corners.size() < 3 || corners.size() > 100) {
-            throw InvalidInput.outside(field + "[0]", CORNERS, corners.size());
-        }
-        return corners;
-    }
-
-    private static List<?> list(String field, String allowed, @Nullable Object value) {
-        if (value instanceof List<?> list) {
-            return list;
-        }
-        throw InvalidInput.outside(field, allowed, value == null ? NOTHING : value);
-    }
-
-    private static Geodetic position(String field, @Nullable Object value) {
-        List<?> numbers = list(field, "longitude and latitude", value);
-        if (numbers.size() < 2) {
-            throw InvalidInput.outside(field, "longitude and latitude", numbers);
-        }
-        return new Geodetic(
-                Ranges.latitude(field + "[1]", number(field + "[1]", numbers.get(1))),
-                Ranges.longitude(field + "[0]", number(field + "[0]", numbers.get(0))));
-    }
-
-    private static double number(String field, @Nullable Object value) {
-        if (value instanceof Number number) {
-            return number.doubleValue();
-        }
-        throw InvalidInput.outside(field, "a number", value == null ? NOTHING : value);
+        return new AreaReader(at + "geometry", at + "properties.radius").shape(inside, geometry, properties.radius());
     }
 
     AltitudeBand band() {
-        Altitude.Reference reference = switch (properties.altitudeReference() == null
-                ? "home"
-                : properties.altitudeReference()) {
-            case "home" -> Altitude.Reference.HOME;
-            case "amsl" -> Altitude.Reference.AMSL;
-            default ->
-                throw InvalidInput.outside(
-                        at + "properties.altitudeReference", "home or amsl", quoted(properties.altitudeReference()));
-        };
-        Double floor = height("floor", properties.floor());
-        Double ceiling = height("ceiling", properties.ceiling());
-        if (floor != null && ceiling != null && floor >= ceiling) {
-            throw InvalidInput.outside(at + "properties.ceiling", "above the floor of " + floor + " m", ceiling);
-        }
-        return new AltitudeBand(floor, ceiling, reference);
-    }
-
-    private @Nullable Double height(String field, @Nullable Double meters) {
-        return meters == null ? null : Double.valueOf(Ranges.altitude(at + "properties." + field, meters));
+        return new BandReader(at + "properties.")
+                .band(properties.floor(), properties.ceiling(), properties.altitudeReference());
     }
 
     Binding binding() {

@@ -1,0 +1,91 @@
+package org.dronemap.ws.service;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.ShapeFaults;
+import org.jspecify.annotations.Nullable;
+
+/** Turns the geometry that a client wrote into an area: a polygon of one ring, or a circle around a point. */
+final class AreaReader {
+    static final String SHAPES = "Polygon or Point";
+
+    private static final String NOTHING = "nothing";
+    private static final String CORNERS = "3 to 100 corners";
+
+    private final String at;
+    private final String radiusField;
+
+    /** {@code at} is the name of the field that holds the geometry, such as {@code features[2].geometry}. */
+    AreaReader(String at, String radiusField) {
+        this.at = at;
+        this.radiusField = radiusField;
+    }
+
+    FenceZone shape(boolean inside, ZoneFeature.ZoneGeometry geometry, @Nullable Double radius) {
+        FenceZone shape = switch (geometry.type() == null ? "" : geometry.type()) {
+            case "Polygon" -> new FenceZone.Polygon(inside, corners(geometry));
+            case "Point" ->
+                new FenceZone.Circle(
+                        inside,
+                        position(at + ".coordinates", geometry.coordinates()),
+                        Ranges.checked(radiusField, radius, 1, 100_000, "m"));
+            default ->
+                throw InvalidInput.outside(
+                        at + ".type", SHAPES, geometry.type() == null ? NOTHING : "\"" + geometry.type() + "\"");
+        };
+        Optional<String> fault = ShapeFaults.of(shape);
+        if (fault.isPresent()) {
+            throw new InvalidInput(at, "a simple area", fault.get());
+        }
+        return shape;
+    }
+
+    private List<Geodetic> corners(ZoneFeature.ZoneGeometry geometry) {
+        String field = at + ".coordinates";
+        List<?> rings = list(field, "one ring of positions", geometry.coordinates());
+        if (rings.size() != 1) {
+            throw new InvalidInput(
+                    field, "one ring", "An area with holes cannot be guarded as one; draw it in parts without holes.");
+        }
+        List<?> ring = list(field + "[0]", CORNERS, rings.get(0));
+        List<Geodetic> corners = new ArrayList<>();
+        for (int i = 0; i < ring.size(); i++) {
+            corners.add(position(field + "[0][" + i + "]", ring.get(i)));
+        }
+        // A ring of GeoJSON ends where it began.
+        if (corners.size() > 1 && corners.get(0).equals(corners.get(corners.size() - 1))) {
+            corners.remove(corners.size() - 1);
+        }
+        if (corners.size() < 3 || corners.size() > 100) {
+            throw InvalidInput.outside(field + "[0]", CORNERS, corners.size());
+        }
+        return corners;
+    }
+
+    private static List<?> list(String field, String allowed, @Nullable Object value) {
+        if (value instanceof List<?> list) {
+            return list;
+        }
+        throw InvalidInput.outside(field, allowed, value == null ? NOTHING : value);
+    }
+
+    private static Geodetic position(String field, @Nullable Object value) {
+        List<?> numbers = list(field, "longitude and latitude", value);
+        if (numbers.size() < 2) {
+            throw InvalidInput.outside(field, "longitude and latitude", numbers);
+        }
+        return new Geodetic(
+                Ranges.latitude(field + "[1]", number(field + "[1]", numbers.get(1))),
+                Ranges.longitude(field + "[0]", number(field + "[0]", numbers.get(0))));
+    }
+
+    private static double number(String field, @Nullable Object value) {
+        if (value instanceof Number number) {
+            return number.doubleValue();
+        }
+        throw InvalidInput.outside(field, "a number", value == null ? NOTHING : value);
+    }
+}
