@@ -42,15 +42,25 @@ public class ProblemAdvice {
 
     @ExceptionHandler(HttpMessageNotReadableException.class)
     public ResponseEntity<Problem> unreadable(HttpMessageNotReadableException e) {
-        for (Throwable cause = e.getCause(); cause != null; cause = cause.getCause()) {
-            if (cause instanceof Rejection rejection) {
-                return answer(rejection);
-            }
-            if (cause instanceof JacksonException json) {
-                return answer(JsonReader.rejection(json));
+        // The reader of JSON wraps what the body itself said of its length or its slowness.
+        Rejection ofBody = causeOf(e, Rejection.class);
+        if (ofBody != null) {
+            return answer(ofBody);
+        }
+        JacksonException json = causeOf(e, JacksonException.class);
+        return answer(
+                json == null
+                        ? Rejection.malformed("A JSON object is needed as the body of this request.")
+                        : JsonReader.rejection(json));
+    }
+
+    private static <T extends Throwable> @Nullable T causeOf(Throwable thrown, Class<T> kind) {
+        for (Throwable cause = thrown.getCause(); cause != null; cause = cause.getCause()) {
+            if (kind.isInstance(cause)) {
+                return kind.cast(cause);
             }
         }
-        return answer(Rejection.malformed("A JSON object is needed as the body of this request."));
+        return null;
     }
 
     @ExceptionHandler(MethodArgumentTypeMismatchException.class)
