@@ -200,6 +200,7 @@ class AuditedDeedsTest extends DeedTrial {
         assertThat(all).as(about).hasSize(1);
         AuditEntry left = all.get(0);
         assertThat(left.face()).isEqualTo("stream");
+        assertThat(left.by()).as(about).isNotNull();
         assertThat(left.drone()).isEqualTo(vehicle.id());
         assertThat(left.outcome()).as(about).isIn(DONE);
     }
