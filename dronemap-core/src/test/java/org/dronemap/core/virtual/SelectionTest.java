@@ -33,6 +33,43 @@ class SelectionTest {
     }
 
     @Test
+    void takesTheFullerBatteryOfTwoThatAreAsFarAndNamesTheBetterOfTheOthersAsRunnerUp() {
+        Drone used = new Drone("a-used", 230);
+        used.percent = 70;
+        Drone fuller = new Drone("b-fuller", 230);
+        fuller.percent = 80;
+        Drone full = new Drone("c-full", 230);
+        full.percent = 95;
+
+        Choice choice = choose(Needs.NONE, used, full, fuller).orElseThrow();
+
+        assertThat(choice.chosen()).isEqualTo(full.id);
+        assertThat(choice.runnerUp()).isEqualTo(fuller.id);
+        assertThat(choice.deciding()).isEqualTo(Quantity.BATTERY_LEFT);
+        assertThat(choice.chosenValue()).isGreaterThan(choice.otherValue());
+        assertThat(choice.sentence(id -> "“" + id + "”"))
+                .startsWith(String.format(
+                        "“c-full” was chosen: %.0f %% of the battery left after the mission, the runner-up “b-fuller”"
+                                + " %.0f %% of the battery left after the mission.",
+                        choice.chosenValue(), choice.otherValue()))
+                .doesNotContain("a-used");
+    }
+
+    @Test
+    void takesTheBetterLinkOfTwoThatAreAlikeOtherwise() {
+        Drone deaf = new Drone("a-deaf", 230);
+        deaf.loss = 0.09;
+        Drone good = new Drone("b-good", 230);
+        good.loss = 0.02;
+
+        Choice choice = choose(Needs.NONE, deaf, good).orElseThrow();
+
+        assertThat(choice.sentence(id -> "“" + id + "”"))
+                .startsWith("“b-good” was chosen: 2 % of its messages lost, the runner-up “a-deaf” 9 % of its messages"
+                        + " lost.");
+    }
+
+    @Test
     void changesForAHundredRandomFleetsWhenTheDecidingQuantityGoesPastTheRunnerUps() {
         Random random = new Random(20_260_504);
         List<Quantity> met = new ArrayList<>();
