@@ -47,15 +47,23 @@ class CanaryTest {
 
     @BeforeAll
     void open(@TempDir Path data) {
-        log.start();
-        root.addAppender(log);
-        ours.setLevel(Level.DEBUG);
+        listenToTheLog();
         house = new TestHouse(data, false);
+        // A server that starts sets up its log anew and sends listeners away.
+        listenToTheLog();
         vehicle = ScriptedVehicle.connect(house.cloud(), 15_703);
         String key = house.key(Role.ADMINISTRATOR);
         canaries.put("an access key", key);
         administrator = new Http(house, key);
         nobody = new Http(house, "");
+    }
+
+    private void listenToTheLog() {
+        log.start();
+        if (!root.isAttached(log)) {
+            root.addAppender(log);
+        }
+        ours.setLevel(Level.DEBUG);
     }
 
     @AfterAll
@@ -81,6 +89,9 @@ class CanaryTest {
         });
         assertThat(canaries).hasSizeGreaterThanOrEqualTo(9);
         assertThat(heard).hasSizeGreaterThan(100);
+        assertThat(heard.stream().filter(text -> text.startsWith("log: ") && text.contains(" 401 ")))
+                .as("what the log says of requests with wrong proofs")
+                .hasSizeGreaterThan(20);
         canaries.forEach((what, secret) -> assertThat(
                         heard.stream().filter(text -> text.contains(secret)).toList())
                 .as(what)
