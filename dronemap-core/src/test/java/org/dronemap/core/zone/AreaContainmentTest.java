@@ -61,6 +61,17 @@ class AreaContainmentTest {
                 .isTrue();
     }
 
+    /** No corner of the notch is beside the part of the edge that lies in it. */
+    @Test
+    void holdsNothingThatReachesAcrossASlantedNotch() {
+        FenceZone slanted = corners(0, 0, 0, 0.012, 0.01, 0.012, 0.01, 0.005, 0.002, 0.009, 0.01, 0.004, 0.01, 0);
+
+        assertThat(AreaContainment.holds(slanted, corners(0.008, 0.001, 0.008, 0.008, 0.0079, 0.001)))
+                .isFalse();
+        assertThat(AreaContainment.holds(slanted, corners(0.008, 0.001, 0.008, 0.005, 0.0079, 0.001)))
+                .isTrue();
+    }
+
     @Test
     void measuresCirclesFromTheirMiddle() {
         FenceZone big = circle(0, 1000);
