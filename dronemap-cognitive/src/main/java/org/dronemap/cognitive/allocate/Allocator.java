@@ -11,11 +11,11 @@ import org.jspecify.annotations.Nullable;
  * none. The best plan so far is there at any time. Safe for several threads: each search has its own state.
  */
 public final class Allocator {
-    private static final int NEIGHBOURS = 40;
     private static final int BETWEEN_LOOKS = 64;
     /** Smaller gains are told of with the next larger one, or in the end. */
     private static final double WORTH_TELLING = 1e-4;
 
+    private static final double ROUNDING = 1e-12;
     private static final int BETWEEN_SURVEYS = 64 * 256;
 
     private final Instance instance;
@@ -25,7 +25,7 @@ public final class Allocator {
     public Allocator(Instance instance) {
         this.instance = instance;
         costs = new Costs(instance);
-        near = new Neighbours(costs, instance.visits().size(), NEIGHBOURS);
+        near = new Neighbours(instance.legs(), instance.visits().size());
     }
 
     /** A search from nothing; {@code improved} hears of every better plan, on this thread. */
@@ -48,6 +48,9 @@ public final class Allocator {
         private final Cooling cooling;
         private int[][] best;
         private double bestExact;
+        /** The tours are better than {@code best} says. */
+        private boolean atBest;
+
         private double toldExact = Double.POSITIVE_INFINITY;
         private long iterations;
 
@@ -113,16 +116,28 @@ public final class Allocator {
                 tours.takeBack();
                 return current;
             }
-            tours.keep();
             double exact = worth.exact();
-            if (exact < bestExact - 1e-12 * Math.abs(bestExact)) {
-                bestExact = exact;
+            boolean better = exact < bestExact - ROUNDING * Math.abs(bestExact);
+            if (!better && atBest) {
+                // Copied when it is left, not each time that it gets better; the step away is given up for that.
+                tours.takeBack();
                 best = tours.orders();
+                atBest = false;
+                return current;
+            }
+            tours.keep();
+            if (better) {
+                bestExact = exact;
+                atBest = true;
             }
             return candidate;
         }
 
         private Allocation allocation() {
+            if (atBest) {
+                best = tours.orders();
+                atBest = false;
+            }
             Tours found = new Tours(instance, costs);
             found.set(best);
             Bag absent = found.absent();

@@ -8,7 +8,9 @@ import java.util.SplittableRandom;
  * 54(2), 2020, section 5.3).
  */
 final class GreedyInsertion {
-    private static final int NEAREST = 16;
+    /** Where there are more drones than this, ends of a few tours by chance are looked at, not of all. */
+    private static final int MOST_ENDS = 12;
+
     private static final int OVERLOOKED_IN_1024 = 10;
     /** More that cannot be served are not all tried again each time. */
     private static final int MOST_TRIED = 64;
@@ -32,7 +34,7 @@ final class GreedyInsertion {
         this.near = near;
         this.random = random;
         room = new Room(tours, costs);
-        breadth = Math.min(NEAREST, near.length());
+        breadth = Math.min(Neighbours.CLOSE, near.length());
         order = new int[tours.waypoints];
         keys = new double[tours.waypoints];
     }
@@ -104,7 +106,9 @@ final class GreedyInsertion {
                 beside(waypoint, r, other);
             }
         }
-        for (int r = 0; r < tours.drones; r++) {
+        boolean few = tours.drones <= MOST_ENDS;
+        for (int i = few ? tours.drones : MOST_ENDS; i > 0; i--) {
+            int r = few ? i - 1 : random.nextInt(tours.drones);
             if (costs.allows(waypoint, r)) {
                 atAnEnd(waypoint, r);
             }

@@ -1,47 +1,48 @@
 package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.stream.IntStream;
+import org.dronemap.cognitive.cost.Legs;
 
-/** Of each waypoint the others that are nearest by time, nearest first. Immutable. */
+/**
+ * Of each waypoint others that lie near: first those that a tour may well call at before or after it, then more. Where
+ * waypoints lie in clusters all that are nearest are in the same one; therefore the nearest of each quarter of the compass
+ * are among the first. Immutable.
+ */
 final class Neighbours {
+    /** How many come first. */
+    static final int CLOSE = 16;
+
+    private static final int NEAREST = 40;
+
     private final int[] lists;
     private final int length;
 
-    Neighbours(Costs costs, int waypoints, int most) {
-        length = Math.min(most, Math.max(0, waypoints - 1));
+    Neighbours(Legs legs, int waypoints) {
+        length = Math.min(NEAREST, Math.max(0, waypoints - 1));
         lists = new int[waypoints * length];
-        IntStream.range(0, waypoints).parallel().forEach(i -> fill(costs, waypoints, i));
-    }
-
-    private void fill(Costs costs, int waypoints, int i) {
-        double[] nearest = new double[length];
-        int[] which = new int[length];
-        int count = 0;
-        for (int j = 0; j < waypoints; j++) {
-            if (j == i) {
-                continue;
-            }
-            double seconds = costs.seconds(0, i, j) + costs.seconds(0, j, i);
-            if (count == length && seconds >= nearest[length - 1]) {
-                continue;
-            }
-            int at = count < length ? count++ : length - 1;
-            while (at > 0 && nearest[at - 1] > seconds) {
-                nearest[at] = nearest[at - 1];
-                which[at] = which[at - 1];
-                at--;
-            }
-            nearest[at] = seconds;
-            which[at] = j;
-        }
-        System.arraycopy(which, 0, lists, i * length, length);
+        double[] east =
+                IntStream.range(0, waypoints).mapToDouble(legs::eastMeters).toArray();
+        double[] north =
+                IntStream.range(0, waypoints).mapToDouble(legs::northMeters).toArray();
+        int[] eastward = IntStream.range(0, waypoints)
+                .boxed()
+                .sorted(Comparator.comparingDouble(waypoint -> east[waypoint]))
+                .mapToInt(Integer::intValue)
+                .toArray();
+        IntStream.range(0, waypoints).parallel().forEach(at -> {
+            int waypoint = eastward[at];
+            int[] list = new Vicinity(east, north, waypoint, length).look(eastward, at);
+            System.arraycopy(list, 0, lists, waypoint * length, length);
+        });
     }
 
     int length() {
         return length;
     }
 
+    /** By rank: before {@link #CLOSE} the likely ones, after it the rest, each part nearest first. */
     int get(int waypoint, int rank) {
         return lists[waypoint * length + rank];
     }

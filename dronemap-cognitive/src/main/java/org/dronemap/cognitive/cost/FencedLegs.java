@@ -76,6 +76,16 @@ final class FencedLegs implements Legs, Detours {
     }
 
     @Override
+    public double eastMeters(int place) {
+        return open.eastMeters(place);
+    }
+
+    @Override
+    public double northMeters(int place) {
+        return open.northMeters(place);
+    }
+
+    @Override
     public double seconds(int type, int from, int to) {
         Detour.Costs costs = find(type, from, to).costs();
         return costs == null ? open.seconds(type, from, to) : costs.seconds[type];

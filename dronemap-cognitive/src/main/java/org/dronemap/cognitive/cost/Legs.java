@@ -9,6 +9,12 @@ public interface Legs {
     /** Waypoints and two places a drone. */
     int places();
 
+    /** How far east a place lies, on a flat map that is right enough to tell what lies near. */
+    double eastMeters(int place);
+
+    /** How far north a place lies, on the same map. */
+    double northMeters(int place);
+
     /** Flying time without service at either place, at least 0; infinite where no way leads. */
     double seconds(int type, int from, int to);
 

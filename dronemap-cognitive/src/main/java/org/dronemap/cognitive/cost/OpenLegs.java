@@ -16,6 +16,16 @@ final class OpenLegs implements Legs {
     }
 
     @Override
+    public double eastMeters(int place) {
+        return track.x[place] * track.stretch[place];
+    }
+
+    @Override
+    public double northMeters(int place) {
+        return track.north[place];
+    }
+
+    @Override
     public double seconds(int type, int from, int to) {
         Pace pace = paces[type];
         double east = track.east(from, to);

@@ -22,6 +22,16 @@ final class PlanarLegs implements Legs {
     }
 
     @Override
+    public double eastMeters(int place) {
+        return east[place];
+    }
+
+    @Override
+    public double northMeters(int place) {
+        return north[place];
+    }
+
+    @Override
     public double seconds(int type, int from, int to) {
         double along = east[to] - east[from];
         return meters(type, from, to) / speeds[type] + wind * Math.max(0, along);
