@@ -6,6 +6,7 @@ import type { DtlsKey, Endpoint } from './endpoints';
 import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
 import type { ParameterFile, ParameterPage } from './parameters';
+import { PlanCalls } from './plans';
 import { Problem } from './problem';
 import type { RecordingPage } from './recordings';
 import type {
@@ -35,6 +36,7 @@ export class RestClient {
   readonly audit: AuditCalls;
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
   readonly grants = new GrantCalls((method, path, body) => this.#call(method, path, body));
+  readonly plans = new PlanCalls((method, path, body) => this.#call(method, path, body));
   readonly virtuals = new VirtualCalls((method, path, body) => this.#call(method, path, body));
   readonly zones = new ZoneCalls((method, path, body) => this.#call(method, path, body));
 

@@ -2,6 +2,7 @@
 
 import type { Role } from './accounts';
 import type { Control } from './control';
+import type { FleetPlan } from './plans';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 
@@ -262,6 +263,8 @@ export type StreamMessage =
   | { type: 'zoneRemoved'; id: string }
   | { type: 'virtualDrone'; virtualDrone: VirtualDrone }
   | { type: 'virtualDroneRemoved'; id: string }
+  | { type: 'plan'; plan: FleetPlan }
+  | { type: 'planRemoved'; id: string }
   | { type: 'command'; command: Command }
   | { type: 'control'; drone: string; control: Control }
   | { type: 'ping'; at: string }

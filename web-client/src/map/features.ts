@@ -90,8 +90,8 @@ export function missionFeatures(drone: Drone | null): FeatureCollection {
   ]);
 }
 
-/** The plan: violet, because it is not yet true. */
-export function draftFeatures(draft: Draft | null, drone: Drone | null): FeatureCollection {
+/** The plan: violet, because it is not yet true; without a way where it has no order yet. */
+export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered = true): FeatureCollection {
   if (draft === null) {
     return collect([]);
   }
@@ -99,7 +99,7 @@ export function draftFeatures(draft: Draft | null, drone: Drone | null): Feature
   const ending: MissionItem | undefined =
     draft.ending === 'returnToLaunch' ? { type: 'returnToLaunch' } : undefined;
   return collect([
-    ...wayOf(points, ending, drone?.home ?? null),
+    ...(ordered ? wayOf(points, ending, drone?.home ?? null) : []),
     ...draft.waypoints.map((waypoint, index) =>
       point([waypoint.longitude, waypoint.latitude], {
         key: waypoint.key,

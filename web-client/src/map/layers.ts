@@ -92,6 +92,37 @@ export function zoneLayers(palette: Palette): LayerSpecification[] {
   ];
 }
 
+/** Each tour in a colour of its own, with the name of its drone along it. */
+export function tourLayers(palette: Palette): LayerSpecification[] {
+  const colour = [
+    'match',
+    ['get', 'tone'],
+    ...palette.tours.flatMap((tone, index) => [index, tone]),
+    palette.violet,
+  ] as unknown as string;
+  return [
+    {
+      id: 'tours',
+      type: 'line',
+      source: 'tours',
+      layout: { 'line-cap': 'round', 'line-join': 'round' },
+      paint: { 'line-color': colour, 'line-width': 3.5, 'line-opacity': 0.9 },
+    },
+    {
+      id: 'tour-labels',
+      type: 'symbol',
+      source: 'tours',
+      layout: {
+        'symbol-placement': 'line',
+        'text-field': ['get', 'label'],
+        'text-font': MAP_FONT,
+        'text-size': 12,
+      },
+      paint: { 'text-color': colour, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
+    },
+  ];
+}
+
 function wayLayer(source: string, colour: string, dash: number[]): LayerSpecification {
   return {
     id: `${source}-way`,

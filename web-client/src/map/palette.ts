@@ -14,6 +14,8 @@ export interface Palette {
   amber: string;
   red: string;
   violet: string;
+  /** One for each tour; further tours begin anew. */
+  tours: string[];
 }
 
 export function readPalette(): Palette {
@@ -34,5 +36,6 @@ export function readPalette(): Palette {
     amber: token('amber'),
     red: token('red'),
     violet: token('violet'),
+    tours: [0, 1, 2, 3, 4, 5].map((tone) => token(`tour-${tone}`)),
   };
 }

@@ -1,6 +1,6 @@
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
 import type { Palette } from './palette';
-import { droneLayers, MAP_FONT, missionLayers, zoneLayers } from './layers';
+import { droneLayers, MAP_FONT, missionLayers, tourLayers, zoneLayers } from './layers';
 
 const NOTHING = { type: 'FeatureCollection' as const, features: [] };
 
@@ -12,6 +12,7 @@ export type LiveSource =
   | 'zones'
   | 'zone-draft'
   | 'trails'
+  | 'tours'
   | 'home'
   | 'mission'
   | 'draft'
@@ -25,6 +26,7 @@ const LIVE_SOURCES: LiveSource[] = [
   'zones',
   'zone-draft',
   'trails',
+  'tours',
   'home',
   'mission',
   'draft',
@@ -54,6 +56,7 @@ export function buildStyle(palette: Palette, tileAddress: string | null): StyleS
         ? []
         : [{ id: 'tiles', type: 'raster', source: 'tiles' } as LayerSpecification]),
       ...zoneLayers(palette),
+      ...tourLayers(palette),
       ...missionLayers(palette),
       ...droneLayers(palette),
     ],

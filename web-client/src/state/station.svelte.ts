@@ -12,6 +12,7 @@ import { Desk } from './desk.svelte';
 import { Fleet } from './fleet.svelte';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
+import { Tours } from './tours.svelte';
 import { Virtuals } from './virtuals.svelte';
 import { Zones } from './zones.svelte';
 
@@ -38,6 +39,7 @@ export class Station {
   readonly preferences = new Preferences();
   readonly zones = new Zones(this.rest.zones);
   readonly virtuals = new Virtuals(this.rest.virtuals);
+  readonly tours = new Tours(this.rest.plans);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
   /** Why nobody is signed in any more, when that was not their wish. */
@@ -151,6 +153,7 @@ export class Station {
     this.desk.page = 'map';
     this.zones.clear();
     this.virtuals.clear();
+    this.tours.clear();
   }
 
   #streamUp(): void {
@@ -182,6 +185,24 @@ export class Station {
       case 'droneRemoved':
         this.fleet.remove(message.id);
         break;
+      case 'command':
+        this.commands.hear(message.command);
+        break;
+      case 'ping':
+        this.clock.hear(message.at);
+        break;
+      case 'error':
+        console.warn('The stream reports:', message.problem.detail);
+        break;
+      default:
+        this.#hearOfPlans(message);
+        break;
+    }
+  }
+
+  /** What people have drawn, planned and hold. */
+  #hearOfPlans(message: StreamMessage): void {
+    switch (message.type) {
       case 'zone':
         this.zones.hear(message.zone);
         break;
@@ -194,14 +215,11 @@ export class Station {
       case 'virtualDroneRemoved':
         this.virtuals.forget(message.id);
         break;
-      case 'command':
-        this.commands.hear(message.command);
+      case 'plan':
+        this.tours.hear(message.plan);
         break;
-      case 'ping':
-        this.clock.hear(message.at);
-        break;
-      case 'error':
-        console.warn('The stream reports:', message.problem.detail);
+      case 'planRemoved':
+        this.tours.forget(message.id);
         break;
       default:
         break;

@@ -24,6 +24,7 @@ const PAIRS: [string, string][] = [
   ['map-text', 'map-land'],
   ['map-text', 'map-water'],
   ['text', 'map-land'],
+  ...[0, 1, 2, 3, 4, 5].map((tone): [string, string] => [`tour-${tone}`, 'map-land']),
 ];
 
 describe.each(Object.entries(themes))('%s theme', (_, tokens) => {

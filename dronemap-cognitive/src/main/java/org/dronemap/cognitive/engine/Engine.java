@@ -1,5 +1,6 @@
 package org.dronemap.cognitive.engine;
 
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.dronemap.cognitive.allocate.Allocation;
 import org.dronemap.cognitive.allocate.Allocator;
@@ -28,11 +29,20 @@ public final class Engine {
      * @param progress hears of better plans, on this thread
      */
     public static Planned plan(Problem problem, long seed, Budget budget, Consumer<Progress> progress) {
+        return watched(problem, seed, budget, (better, orders) -> progress.accept(better));
+    }
+
+    /**
+     * The same.
+     *
+     * @param watcher hears of better plans, on this thread, and for each drone of the numbers of its waypoints in order
+     */
+    public static Planned watched(Problem problem, long seed, Budget budget, BiConsumer<Progress, int[][]> watcher) {
         CostModel costs = CostModel.of(problem);
         Aim aim = costs.instance().aim();
         double bound = LowerBound.of(costs.instance(), boundRounds(problem));
         Allocation found = new Allocator(costs.instance())
-                .search(seed, budget, better -> progress.accept(progress(better, aim, bound)));
+                .search(seed, budget, better -> watcher.accept(progress(better, aim, bound), better.orders()));
         Plan apart = Arranger.apart(problem, costs.plan(found.orders())).plan();
         return new Planned(apart, progress(found, aim, bound), PlanChecker.faults(problem, apart));
     }

@@ -14,12 +14,12 @@ import org.jspecify.annotations.Nullable;
  * What a tour takes out of a battery, estimated simply: the length of the way at a cruising speed, climbing, and waiting,
  * at so many per cent a minute. Both figures are assumed by kind, on the careful side, and stated wherever they count.
  */
-record Energy(double meters, double minutes, double percent, Draw draw) {
+public record Energy(double meters, double minutes, double percent, Draw draw) {
     private static final double CLIMB_METERS_PER_SECOND = 2;
     private static final double SECONDS_PER_MINUTE = 60;
 
     /** Assumed of a kind of vehicle. */
-    record Draw(double cruiseMetersPerSecond, double percentPerMinute) {
+    public record Draw(double cruiseMetersPerSecond, double percentPerMinute) {
         static Draw of(VehicleKind kind) {
             return switch (kind) {
                 case MULTICOPTER, HELICOPTER, UNKNOWN -> new Draw(5, 5);
@@ -60,7 +60,7 @@ record Energy(double meters, double minutes, double percent, Draw draw) {
     }
 
     /** For how many minutes that charge lasts. */
-    static double minutesOf(double percent, VehicleKind kind) {
+    public static double minutesOf(double percent, VehicleKind kind) {
         return percent / Draw.of(kind).percentPerMinute();
     }
 

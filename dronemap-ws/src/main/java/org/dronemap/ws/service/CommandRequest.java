@@ -115,6 +115,25 @@ public record CommandRequest(
                 "uploadMission", null, null, null, null, null, null, null, items, null, null, null, null, null, null);
     }
 
+    public static CommandRequest startMission(@Nullable String onCloudLoss) {
+        return new CommandRequest(
+                "startMission",
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                onCloudLoss,
+                null,
+                null,
+                null,
+                null,
+                null);
+    }
+
     public static CommandRequest turn(@Nullable Double degrees) {
         return new CommandRequest(
                 "turn", null, null, null, null, null, null, null, null, null, degrees, null, null, null, null);

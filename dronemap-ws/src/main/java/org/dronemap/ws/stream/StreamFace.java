@@ -38,6 +38,7 @@ import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.VirtualDroneViews;
@@ -58,6 +59,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private final StreamRequests requests;
     private final DroneFeed feed;
     private final VirtualFeed virtualFeed;
+    private final PlanFeed planFeed;
     private final Clock clock;
     private final Pump pump = new Pump("stream-pump", this::round);
     private final Queue<DroneId> removed = new ConcurrentLinkedQueue<>();
@@ -87,7 +89,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     public record Bounds(Budgets budgets, StreamCrowd crowd) {}
 
     /** What is shown, and how. */
-    public record Pictures(DroneViews drones, VirtualDrones virtuals, VirtualDroneViews virtualViews) {}
+    public record Pictures(DroneViews drones, VirtualDrones virtuals, VirtualDroneViews virtualViews, PlanDesk plans) {}
 
     public StreamFace(
             CloudManager cloud,
@@ -101,6 +103,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.feed = new DroneFeed(services.pictures().drones(), services.json());
         this.sight = new StreamSight(cloud, services.entrance().grants(), feed, services.json());
         this.virtualFeed = new VirtualFeed(services.pictures(), services.json(), this::wake);
+        this.planFeed = new PlanFeed(services.pictures().plans(), services.json(), this::wake);
         this.requests = new StreamRequests(services);
         services.entrance().accounts().onChange(this::judgeAnew);
         this.server = new StreamServer(
@@ -120,6 +123,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         cloud.addListener(this);
         cloud.zones().onChange(this::zonesChanged);
         services.pictures().virtuals().addListener(virtualFeed);
+        services.pictures().plans().addListener(planFeed);
         pump.start();
         return port;
     }
@@ -244,6 +248,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         }
         sight.settle(server.clients());
         virtualFeed.publish(server.clients(), now);
+        planFeed.publish(server.clients(), now);
         Pump.Pause pause = feed.publish(server.clients(), now);
         boolean pingDue = now - lastPingNanos >= PING_NANOS;
         if (pingDue) {

@@ -7,6 +7,7 @@ import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
+import org.dronemap.ws.service.PlanView;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.VirtualDroneView;
 import org.dronemap.ws.service.ZoneFeature;
@@ -75,6 +76,18 @@ final class StreamMessage {
     record VirtualDroneRemoved(String type, String id) {
         VirtualDroneRemoved(String id) {
             this("virtualDroneRemoved", id);
+        }
+    }
+
+    record PlanChanged(String type, PlanView plan) {
+        PlanChanged(PlanView plan) {
+            this("plan", plan);
+        }
+    }
+
+    record PlanRemoved(String type, String id) {
+        PlanRemoved(String id) {
+            this("planRemoved", id);
         }
     }
 

@@ -13,6 +13,7 @@ import org.springframework.context.annotation.Import;
     GrantConfiguration.class,
     StreamConfiguration.class,
     SoapConfiguration.class,
-    VirtualConfiguration.class
+    VirtualConfiguration.class,
+    PlanConfiguration.class
 })
 public class FacesApplication {}

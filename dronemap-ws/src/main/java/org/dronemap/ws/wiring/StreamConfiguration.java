@@ -17,6 +17,7 @@ import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.stream.StreamCrowd;
@@ -67,8 +68,8 @@ public class StreamConfiguration {
     }
 
     @Bean
-    StreamFace.Pictures streamPictures(House house, DroneViews views, VirtualDroneViews virtualViews) {
-        return new StreamFace.Pictures(views, house.virtuals(), virtualViews);
+    StreamFace.Pictures streamPictures(House house, DroneViews views, VirtualDroneViews virtualViews, PlanDesk plans) {
+        return new StreamFace.Pictures(views, house.virtuals(), virtualViews, plans);
     }
 
     @Bean

@@ -49,6 +49,7 @@ public final class DroneDeeds extends Deeds {
         linkSecurity();
         missionsAndZones();
         virtualDrones();
+        plans();
         recordings();
     }
 
@@ -252,6 +253,32 @@ public final class DroneDeeds extends Deeds {
                                 .path("state")
                                 .asString("")
                                 .equals(state)));
+    }
+
+    private void plans() {
+        can("POST /api/v1/plans", () -> deed("POST", "plans", plan()));
+        can("DELETE /api/v1/plans/{id}", () -> deed("DELETE", "plans/" + planned(), ""));
+        can("POST /api/v1/plans/{id}/accept", () -> deed("POST", "plans/" + planned() + "/accept?wait=20", "{}"));
+    }
+
+    private String planned() {
+        String id = made("plans", plan());
+        Waiting.until(
+                "the plan is finished",
+                () -> Optional.of(root.http().get("/api/v1/plans/" + id))
+                        .filter(answer -> answer.text("state").equals("finished")));
+        return id;
+    }
+
+    private String plan() {
+        WillingCopter copter = new WillingCopter(
+                        house.cloud(),
+                        new DroneKey("127.0.0.1", 19_000 + house.number(), 1),
+                        name(),
+                        new Geodetic(47.3977, 8.5456))
+                .wellHeard(house.cloud());
+        return "{\"drones\":[\"" + copter.id() + "\"],\"seconds\":0.1,\"waypoints\":[{\"latitude\":47.3979,"
+                + "\"longitude\":8.5456,\"altitude\":20}]}";
     }
 
     private void recordings() {

@@ -18,6 +18,8 @@ import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.event.DroneEvent;
@@ -33,8 +35,10 @@ public final class ScriptedVehicle implements VehicleChannel {
     private final List<Command> performed = new CopyOnWriteArrayList<>();
     private volatile Function<Command, Outcome> script = command -> new Outcome.Succeeded();
     private final DroneLink link;
+    private final DroneKey key;
 
     private ScriptedVehicle(CloudManager cloud, DroneKey key, String name, Identification identification) {
+        this.key = key;
         LinkSession session = new LinkSession(key, "udp", false, name, this);
         if (!(cloud.admit(new Claim(session, identification, null, true, 0)) instanceof Admission.Bound bound)) {
             throw new AssertionError("it was not let in");
@@ -115,6 +119,11 @@ public final class ScriptedVehicle implements VehicleChannel {
 
     public void says(DroneEvent event) {
         link.lane().execute(() -> link.accept(event));
+    }
+
+    /** Its link is as good as that. */
+    public void isReached(LinkQuality quality) {
+        link.lane().execute(() -> link.reached(new LinkReport(key, "udp", quality, List.of())));
     }
 
     /** What reached the vehicle. */

@@ -15,12 +15,14 @@ import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
 
 /** A copter that does what it is told at once, and flies a mission an item at a time, when the test says. */
 public final class WillingCopter {
@@ -31,6 +33,7 @@ public final class WillingCopter {
 
     private final ScriptedVehicle vehicle;
     private final Geodetic stand;
+    private volatile @Nullable Class<? extends Command> unwilling;
 
     /** It stands there, with that system id, name and hardware id. */
     public WillingCopter(CloudManager cloud, DroneKey key, String name, Geodetic stand) {
@@ -57,7 +60,26 @@ public final class WillingCopter {
         return vehicle.performed();
     }
 
+    /** Its link loses nothing. */
+    public WillingCopter wellHeard(CloudManager cloud) {
+        vehicle.isReached(new LinkQuality(0.0, 0.0, 20.0));
+        Waiting.until(
+                "its link is known",
+                () -> cloud.drone(new DroneId(vehicle.id()))
+                        .filter(state -> state.link().quality().lossShort() != null));
+        return this;
+    }
+
+    /** Fails to do this. */
+    public void cannot(Class<? extends Command> kind) {
+        unwilling = kind;
+    }
+
     private Outcome obey(Command command) {
+        Class<? extends Command> not = unwilling;
+        if (not != null && not.isInstance(command)) {
+            return new Outcome.Failed("It does not want to.");
+        }
         if (command instanceof Command.UploadMission upload) {
             vehicle.says(new DroneEvent.MissionRead(upload.mission().items(), null, true));
             vehicle.says(new DroneEvent.MissionCurrentHeard(0, MissionPhase.STOPPED));

@@ -1,0 +1,139 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Objective;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.Rules;
+import org.dronemap.cognitive.problem.Separation;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.cognitive.problem.Wind;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.virtual.Selection;
+import org.dronemap.core.zone.ZoneBook;
+import org.jspecify.annotations.Nullable;
+
+/** Turns what a client wrote, what the cloud knows of the drones and what binds them into a problem. Any thread. */
+final class PlanReader {
+    static final String DRONES_FORM = "a list of 1 to 100 ids of drones";
+    private static final int MOST_DRONES = 100;
+    private static final double USUAL_SECONDS = 5;
+    private static final double LEAST_SECONDS = 0.1;
+    private static final double MOST_SECONDS = 60;
+    private static final String KINDS = "earliestEnd, leastTime, leastDistance, leastEnergy or weighted";
+    private static final String MEASURES = "seconds, meters or joules";
+    private static final int HEAVIEST = 1_000_000;
+    private static final double MILLIS = 1_000;
+    /** Profiles of speed are not known to the metre, so more room than must be kept is asked for. */
+    private static final Rules RULES = new Rules(new Separation(15, 5), 1 - Selection.WORST_LOSS_PERCENT / 100.0, 3, 5);
+
+    private final DroneService drones;
+    private final ZoneBook zones;
+    private final Clock clock;
+
+    PlanReader(DroneService drones, ZoneBook zones, Clock clock) {
+        this.drones = drones;
+        this.zones = zones;
+        this.clock = clock;
+    }
+
+    PlanOrder read(Principal principal, PlanRequest request) {
+        Duration search = search(request.seconds());
+        Objective objective = objective(request.objective());
+        Wind wind = wind(request.wind());
+        List<DroneState> states = states(principal, request.drones());
+        List<Craft> crafts = states.stream().map(PlanCrafts::of).toList();
+        List<Waypoint> waypoints = new PlanWaypoints(crafts).read(request.waypoints());
+        List<Barrier> barriers = PlanBarriers.of(principal.name(), zones, waypoints, crafts, clock.instant());
+        try {
+            Problem problem = new Problem(waypoints, crafts, barriers, wind, objective, RULES);
+            Long seed = request.seed();
+            return new PlanOrder(problem, states, search, seed == null ? 1 : seed);
+        } catch (IllegalArgumentException tooMuch) {
+            // Places too far apart, or zones with too many corners.
+            throw new InvalidInput("waypoints", "places that can be planned", sentence(tooMuch));
+        }
+    }
+
+    private static String sentence(IllegalArgumentException e) {
+        String message = String.valueOf(e.getMessage());
+        return "This cannot be planned: " + message + ".";
+    }
+
+    private List<DroneState> states(Principal principal, @Nullable List<@Nullable String> asked) {
+        if (asked == null || asked.isEmpty()) {
+            throw InvalidInput.missing("drones", DRONES_FORM);
+        }
+        Set<String> each = new LinkedHashSet<>();
+        for (String drone : asked) {
+            if (drone == null) {
+                throw InvalidInput.outside("drones", DRONES_FORM, "a list with null in it");
+            }
+            each.add(drone);
+        }
+        if (each.size() > MOST_DRONES) {
+            throw InvalidInput.outside("drones", DRONES_FORM, each.size() + " ids");
+        }
+        List<DroneState> states = new ArrayList<>();
+        each.forEach(drone -> states.add(drones.state(principal, drone, Role.PLANNER)));
+        return states;
+    }
+
+    private static Duration search(@Nullable Double seconds) {
+        double asked = seconds == null ? USUAL_SECONDS : seconds;
+        if (!(asked >= LEAST_SECONDS && asked <= MOST_SECONDS)) {
+            throw InvalidInput.outside("seconds", "0.1 to 60 seconds", asked);
+        }
+        return Duration.ofMillis(Math.round(asked * MILLIS));
+    }
+
+    private static Objective objective(PlanRequest.@Nullable ObjectiveRequest asked) {
+        if (asked == null) {
+            return Objective.earliestEnd();
+        }
+        boolean everyDrone = Boolean.TRUE.equals(asked.everyDrone());
+        String kind = asked.kind() == null ? "earliestEnd" : asked.kind();
+        return switch (kind) {
+            case "earliestEnd" -> new Objective(1, Objective.Measure.SECONDS, 0, everyDrone);
+            case "leastTime" -> new Objective(0, Objective.Measure.SECONDS, 1, everyDrone);
+            case "leastDistance" -> new Objective(0, Objective.Measure.METERS, 1, everyDrone);
+            case "leastEnergy" -> new Objective(0, Objective.Measure.JOULES, 1, everyDrone);
+            case "weighted" -> weighted(asked, everyDrone);
+            default -> throw InvalidInput.outside("objective.kind", KINDS, "\"" + kind + "\"");
+        };
+    }
+
+    private static Objective weighted(PlanRequest.ObjectiveRequest asked, boolean everyDrone) {
+        double longest = Ranges.checked("objective.longestWeight", asked.longestWeight(), 0, HEAVIEST, "as a weight");
+        double sum = Ranges.checked("objective.sumWeight", asked.sumWeight(), 0, HEAVIEST, "as a weight");
+        if (longest == 0 && sum == 0) {
+            throw InvalidInput.outside("objective.sumWeight", "above 0 where longestWeight is 0", sum);
+        }
+        return new Objective(longest, measure(asked.measure()), sum, everyDrone);
+    }
+
+    private static Objective.Measure measure(@Nullable String name) {
+        return switch (name == null ? "seconds" : name) {
+            case "seconds" -> Objective.Measure.SECONDS;
+            case "meters" -> Objective.Measure.METERS;
+            case "joules" -> Objective.Measure.JOULES;
+            default -> throw InvalidInput.outside("objective.measure", MEASURES, "\"" + name + "\"");
+        };
+    }
+
+    private static Wind wind(PlanRequest.@Nullable WindRequest asked) {
+        return asked == null
+                ? Wind.CALM
+                : new Wind(
+                        Ranges.checked("wind.speed", asked.speed(), 0, 100, "m/s"),
+                        Ranges.checked("wind.from", asked.from(), 0, 360, "degrees"));
+    }
+}

@@ -1,0 +1,105 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** What is to be planned, as a client writes it. Nothing is checked yet. */
+@Schema(description = "Waypoints that are to be shared out among drones.")
+public record PlanRequest(
+        @Schema(description = "1 to 5000", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+        List<@Nullable WaypointRequest> waypoints,
+
+        @Schema(
+                description = "Ids of 1 to 100 drones that are on the ground",
+                requiredMode = Schema.RequiredMode.REQUIRED)
+        @Nullable
+        List<@Nullable String> drones,
+
+        @Schema(description = "What the plan is to be good at; left out: all done as early as can be") @Nullable
+        ObjectiveRequest objective,
+
+        @Schema(description = "Seconds to search, 0.1 to 60; left out: 5") @Nullable
+        Double seconds,
+
+        @Schema(description = "Where the search begins; left out: 1") @Nullable
+        Long seed,
+
+        @Schema(description = "The same everywhere; left out: calm") @Nullable
+        WindRequest wind) {
+    /** A place that one drone is to visit. */
+    @Schema(description = "A place that one drone is to visit.")
+    public record WaypointRequest(
+            @Schema(description = "Your own name of it, up to 40 characters; left out: its number from 1") @Nullable
+            String id,
+
+            @Schema(description = "degrees") @Nullable Double latitude,
+            @Schema(description = "degrees") @Nullable Double longitude,
+            @Schema(description = "metres") @Nullable Double altitude,
+
+            @Schema(
+                    description =
+                            "home (the default): above the highest home of these drones, which must lie within 20 m;"
+                                    + " or amsl")
+            @Nullable
+            String altitudeReference,
+
+            @Schema(description = "Seconds that the drone stays there, 0 to 3600; left out: 0") @Nullable
+            Double holdSeconds,
+
+            @Schema(description = "What leaving it out weighs beside others, 0.001 to 1000; left out: 1") @Nullable
+            Double priority,
+
+            @Schema(description = "When its task may begin; left out: at any time") @Nullable
+            WindowRequest window,
+
+            @Schema(description = "What a drone must be able to do for it, such as takePicture") @Nullable
+            List<@Nullable String> needs) {}
+
+    /** A span on the plan's clock. */
+    @Schema(description = "Seconds after the start of the plan.")
+    public record WindowRequest(
+            @Schema(description = "left out: 0") @Nullable Double opens,
+
+            @Schema(description = "left out: never") @Nullable
+            Double closes) {}
+
+    /** What a plan is to be good at. */
+    @Schema(description = "What the plan is to be good at.")
+    public record ObjectiveRequest(
+            @Schema(description = "earliestEnd, leastTime, leastDistance, leastEnergy or weighted") @Nullable
+            String kind,
+
+            @Schema(description = "weighted: of the longest tour's seconds") @Nullable
+            Double longestWeight,
+
+            @Schema(description = "weighted: of the sum over all tours") @Nullable
+            Double sumWeight,
+
+            @Schema(description = "weighted: what is summed: seconds, meters or joules; left out: seconds") @Nullable
+            String measure,
+
+            @Schema(description = "Whether each drone must fly; left out: drones may stay where they are") @Nullable
+            Boolean everyDrone) {}
+
+    /** Wind that is the same everywhere. */
+    public record WindRequest(
+            @Schema(description = "m/s, 0 to 100") @Nullable Double speed,
+
+            @Schema(description = "where it comes from: degrees clockwise from north, 0 to 360") @Nullable
+            Double from) {}
+
+    /** How a plan is accepted. */
+    @Schema(description = "How a plan is accepted.")
+    public record AcceptRequest(
+            @Schema(
+                    description =
+                            "Whether the drones are armed and started, each when the plan says, once all have their"
+                                    + " missions; left out: no")
+            @Nullable
+            Boolean start,
+
+            @Schema(description = "what a drone does by itself when it no longer hears the cloud: continue or rtl")
+            @Nullable
+            String onCloudLoss) {}
+}

@@ -1,0 +1,26 @@
+package org.dronemap.ws.wiring;
+
+import java.time.Clock;
+import org.dronemap.ws.rest.PlanController;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.PlanDesk;
+import org.dronemap.ws.service.PlanService;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.context.annotation.Import;
+
+/** Constructs the use cases around plans for several drones, and their part of the REST face. */
+@Configuration(proxyBeanMethods = false)
+@Import(PlanController.class)
+public class PlanConfiguration {
+    @Bean(destroyMethod = "close")
+    PlanDesk planDesk() {
+        return new PlanDesk(PlanDesk.Bounds.of(Runtime.getRuntime().availableProcessors()), System::nanoTime);
+    }
+
+    @Bean
+    PlanService planService(House house, PlanDesk desk, DroneService drones, CommandService commands, Clock clock) {
+        return new PlanService(desk, drones, commands, house.cloud().zones(), clock);
+    }
+}

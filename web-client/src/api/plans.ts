@@ -1,0 +1,117 @@
+import type { AltitudeReference } from './types';
+
+export type PlanState = 'queued' | 'running' | 'finished' | 'cancelled' | 'failed';
+
+/** How good a plan is; `gap`: a share of its own cost by which the best plan there is may at most be better. */
+export interface PlanProgress {
+  seconds: number;
+  longestSeconds: number;
+  sum: number;
+  unserved: number;
+  gap: number;
+  iterations: number;
+}
+
+export interface PlanPlace {
+  latitude: number;
+  longitude: number;
+  altitudeAmsl: number;
+}
+
+export interface PlanStop extends PlanPlace {
+  waypoint: string;
+  arrivesSeconds: number;
+  via: PlanPlace[];
+}
+
+/** What one drone flies; seconds after the start of the plan, metres over the ground. */
+export interface PlanTour {
+  drone: string;
+  name: string;
+  departsSeconds: number;
+  endsSeconds: number;
+  distance: number;
+  wattHours: number;
+  batteryShare: number | null;
+  stops: PlanStop[];
+  back: PlanPlace[];
+}
+
+export interface PlanResult {
+  endsSeconds: number;
+  tours: PlanTour[];
+  unserved: { waypoint: string; why: string }[];
+  faults: string[];
+  assumed: boolean;
+}
+
+export type PlanStage =
+  'uploading' | 'uploaded' | 'waiting' | 'arming' | 'starting' | 'started' | 'heldBack' | 'failed';
+
+export interface PlanFlight {
+  drone: string;
+  name: string;
+  stage: PlanStage;
+  why: string | null;
+  command: string | null;
+}
+
+/** A plan for several drones. Lists leave `orders`, `improvements` and `result` out. */
+export interface FleetPlan {
+  id: string;
+  state: PlanState;
+  why: string | null;
+  seconds: number;
+  drones: { id: string; name: string }[];
+  waypoints: number;
+  progress: PlanProgress | null;
+  improvements: PlanProgress[] | null;
+  orders: { drone: string; waypoints: string[] }[] | null;
+  result: PlanResult | null;
+  launch: { underWay: boolean; drones: PlanFlight[] } | null;
+}
+
+export type PlanAim = 'earliestEnd' | 'leastTime' | 'leastDistance' | 'leastEnergy';
+
+export interface PlanWaypoint {
+  id: string;
+  latitude: number;
+  longitude: number;
+  altitude: number;
+  altitudeReference: AltitudeReference;
+  holdSeconds: number | null;
+}
+
+export interface PlanRequest {
+  drones: readonly string[];
+  waypoints: readonly PlanWaypoint[];
+  objective: { kind: PlanAim };
+  seconds: number;
+}
+
+type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
+
+/** The calls around plans for several drones. */
+export class PlanCalls {
+  readonly #call: Call;
+
+  constructor(call: Call) {
+    this.#call = call;
+  }
+
+  ask(request: PlanRequest): Promise<FleetPlan> {
+    return this.#call('POST', '/plans', request);
+  }
+
+  accept(id: string, start: boolean): Promise<FleetPlan> {
+    return this.#call('POST', `${one(id)}/accept`, { start });
+  }
+
+  remove(id: string): Promise<void> {
+    return this.#call('DELETE', one(id));
+  }
+}
+
+function one(id: string): string {
+  return `/plans/${encodeURIComponent(id)}`;
+}

@@ -1,0 +1,57 @@
+import type { Feature, FeatureCollection, Position } from 'geojson';
+import type { FleetPlan, PlanPlace } from '../api/plans';
+import type { Coordinates } from '../geo/coordinates';
+import { toneOf } from './tour-line';
+
+/** One line a drone: straight from waypoint to waypoint while it is searched for, then as it is flown. */
+export function tourFeatures(
+  plan: FleetPlan | null,
+  places: ReadonlyMap<string, Coordinates>,
+  standOf: (drone: string) => Coordinates | null,
+): FeatureCollection {
+  if (plan === null || plan.state === 'cancelled' || plan.state === 'failed') {
+    return { type: 'FeatureCollection', features: [] };
+  }
+  const features = plan.result === null ? sketched(plan, places, standOf) : flown(plan, standOf);
+  return { type: 'FeatureCollection', features: features.filter((one) => one !== null) };
+}
+
+function sketched(
+  plan: FleetPlan,
+  places: ReadonlyMap<string, Coordinates>,
+  standOf: (drone: string) => Coordinates | null,
+): (Feature | null)[] {
+  return (plan.orders ?? []).map(({ drone, waypoints }) => {
+    const stand = standOf(drone);
+    const visits = waypoints.map((id) => places.get(id)).filter((place) => place !== undefined);
+    const way = stand === null ? visits : [stand, ...visits, stand];
+    return visits.length === 0 ? null : line(plan, drone, way.map(positionOf));
+  });
+}
+
+function flown(plan: FleetPlan, standOf: (drone: string) => Coordinates | null): (Feature | null)[] {
+  return (plan.result?.tours ?? []).map((tour) => {
+    const stand = standOf(tour.drone);
+    const way: (Coordinates | PlanPlace)[] = [
+      ...(stand === null ? [] : [stand]),
+      ...tour.stops.flatMap((stop) => [...stop.via, stop]),
+      ...tour.back,
+    ];
+    return line(plan, tour.drone, way.map(positionOf));
+  });
+}
+
+function line(plan: FleetPlan, drone: string, coordinates: Position[]): Feature | null {
+  const label = plan.drones.find((one) => one.id === drone)?.name ?? drone;
+  return coordinates.length < 2
+    ? null
+    : {
+        type: 'Feature',
+        properties: { tone: toneOf(plan, drone), label },
+        geometry: { type: 'LineString', coordinates },
+      };
+}
+
+function positionOf({ latitude, longitude }: Coordinates): Position {
+  return [longitude, latitude];
+}
