@@ -20,6 +20,7 @@ import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.RawClient;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.ServerLog;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
@@ -87,15 +88,10 @@ class FloodTest {
     @ParameterizedTest(name = "{0} {1}")
     @MethodSource("takers")
     void refusesTenMegabytesThatWereNotAnnounced(String path, String type) {
-        try (RawClient client = new RawClient(house.httpPort())) {
-            client.say(head(path, type) + "Transfer-Encoding: chunked\r\n\r\n");
+        try (RawClient client = new RawClient(house.httpPort());
+                ServerLog log = new ServerLog()) {
             // Nothing is wrong with it but its length.
-            client.say(type.contains("json") ? "9\r\n{\"name\":\"\r\n" : "3\r\n<a>\r\n");
-            String piece = "2710\r\n" + "a".repeat(10_000) + "\r\n";
-            for (int said = 0; said < TEN_MEGABYTES && client.say(piece); said += 10_000) {
-                assertThat(said).isLessThan(TEN_MEGABYTES);
-            }
-            client.say("0\r\n\r\n");
+            sayWithoutLength(client, path, type, type.contains("json") ? "{\"name\":\"" : "<a>", "a".repeat(10_000));
 
             // What no address takes is refused unread, and a message of SOAP by a fault.
             boolean read = type.contains("json") || type.contains("kml");
@@ -106,9 +102,42 @@ class FloodTest {
                                     : path.startsWith("/services")
                                             ? "|HTTP/1.1 (4\\d\\d|500).*"
                                             : "|HTTP/1.1 4\\d\\d.*");
+            assertThat(log.failures()).isEmpty();
         }
         assertThat(new Http(house, house.key(Role.VIEWER)).get("/api/v1/drones").status())
                 .isEqualTo(200);
+    }
+
+    @Test
+    void saysInAFaultThatAMessageOfSoapIsTooLongWhoseLengthWasNotAnnounced() {
+        try (RawClient client = new RawClient(house.httpPort());
+                ServerLog log = new ServerLog()) {
+            sayWithoutLength(
+                    client,
+                    "/services/MAVLinkControllerService",
+                    "text/xml",
+                    "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\"><s:Header>",
+                    // No element of it is too long.
+                    "<n>" + "a".repeat(9_993) + "</n>");
+
+            assertThat(client.hearAll())
+                    .startsWith("HTTP/1.1 500")
+                    .contains("The body of this request may have at most 1 MB.")
+                    .containsPattern("<faultcode>\\w+:Client</faultcode>");
+            assertThat(log.failures()).isEmpty();
+        }
+    }
+
+    /** Ten megabytes, or as much as the server wants of them. */
+    private void sayWithoutLength(RawClient client, String path, String type, String beginning, String piece) {
+        client.say(head(path, type) + "Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n");
+        client.say(Integer.toHexString(beginning.length()) + "\r\n" + beginning + "\r\n");
+        String chunk = Integer.toHexString(piece.length()) + "\r\n" + piece + "\r\n";
+        int said = 0;
+        while (said < TEN_MEGABYTES && client.say(chunk)) {
+            said += piece.length();
+        }
+        client.say("0\r\n\r\n");
     }
 
     private String head(String path, String type) {

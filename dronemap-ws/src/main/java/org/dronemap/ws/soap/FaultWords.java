@@ -54,6 +54,10 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
         if (fault.getCause() instanceof DronemapFault ours) {
             return coded(fault, ours);
         }
+        Rejection ofBody = message.getExchange().get(Rejection.class);
+        if (ofBody != null) {
+            return unreadable(Problem.of(ofBody).detail());
+        }
         InvalidInput unreadable = message.getExchange().get(InvalidInput.class);
         if (unreadable != null) {
             return fault(Problem.of(unreadable));

@@ -29,7 +29,12 @@ public final class SoapEndpoint {
                 JAXBDataBinding.READER_VALIDATION_EVENT_HANDLER,
                 new UnreadableValues()));
         endpoint.getInInterceptors()
-                .addAll(List.of(new NoDoctype(), new ReadingXml(), new StrictElements(), new NamedCalls()));
+                .addAll(List.of(
+                        new RefusedBodies(),
+                        new NoDoctype(),
+                        new ReadingXml(),
+                        new StrictElements(),
+                        new NamedCalls()));
         endpoint.getOutFaultInterceptors().add(new FaultWords());
         endpoint.publish(PATH);
         return endpoint;
