@@ -103,12 +103,15 @@ def test_three_drones_fly_twelve_waypoints_by_three_calls(api: Api, tap: Tap, si
     assert accepted.status_code in (200, 202), accepted.text
 
     wait_for("all have started", lambda: _stages(api, path) == {"started"}, 120)
-    for number, point in enumerate(points):
-        wait_for(f"waypoint {number} is reached", partial(passed_by, tap, point), 180)
-    # Who was to go there went there, and nobody else.
+    # Who was to go there goes there; on its way it may come by where others were.
     for n, drone in enumerate(drones):
-        own = [points[number] for number in _waypoints(result, drone["id"])]
-        assert all(passed_by(tap, point) == {FIRST_SYSTEM_ID + n} for point in own)
+        for number in _waypoints(result, drone["id"]):
+            own = FIRST_SYSTEM_ID + n
+            wait_for(f"{own} is at waypoint {number}", partial(_came_by, tap, own, points[number]), 180)
+
+
+def _came_by(tap: Tap, system_id: int, point: Point) -> bool:
+    return system_id in passed_by(tap, point)
 
 
 def _waypoints(result: Json, drone: str) -> list[int]:

@@ -164,6 +164,36 @@ class PlansTest {
     }
 
     @Test
+    void startNobodyElseOnceTheStartIsStopped() {
+        WillingCopter kestrel = copter(14_603, "Kestrel", LONGITUDE + 0.00004);
+        Http.Answer asked = operator.post(
+                PATH,
+                "{\"drones\":[\"" + falcon.id() + "\",\"" + kestrel.id() + "\"],\"seconds\":0.1,"
+                        + "\"objective\":{\"kind\":\"earliestEnd\",\"everyDrone\":true},\"waypoints\":["
+                        + waypoint(LATITUDE + 0.01, LONGITUDE) + "," + waypoint(LATITUDE + 0.01, LONGITUDE + 0.002)
+                        + "]}");
+        String id = asked.text("id");
+        finished(id);
+        operator.post(PATH + "/" + id + "/accept", "{\"start\":true}");
+        Waiting.until(
+                "one waits while the other one flies",
+                () -> Optional.of(stages(operator.get(PATH + "/" + id).json()))
+                        .filter(stages -> stages.contains("waiting") && stages.contains("started")));
+        assertThat(delete(operator, id)).isEqualTo(409);
+
+        assertThat(operator.post(PATH + "/" + id + "/stop", "").status()).isEqualTo(200);
+        JsonNode plan = Waiting.until(
+                "nothing is under way",
+                () -> Optional.of(operator.get(PATH + "/" + id).json())
+                        .filter(one -> !one.path("launch").path("underWay").asBoolean(true)));
+        assertThat(stages(plan)).containsExactlyInAnyOrder("started", "heldBack");
+        assertThat(plan.toString()).contains("the start was stopped");
+        assertThat(List.of(kinds(falcon), kinds(kestrel))).contains(List.of("UploadMission"));
+        assertThat(operator.post(PATH + "/" + id + "/stop", "").text("detail"))
+                .isEqualTo("Nobody of this plan waits for a start.");
+    }
+
+    @Test
     void startNobodyWhileOneDroneHasNoMission() {
         heron.cannot(Command.UploadMission.class);
         String id = ask(waypoints(WAYPOINTS) + ",\"seconds\":0.1");
@@ -189,6 +219,8 @@ class PlansTest {
 
         assertThat(plan.path("unserved").path(0).path("waypoint").asString("")).isEqualTo("2");
         assertThat(plan.path("unserved").path(0).path("why").asString("")).contains("the no-fly zone “Crane”");
+        assertThat(plan.path("unserved").path(0).path("place").path("latitude").asDouble())
+                .isEqualTo(LATITUDE + 0.001);
         assertThat(plan.path("tours").path(0).path("distance").asDouble()).isGreaterThan(2 * 0.002 * 111_000 + 5);
         Http.Answer accepted = operator.post(PATH + "/" + asked.text("id") + "/accept?wait=20", "{}");
         assertThat(stages(accepted.json())).as(accepted.raw().body()).containsExactly("uploaded");

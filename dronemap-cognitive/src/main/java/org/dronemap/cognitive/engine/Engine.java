@@ -2,6 +2,7 @@ package org.dronemap.cognitive.engine;
 
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.dronemap.cognitive.allocate.Allocation;
 import org.dronemap.cognitive.allocate.Allocator;
 import org.dronemap.cognitive.allocate.Budget;
@@ -45,6 +46,17 @@ public final class Engine {
                 .search(seed, budget, better -> watcher.accept(progress(better, aim, bound), better.orders()));
         Plan apart = Arranger.apart(problem, costs.plan(found.orders())).plan();
         return new Planned(apart, progress(found, aim, bound), PlanChecker.faults(problem, apart));
+    }
+
+    /** The first drone visits what it can in the order of the list: nothing is searched, and nothing checked. */
+    public static Plan asListed(Problem problem) {
+        CostModel costs = CostModel.of(problem);
+        int[][] orders = new int[problem.crafts().size()][0];
+        orders[0] = IntStream.range(0, problem.waypoints().size())
+                .filter(waypoint ->
+                        costs.instance().visits().get(waypoint).drones().get(0))
+                .toArray();
+        return costs.plan(orders);
     }
 
     private static int boundRounds(Problem problem) {

@@ -99,6 +99,17 @@ public class PlanController {
         return plans.accept(current.caller(), id, request, longest).thenApply(PlanController::answer);
     }
 
+    @PostMapping("/{id}/stop")
+    @Operation(
+            summary = "Stop the start of a plan (operator)",
+            description =
+                    "Drones that have not been started yet are not started, and disarmed where they were armed for"
+                            + " it. Drones that fly, fly on: call them back by their own commands. 409 when nothing is under"
+                            + " way.")
+    public PlanView stop(@PathVariable String id) {
+        return plans.stop(current.principal(), id);
+    }
+
     private static ResponseEntity<PlanView> answer(PlanView plan) {
         return ResponseEntity.status(plan.isLaunched() ? HttpStatus.OK : HttpStatus.ACCEPTED)
                 .body(plan);

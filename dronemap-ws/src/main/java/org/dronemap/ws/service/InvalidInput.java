@@ -21,6 +21,12 @@ public final class InvalidInput extends Rejection {
         return new InvalidInput(field, allowed, "\"" + field + "\" must be " + allowed + ", not " + value + ".");
     }
 
+    /** Places too far apart, or zones with too many corners. */
+    static InvalidInput unplannable(IllegalArgumentException why) {
+        return new InvalidInput(
+                "waypoints", "places that can be planned", "This cannot be planned: " + why.getMessage() + ".");
+    }
+
     public String field() {
         return field;
     }

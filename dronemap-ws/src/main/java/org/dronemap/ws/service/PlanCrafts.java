@@ -104,7 +104,7 @@ final class PlanCrafts {
                 * performance.power().cruise();
     }
 
-    private static Set<Skill> skills(DroneState drone) {
+    static Set<Skill> skills(DroneState drone) {
         return drone.capabilities().commands().stream().map(Skill::of).collect(Collectors.toUnmodifiableSet());
     }
 

@@ -230,7 +230,10 @@ public final class PlanDesk implements AutoCloseable {
 
     @Override
     public void close() {
-        everybodys().forEach(job -> job.cancel(nanoTime.getAsLong()));
+        everybodys().forEach(job -> {
+            job.cancel(nanoTime.getAsLong());
+            job.stop("It has its mission and was not started, since the server was shut down.");
+        });
         pool.shutdownNow();
         launches.shutdownNow();
     }

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import org.dronemap.cognitive.engine.Planned;
@@ -22,6 +23,8 @@ public final class PlanJob {
     private final Instant askedAt;
     private final PlanOrder order;
     private volatile Status status = new Status(State.QUEUED, List.of(), null, null, null, false, List.of());
+    /** Guarded by this: ends with why, when nobody else is to be started. */
+    private CompletableFuture<String> stopped = new CompletableFuture<>();
     /** Guarded by this: on the clock that durations are measured with. */
     private long endedNanos;
 
@@ -179,7 +182,23 @@ public final class PlanJob {
             return false;
         }
         status = status.with(true, begun);
+        stopped = new CompletableFuture<>();
         return true;
+    }
+
+    /** Whoever has not been started yet will not be; false when nothing is under way. */
+    synchronized boolean stop(String why) {
+        return status.busy() && stopped.complete(why);
+    }
+
+    /** Ends with why nobody else is to be started, if that happens to this launch. */
+    synchronized CompletableFuture<String> stopped() {
+        return stopped.copy();
+    }
+
+    /** Why nobody else is to be started; null: nothing speaks against it. */
+    synchronized @Nullable String whyStopped() {
+        return stopped.getNow(null);
     }
 
     synchronized void settle(PlanFlight flight) {

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
@@ -23,6 +22,7 @@ final class PlanLaunch {
     private static final Logger LOG = LoggerFactory.getLogger(PlanLaunch.class);
     private static final Duration LONGEST_COMMAND = Duration.ofMinutes(3);
     private static final double MILLIS = 1_000;
+    private static final CompletableFuture<Boolean> NO = CompletableFuture.completedFuture(false);
 
     private final PlanDesk desk;
     private final CommandService commands;
@@ -104,36 +104,58 @@ final class PlanLaunch {
 
     private CompletableFuture<Boolean> startOne(Tour tour) {
         DroneId drone = tour.drone();
-        long millis = Math.round(tour.departsSeconds() * MILLIS);
-        if (millis > 0) {
-            settle(drone, PlanFlight.Stage.WAITING, null);
-        }
-        Executor whenDue = CompletableFuture.delayedExecutor(millis, TimeUnit.MILLISECONDS, desk.launches());
-        return CompletableFuture.supplyAsync(() -> modeForOrders(drone), whenDue)
-                .thenCompose(mode -> mode.map(name -> give(
-                                drone, PlanFlight.Stage.ARMING, PlanFlight.Stage.ARMING, CommandRequest.setMode(name)))
-                        .orElse(CompletableFuture.completedFuture(true)))
+        return whenDue(tour)
+                .thenComposeAsync(due -> goesOn(due, drone) ? takeOrders(drone) : NO, desk.launches())
+                .thenComposeAsync(ready -> goesOn(ready, drone) ? arm(drone) : NO, desk.launches())
                 .thenComposeAsync(
-                        ready -> giveIf(
-                                ready,
-                                drone,
-                                PlanFlight.Stage.ARMING,
-                                PlanFlight.Stage.STARTING,
-                                CommandRequest.simple("arm")),
-                        desk.launches())
-                .thenComposeAsync(
-                        armed -> giveIf(
-                                armed,
-                                drone,
-                                PlanFlight.Stage.STARTING,
-                                PlanFlight.Stage.STARTED,
-                                CommandRequest.startMission(start.onCloudLoss())),
-                        desk.launches());
+                        armed -> goesOn(armed, drone) ? begin(drone) : armed ? disarm(drone) : NO, desk.launches());
     }
 
-    private CompletableFuture<Boolean> giveIf(
-            boolean wanted, DroneId drone, PlanFlight.Stage during, PlanFlight.Stage after, CommandRequest what) {
-        return wanted ? give(drone, during, after, what) : CompletableFuture.completedFuture(false);
+    /** True at the time of its departure, or as soon as nobody is to be started any more. */
+    private CompletableFuture<Boolean> whenDue(Tour tour) {
+        long millis = Math.round(tour.departsSeconds() * MILLIS);
+        if (millis <= 0) {
+            return CompletableFuture.completedFuture(true);
+        }
+        settle(tour.drone(), PlanFlight.Stage.WAITING, null);
+        return job.stopped().thenApply(why -> true).completeOnTimeout(true, millis, TimeUnit.MILLISECONDS);
+    }
+
+    /** Tells of a drone that would go on, and is not to. */
+    private boolean goesOn(boolean soFar, DroneId drone) {
+        String why = job.whyStopped();
+        if (soFar && why != null) {
+            settle(drone, PlanFlight.Stage.HELD_BACK, why);
+        }
+        return soFar && why == null;
+    }
+
+    private CompletableFuture<Boolean> takeOrders(DroneId drone) {
+        return modeForOrders(drone)
+                .map(mode ->
+                        give(drone, PlanFlight.Stage.ARMING, PlanFlight.Stage.ARMING, CommandRequest.setMode(mode)))
+                .orElse(CompletableFuture.completedFuture(true));
+    }
+
+    private CompletableFuture<Boolean> arm(DroneId drone) {
+        return give(drone, PlanFlight.Stage.ARMING, PlanFlight.Stage.STARTING, CommandRequest.simple("arm"));
+    }
+
+    private CompletableFuture<Boolean> begin(DroneId drone) {
+        return give(
+                drone,
+                PlanFlight.Stage.STARTING,
+                PlanFlight.Stage.STARTED,
+                CommandRequest.startMission(start.onCloudLoss()));
+    }
+
+    /** It stands there with its motors running, and nobody will start it. */
+    private CompletableFuture<Boolean> disarm(DroneId drone) {
+        return give(drone, PlanFlight.Stage.STARTING, PlanFlight.Stage.STARTING, CommandRequest.disarm(null))
+                .thenApply(disarmed -> {
+                    goesOn(disarmed, drone);
+                    return false;
+                });
     }
 
     /** The mode in which it can be armed; empty when it is in one. */

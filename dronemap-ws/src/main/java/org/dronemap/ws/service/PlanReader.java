@@ -58,14 +58,8 @@ final class PlanReader {
             Long seed = request.seed();
             return new PlanOrder(problem, states, search, seed == null ? 1 : seed);
         } catch (IllegalArgumentException tooMuch) {
-            // Places too far apart, or zones with too many corners.
-            throw new InvalidInput("waypoints", "places that can be planned", sentence(tooMuch));
+            throw InvalidInput.unplannable(tooMuch);
         }
-    }
-
-    private static String sentence(IllegalArgumentException e) {
-        String message = String.valueOf(e.getMessage());
-        return "This cannot be planned: " + message + ".";
     }
 
     private List<DroneState> states(Principal principal, @Nullable List<@Nullable String> asked) {

@@ -74,7 +74,8 @@ public final class PlanService {
         Roles.require(principal, Role.PLANNER);
         PlanJob job = find(principal, id);
         if (job.status().busy()) {
-            throw Rejection.conflict("Its missions are on their way to the drones.");
+            throw Rejection.conflict(
+                    "Its missions are on their way to the drones, or drones wait for their start: stop it first.");
         }
         desk.remove(job);
     }
@@ -100,6 +101,16 @@ public final class PlanService {
         return run.copy()
                 .completeOnTimeout(null, wait.toMillis(), TimeUnit.MILLISECONDS)
                 .thenApply(ended -> PlanViews.whole(job));
+    }
+
+    /** Whoever of the plan has not been started yet will not be; who flies, flies on. */
+    public PlanView stop(Principal principal, String id) {
+        Roles.require(principal, Role.OPERATOR);
+        PlanJob job = find(principal, id);
+        if (!job.stop("It has its mission and was not started, since the start was stopped.")) {
+            throw Rejection.conflict("Nobody of this plan waits for a start.");
+        }
+        return PlanViews.whole(job);
     }
 
     private static PlanLaunch.Start start(PlanRequest.@Nullable AcceptRequest request) {

@@ -115,7 +115,7 @@ public record PlanView(
     public record PlaceView(double latitude, double longitude, double altitudeAmsl) {}
 
     /** What nobody visits, and why. */
-    public record UnservedView(String waypoint, String why) {}
+    public record UnservedView(String waypoint, String why, PlaceView place) {}
 
     /** What became of it after it was accepted. */
     public record LaunchView(

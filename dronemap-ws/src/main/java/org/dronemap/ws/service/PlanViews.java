@@ -10,12 +10,14 @@ import java.util.stream.Stream;
 import org.dronemap.cognitive.engine.Planned;
 import org.dronemap.cognitive.engine.Progress;
 import org.dronemap.cognitive.plan.Fix;
+import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.plan.Way;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
@@ -99,12 +101,22 @@ public final class PlanViews {
                         .flatMap(tour ->
                                 Stream.ofNullable(crafts.get(tour.drone())).map(craft -> tour(order, craft, tour)))
                         .toList(),
-                planned.plan().unserved().stream()
-                        .map(one -> new PlanView.UnservedView(one.waypoint(), one.why()))
-                        .toList(),
+                unserved(order.problem(), planned.plan()),
                 order.faults(planned),
                 order.problem().crafts().stream()
                         .anyMatch(craft -> craft.performance().assumed()));
+    }
+
+    static List<PlanView.UnservedView> unserved(Problem problem, Plan plan) {
+        if (plan.unserved().isEmpty()) {
+            return List.of();
+        }
+        Map<String, Place> places =
+                problem.waypoints().stream().collect(Collectors.toMap(Waypoint::id, Waypoint::place));
+        return plan.unserved().stream()
+                .flatMap(one -> Stream.ofNullable(places.get(one.waypoint()))
+                        .map(place -> new PlanView.UnservedView(one.waypoint(), one.why(), place(place))))
+                .toList();
     }
 
     private static PlanView.TourView tour(PlanOrder order, Craft craft, Tour tour) {
@@ -143,7 +155,7 @@ public final class PlanViews {
                 place.point().latitudeDegrees(), place.point().longitudeDegrees(), place.altitudeAmslMeters());
     }
 
-    private static double meters(Way way) {
+    static double meters(Way way) {
         double meters = 0;
         List<Fix> fixes = way.fixes();
         for (int i = 0; i + 1 < fixes.size(); i++) {

@@ -2,17 +2,19 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import org.dronemap.ws.rest.PlanController;
+import org.dronemap.ws.rest.TourController;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.PlanService;
+import org.dronemap.ws.service.TourService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
 
 /** Constructs the use cases around plans for several drones, and their part of the REST face. */
 @Configuration(proxyBeanMethods = false)
-@Import(PlanController.class)
+@Import({PlanController.class, TourController.class})
 public class PlanConfiguration {
     @Bean(destroyMethod = "close")
     PlanDesk planDesk() {
@@ -22,5 +24,10 @@ public class PlanConfiguration {
     @Bean
     PlanService planService(House house, PlanDesk desk, DroneService drones, CommandService commands, Clock clock) {
         return new PlanService(desk, drones, commands, house.cloud().zones(), clock);
+    }
+
+    @Bean(destroyMethod = "close")
+    TourService tourService(House house, DroneService drones, Clock clock) {
+        return new TourService(drones, house.cloud().zones(), clock);
     }
 }

@@ -259,10 +259,18 @@ public final class DroneDeeds extends Deeds {
         can("POST /api/v1/plans", () -> deed("POST", "plans", plan()));
         can("DELETE /api/v1/plans/{id}", () -> deed("DELETE", "plans/" + planned(), ""));
         can("POST /api/v1/plans/{id}/accept", () -> deed("POST", "plans/" + planned() + "/accept?wait=20", "{}"));
+        can("POST /api/v1/plans/{id}/stop", () -> deed("POST", "plans/" + waiting() + "/stop", ""));
+        can(
+                "POST /api/v1/tours",
+                () -> deed("POST", "tours", "{\"drone\":\"" + copter().id() + "\",\"seconds\":0.1," + place() + "}"));
     }
 
     private String planned() {
-        String id = made("plans", plan());
+        return planned(plan());
+    }
+
+    private String planned(String request) {
+        String id = made("plans", request);
         Waiting.until(
                 "the plan is finished",
                 () -> Optional.of(root.http().get("/api/v1/plans/" + id))
@@ -270,15 +278,35 @@ public final class DroneDeeds extends Deeds {
         return id;
     }
 
+    /** Two that stand side by side: one of them has to leave later. */
+    private String waiting() {
+        String id = planned("{\"drones\":[\"" + copter().id() + "\",\"" + copter().id()
+                + "\"],\"seconds\":0.1,\"objective\":{\"kind\":\"earliestEnd\",\"everyDrone\":true},\"waypoints\":["
+                + "{\"latitude\":47.4077,\"longitude\":8.5456,\"altitude\":20},"
+                + "{\"latitude\":47.4077,\"longitude\":8.5476,\"altitude\":20}]}");
+        root.http().post("/api/v1/plans/" + id + "/accept", "{\"start\":true}");
+        Waiting.until(
+                "one of them waits",
+                () -> Optional.of(root.http().get("/api/v1/plans/" + id))
+                        .filter(answer -> answer.raw().body().contains("\"stage\":\"waiting\"")));
+        return id;
+    }
+
     private String plan() {
-        WillingCopter copter = new WillingCopter(
+        return "{\"drones\":[\"" + copter().id() + "\"],\"seconds\":0.1," + place() + "}";
+    }
+
+    private static String place() {
+        return "\"waypoints\":[{\"latitude\":47.3979,\"longitude\":8.5456,\"altitude\":20}]";
+    }
+
+    private WillingCopter copter() {
+        return new WillingCopter(
                         house.cloud(),
                         new DroneKey("127.0.0.1", 19_000 + house.number(), 1),
                         name(),
                         new Geodetic(47.3977, 8.5456))
                 .wellHeard(house.cloud());
-        return "{\"drones\":[\"" + copter.id() + "\"],\"seconds\":0.1,\"waypoints\":[{\"latitude\":47.3979,"
-                + "\"longitude\":8.5456,\"altitude\":20}]}";
     }
 
     private void recordings() {

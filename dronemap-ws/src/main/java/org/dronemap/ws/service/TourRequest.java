@@ -1,0 +1,23 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Waypoints of one drone that are to be ordered, as a client writes them. Nothing is checked yet. */
+@Schema(description = "Waypoints of one drone that are to be put into a good order.")
+public record TourRequest(
+        @Schema(description = "The id of the drone", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+        String drone,
+
+        @Schema(description = "1 to 500", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+        List<PlanRequest.@Nullable WaypointRequest> waypoints,
+
+        @Schema(
+                description = "hold or land: the last waypoint stays the last, since the drone ends there;"
+                        + " returnToLaunch (left out): it ends at its home")
+        @Nullable
+        String ending,
+
+        @Schema(description = "Seconds to search, 0.1 to 5; left out: 1") @Nullable
+        Double seconds) {}

@@ -1,0 +1,100 @@
+package org.dronemap.ws.service;
+
+import java.time.Clock;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import org.dronemap.cognitive.allocate.Budget;
+import org.dronemap.cognitive.engine.Engine;
+import org.dronemap.cognitive.engine.Planned;
+import org.dronemap.cognitive.plan.Plan;
+import org.dronemap.cognitive.plan.Stop;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.zone.ZoneBook;
+
+/** Puts the waypoints of one drone into a good order, for who edits its mission; nothing is flown by it. Any thread. */
+public final class TourService implements AutoCloseable {
+    private static final int QUEUED = 8;
+    private static final long SEED = 1;
+
+    private final TourReader reader;
+    private final ThreadPoolExecutor pool =
+            new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(QUEUED), TourService::daemon);
+    private final Set<String> waiting = ConcurrentHashMap.newKeySet();
+
+    public TourService(DroneService drones, ZoneBook zones, Clock clock) {
+        reader = new TourReader(drones, zones, clock);
+    }
+
+    private static Thread daemon(Runnable work) {
+        Thread thread = new Thread(work, "tours");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /** One at a time for each user; refused while too many wait. */
+    public CompletableFuture<TourView> order(Principal principal, TourRequest request) {
+        Roles.require(principal, Role.PLANNER);
+        TourReader.Tour tour = reader.read(principal, request);
+        if (!waiting.add(principal.name())) {
+            throw Rejection.conflict("A tour of yours is being ordered already; wait for it.");
+        }
+        try {
+            return CompletableFuture.supplyAsync(() -> ordered(tour), pool)
+                    .whenComplete((done, failed) -> waiting.remove(principal.name()));
+        } catch (RejectedExecutionException full) {
+            waiting.remove(principal.name());
+            throw new Rejection(
+                    RejectionKind.UNAVAILABLE, QUEUED + " tours wait to be ordered already; try again in a minute.");
+        }
+    }
+
+    private static TourView ordered(TourReader.Tour tour) {
+        Problem problem = tour.problem();
+        Plan listed = Engine.asListed(problem);
+        Planned found = Engine.plan(problem, SEED, Budget.time(tour.search(), System::nanoTime), better -> {});
+        Map<String, Integer> numbers = new LinkedHashMap<>();
+        IntStream.range(0, problem.waypoints().size())
+                .forEach(number -> numbers.put(problem.waypoints().get(number).id(), number));
+        List<Integer> order = new ArrayList<>();
+        found.plan().tours().stream()
+                .flatMap(one -> one.stops().stream())
+                .map(Stop::waypoint)
+                .forEach(waypoint -> order.add(numbers.remove(waypoint)));
+        order.addAll(numbers.values());
+        if (tour.lastStays()) {
+            order.add(order.size());
+        }
+        return new TourView(
+                order,
+                effort(listed),
+                effort(found.plan()),
+                found.plan().unserved().isEmpty() ? found.progress().gap() : 1,
+                PlanViews.unserved(problem, found.plan()));
+    }
+
+    private static TourView.EffortView effort(Plan plan) {
+        return new TourView.EffortView(
+                plan.endsSeconds(),
+                plan.tours().stream()
+                        .flatMap(tour -> tour.ways().stream())
+                        .mapToDouble(PlanViews::meters)
+                        .sum());
+    }
+
+    @Override
+    public void close() {
+        pool.shutdownNow();
+    }
+}
