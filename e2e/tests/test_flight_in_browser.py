@@ -113,7 +113,6 @@ def test_a_person_flies_a_mission(
     request: pytest.FixtureRequest,
     open_station: Open,
     tap: Tap,
-    api: Api,
     copter: Json,
     hands: Hands,
     size: dict[str, int],
@@ -121,9 +120,6 @@ def test_a_person_flies_a_mission(
     waypoints: Callable[[Station, Json], None],
 ) -> None:
     name = request.node.callspec.id
-    # A slow page must not have the copter disarmed again, three times as fast as life, before it takes off.
-    api.do(copter["id"], type="setParameters", parameters=[{"name": "DISARM_DELAY", "value": 120}])
-    assert api.call("DELETE", f"/drones/{copter['id']}/control").ok
     station = open_station(hands, size, dark)
     station.choose(copter["name"])
     picture(station.page, f"{name}-1-chosen")

@@ -133,7 +133,7 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
     bench.simulator.fault(f"{bench.system_id} repair")
 
     file = tmp_path / "copter.param"
-    file.write_text("RTL_ALT,1800\nLAND_SPEED,60\nDISARM_DELAY,10\nNOBODY_KNOWS,1\n")
+    file.write_text("RTL_ALT,1800\nLAND_SPEED,60\nFS_EKF_ACTION,1\nNOBODY_KNOWS,1\n")
     page.locator("input[type=file]").set_input_files(file)
     station.shows("2 values differ, 1 is the same.")
     station.shows("The vehicle does not have: NOBODY_KNOWS.")

@@ -62,7 +62,8 @@ final class FleetBuilder {
                 options.stickLow() ? 1000 : 1500,
                 epochMicros,
                 options.usb(),
-                options.parameters());
+                options.parameters(),
+                options.presets());
         return new SimulatedVehicle(settings, kind(index), craft, link);
     }
 

@@ -1,7 +1,9 @@
 package org.dronemap.sim;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.dronemap.sim.link.ServerAddress;
 import org.dronemap.sim.physics.LocalFrame;
 import org.jspecify.annotations.Nullable;
@@ -64,6 +66,19 @@ final class OptionReader {
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException(name + " wants a number, not '" + text + "'", e);
         }
+    }
+
+    /** As often as it is given, each NAME=VALUE. */
+    Map<String, Double> numbersByName(String name) {
+        Map<String, Double> given = new LinkedHashMap<>();
+        for (String text = take(name); text != null; text = take(name)) {
+            int equals = text.indexOf('=');
+            if (equals < 1) {
+                throw new IllegalArgumentException(name + " wants NAME=VALUE, not '" + text + "'");
+            }
+            given.put(text.substring(0, equals), parse(name, text.substring(equals + 1)));
+        }
+        return given;
     }
 
     String choice(String name, String otherwise, List<String> choices) {

@@ -1,6 +1,7 @@
 package org.dronemap.sim;
 
 import java.util.List;
+import java.util.Map;
 import org.dronemap.sim.link.ServerAddress;
 import org.dronemap.sim.physics.LocalFrame;
 
@@ -20,7 +21,8 @@ record Options(
         boolean mavlink1,
         boolean stickLow,
         boolean usb,
-        int parameters) {
+        int parameters,
+        Map<String, Double> presets) {
 
     static final String HELP = """
             Simulated multicopters that speak MAVLink over real sockets.
@@ -37,6 +39,7 @@ record Options(
               --ready-after SECONDS    until the position estimate stands, 0 to 600 (default 5; a real one takes 41)
               --stick low|mid          throttle stick of the remote control (default mid)
               --parameters N           fills the table of parameters up to so many, 0 to 5000 (default 0)
+              --parameter NAME=VALUE   sets that parameter from the start; may be given more than once
               --mavlink1               speak MAVLink 1
               --usb                    the link is the first channel: unsigned messages pass in spite of a signing key
               --help                   this text
@@ -58,7 +61,8 @@ record Options(
                 false,
                 false,
                 false,
-                0);
+                0,
+                Map.of());
     }
 
     /**
@@ -84,7 +88,8 @@ record Options(
                 reader.flag("--mavlink1"),
                 reader.choice("--stick", "mid", List.of("low", "mid")).equals("low"),
                 reader.flag("--usb"),
-                (int) reader.integer("--parameters", d.parameters, 0, 5_000));
+                (int) reader.integer("--parameters", d.parameters, 0, 5_000),
+                reader.numbersByName("--parameter"));
         reader.finish();
         return options;
     }

@@ -1,7 +1,9 @@
 package org.dronemap.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import java.util.Set;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.GlobalPositionInt;
@@ -85,6 +87,26 @@ class ArduCopterTest {
         assertThat(bench.armed()).isTrue();
         bench.run(1);
         assertThat(bench.armed()).isFalse();
+    }
+
+    @Test
+    void staysArmedOnTheGroundForAsLongAsItWasStartedTo() {
+        Bench bench = Bench.ready("--parameter", "DISARM_DELAY=120");
+        bench.command(400, 1);
+        bench.run(119.5);
+        assertThat(bench.armed()).isTrue();
+        bench.run(1);
+        assertThat(bench.armed()).isFalse();
+    }
+
+    @Test
+    void isNotStartedWithAParameterThatItDoesNotHave() {
+        assertThatThrownBy(() -> Bench.ready("--parameter", "NOBODY_KNOWS=1"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("this autopilot has no parameter 'NOBODY_KNOWS'");
+        assertThatThrownBy(() -> Options.parse(List.of("--parameter", "DISARM_DELAY")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("--parameter wants NAME=VALUE, not 'DISARM_DELAY'");
     }
 
     @Test

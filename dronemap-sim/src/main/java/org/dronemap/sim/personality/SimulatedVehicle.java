@@ -60,6 +60,11 @@ public final class SimulatedVehicle {
     private Autopilot makeAutopilot() {
         Autopilot made = kind.maker().make(craft, settings.systemId(), this::hear, this::send, this::beatNow);
         made.stick(settings.stick());
+        settings.presets().forEach((name, value) -> {
+            if (!made.parameters().set(name, value)) {
+                throw new IllegalArgumentException("this autopilot has no parameter '" + name + "'");
+            }
+        });
         Padding.pad(made.parameters(), settings.parameters(), made.parametersAsBits());
         return made;
     }

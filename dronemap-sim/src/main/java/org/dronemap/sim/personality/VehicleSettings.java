@@ -1,10 +1,12 @@
 package org.dronemap.sim.personality;
 
+import java.util.Map;
+
 /**
  * What one vehicle is started with. {@code streamHertz} flows before anybody asks (negative: as its autopilot does it);
  * {@code stick} is the throttle stick of its remote control, 1000 to 2000; {@code epochMicros} UTC at clock zero;
  * {@code usb}: its link is the first channel, on which unsigned messages always pass; the table of parameters is filled
- * up to {@code parameters}.
+ * up to {@code parameters}; those of {@code presets} have other values than their autopilot's own.
  */
 public record VehicleSettings(
         int systemId,
@@ -13,10 +15,12 @@ public record VehicleSettings(
         int stick,
         long epochMicros,
         boolean usb,
-        int parameters) {
+        int parameters,
+        Map<String, Double> presets) {
     public VehicleSettings {
         if (systemId < 1 || systemId > 255) {
             throw new IllegalArgumentException("system id " + systemId + " is not within 1 to 255");
         }
+        presets = Map.copyOf(presets);
     }
 }
