@@ -1,6 +1,7 @@
 package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
+import org.dronemap.cognitive.cost.Instance;
 
 /** What a search found: for each drone its waypoints in order. Those in no tour are unserved. Immutable. */
 public final class Allocation {
@@ -16,6 +17,19 @@ public final class Allocation {
         this.longestSeconds = longestSeconds;
         this.sum = sum;
         this.iterations = iterations;
+    }
+
+    /** Judges tours anew. */
+    static Allocation of(Instance instance, Costs costs, int[][] orders, long iterations) {
+        Tours tours = new Tours(instance, costs);
+        tours.set(orders);
+        Bag absent = tours.absent();
+        int[] unserved = new int[absent.size()];
+        for (int i = 0; i < unserved.length; i++) {
+            unserved[i] = absent.get(i);
+        }
+        Arrays.sort(unserved);
+        return new Allocation(orders, unserved, tours.longest(), tours.total(), iterations);
     }
 
     /** For each drone the numbers of its waypoints. */

@@ -24,6 +24,7 @@ final class Costs {
     private final double[] ready;
     private final double[] range;
     private final boolean[] mustFly;
+    private final boolean[] busy;
     private final double[] service;
     private final double[] watts;
     private final double[] opens;
@@ -45,8 +46,10 @@ final class Costs {
         ready = carriers.stream().mapToDouble(Carrier::readySeconds).toArray();
         range = carriers.stream().mapToDouble(Carrier::rangeJoules).toArray();
         mustFly = new boolean[carriers.size()];
+        busy = new boolean[carriers.size()];
         for (int r = 0; r < mustFly.length; r++) {
             mustFly[r] = carriers.get(r).mustFly();
+            busy[r] = carriers.get(r).busy();
         }
         allowed = visits.stream().map(Visit::drones).toArray(BitSet[]::new);
         service = new double[places];
@@ -130,6 +133,11 @@ final class Costs {
 
     boolean mustFly(int drone) {
         return mustFly[drone];
+    }
+
+    /** Whether it visits something even with an empty tour. */
+    boolean busy(int drone) {
+        return busy[drone];
     }
 
     double serviceSeconds(int place) {

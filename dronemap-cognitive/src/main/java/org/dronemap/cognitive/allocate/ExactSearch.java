@@ -67,15 +67,13 @@ final class ExactSearch {
 
     /** Flies home, and goes on with the next drone. */
     private void close(int r, Flight flight, int at, Worth.Tally before) {
-        boolean idle = orders[r].isEmpty();
+        boolean empty = orders[r].isEmpty();
         Flight home = flight.copy();
         home.fly(at, tours.end(r));
-        if (!idle && (!Double.isFinite(home.seconds()) || !Room.withinRange(costs, r, home.joules()))) {
+        if (!empty && (!Double.isFinite(home.seconds()) || !Room.withinRange(costs, r, home.joules()))) {
             return;
         }
-        boolean stays = idle && !costs.mustFly(r);
-        Worth.Tally flown = stays ? before : before.with(home.seconds(), home.sum());
-        Worth.Tally tally = idle ? flown.withIdle() : flown;
+        Worth.Tally tally = empty ? without(r, home, before) : before.with(home.seconds(), home.sum());
         if (isDear(tally)) {
             return;
         }
@@ -92,6 +90,12 @@ final class ExactSearch {
             Arrays.setAll(
                     best, i -> orders[i].stream().mapToInt(Integer::intValue).toArray());
         }
+    }
+
+    /** A drone that is given nothing may have to fly all the same. */
+    private Worth.Tally without(int r, Flight home, Worth.Tally before) {
+        Worth.Tally flown = costs.mustFly(r) ? before.with(home.seconds(), home.sum()) : before;
+        return costs.busy(r) ? flown : flown.withIdle();
     }
 
     private boolean isDear(Worth.Tally tally) {

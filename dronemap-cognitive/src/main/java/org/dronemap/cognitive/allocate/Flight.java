@@ -7,7 +7,7 @@ final class Flight {
     private double seconds;
     private double sum;
     private double joules;
-    private boolean late;
+    private double lateSeconds;
 
     Flight(Costs costs, int drone) {
         this.costs = costs;
@@ -20,7 +20,7 @@ final class Flight {
         copy.seconds = seconds;
         copy.sum = sum;
         copy.joules = joules;
-        copy.late = late;
+        copy.lateSeconds = lateSeconds;
         return copy;
     }
 
@@ -29,7 +29,7 @@ final class Flight {
         double leg = costs.seconds(drone, from, to);
         double begins = seconds + leg - costs.serviceSeconds(to);
         double waits = Math.max(0, costs.opensSeconds(to) - begins);
-        late |= begins + waits > costs.closesSeconds(to);
+        lateSeconds += Math.max(0, begins + waits - costs.closesSeconds(to));
         seconds += leg + waits;
         double drawn = 0;
         if (costs.limited() || costs.sumsJoules()) {
@@ -55,6 +55,11 @@ final class Flight {
 
     /** Whether a window had closed. */
     boolean late() {
-        return late;
+        return lateSeconds > 0;
+    }
+
+    /** After closed windows, in all. */
+    double lateSeconds() {
+        return lateSeconds;
     }
 }

@@ -16,24 +16,20 @@ final class GreedyInsertion {
     private static final int MOST_TRIED = 64;
 
     private final Tours tours;
-    private final Worth worth;
     private final Costs costs;
-    private final Room room;
+    private final Choice choice;
     private final Neighbours near;
     private final SplittableRandom random;
     private final int breadth;
     private final int[] order;
     private final double[] keys;
-    private double bestChange;
-    private int bestAfter;
 
     GreedyInsertion(Tours tours, Worth worth, Costs costs, Neighbours near, SplittableRandom random) {
         this.tours = tours;
-        this.worth = worth;
         this.costs = costs;
         this.near = near;
         this.random = random;
-        room = new Room(tours, costs);
+        choice = new Choice(tours, worth, costs);
         breadth = Math.min(Neighbours.CLOSE, near.length());
         order = new int[tours.waypoints];
         keys = new double[tours.waypoints];
@@ -97,8 +93,7 @@ final class GreedyInsertion {
     }
 
     private void insertOne(int waypoint) {
-        bestChange = Double.POSITIVE_INFINITY;
-        bestAfter = Tours.NONE;
+        choice.clear();
         for (int rank = 0; rank < breadth; rank++) {
             int other = near.get(waypoint, rank);
             int r = tours.drone(other);
@@ -113,8 +108,8 @@ final class GreedyInsertion {
                 atAnEnd(waypoint, r);
             }
         }
-        if (bestAfter != Tours.NONE) {
-            tours.insert(waypoint, bestAfter);
+        if (choice.after() != Tours.NONE) {
+            tours.insert(waypoint, choice.after());
         }
     }
 
@@ -128,56 +123,26 @@ final class GreedyInsertion {
         double ahead = costs.seconds(r, before, waypoint) + costs.seconds(r, waypoint, other) - tours.out(before);
         double behind = costs.seconds(r, other, waypoint) + costs.seconds(r, waypoint, after) - tours.out(other);
         if (costs.timed()) {
-            judge(waypoint, r, before, ahead);
-            judge(waypoint, r, other, behind);
+            choice.judge(waypoint, r, before, ahead);
+            choice.judge(waypoint, r, other, behind);
         } else if (ahead < behind) {
-            judge(waypoint, r, before, ahead);
+            choice.judge(waypoint, r, before, ahead);
         } else {
-            judge(waypoint, r, other, behind);
+            choice.judge(waypoint, r, other, behind);
         }
     }
 
     private void atAnEnd(int waypoint, int r) {
         int start = tours.start(r);
         int first = tours.next(start);
-        judge(waypoint, r, start, more(waypoint, r, start, first));
+        choice.judge(waypoint, r, start, more(waypoint, r, start, first));
         int last = tours.prev(tours.end(r));
         if (last != start) {
-            judge(waypoint, r, last, more(waypoint, r, last, tours.end(r)));
+            choice.judge(waypoint, r, last, more(waypoint, r, last, tours.end(r)));
         }
     }
 
     private double more(int waypoint, int r, int after, int before) {
         return costs.seconds(r, after, waypoint) + costs.seconds(r, waypoint, before) - tours.out(after);
-    }
-
-    private void judge(int waypoint, int r, int after, double moreSeconds) {
-        if (!Double.isFinite(moreSeconds)) {
-            return;
-        }
-        if (costs.timed()) {
-            judgeFlown(waypoint, r, after);
-            return;
-        }
-        double moreSum = costs.moreSum(r, after, waypoint, tours.next(after), moreSeconds);
-        double change = worth.insertion(r, moreSeconds, moreSum, bestChange);
-        if (change < bestChange && room.fits(r, after, waypoint)) {
-            bestChange = change;
-            bestAfter = after;
-        }
-    }
-
-    /** Waiting for windows counts as well. */
-    private void judgeFlown(int waypoint, int r, int after) {
-        Flight flight = room.flown(r, after, waypoint);
-        if (flight == null) {
-            return;
-        }
-        double moreSum = flight.sum() - tours.sum(r);
-        double change = worth.insertion(r, flight.seconds() - tours.seconds(r), moreSum, bestChange);
-        if (change < bestChange) {
-            bestChange = change;
-            bestAfter = after;
-        }
     }
 }

@@ -168,6 +168,34 @@ final class Tours {
         return joules[r];
     }
 
+    /** A drone in the air comes down somewhere, waypoints or not; one on the ground stays there. */
+    boolean flies(int r) {
+        return size[r] > 0 || costs.mustFly(r);
+    }
+
+    /** What the aim sums of what is really flown. */
+    double flown(int r) {
+        return flies(r) ? sums[r] : 0;
+    }
+
+    /** When the last tour ends, in seconds on the plan's clock; drones that stay on the ground end none. */
+    double longest() {
+        double longest = 0;
+        for (int r = 0; r < drones; r++) {
+            longest = flies(r) ? Math.max(longest, seconds[r]) : longest;
+        }
+        return longest;
+    }
+
+    /** What the aim sums over all tours. */
+    double total() {
+        double total = 0;
+        for (int r = 0; r < drones; r++) {
+            total += flown(r);
+        }
+        return total;
+    }
+
     void insert(int waypoint, int after) {
         int r = drone[after];
         int before = next[after];

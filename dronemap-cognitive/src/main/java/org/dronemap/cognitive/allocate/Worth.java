@@ -2,8 +2,6 @@ package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
 import org.dronemap.cognitive.cost.Aim;
-import org.dronemap.cognitive.cost.Instance;
-import org.dronemap.cognitive.cost.Visit;
 
 /**
  * What tours are worth to the search; less is better. In place of the longest tour it looks at a high norm of all, which
@@ -22,7 +20,7 @@ final class Worth {
     private final Costs costs;
     private final Aim aim;
     private final double sumWeight;
-    private final double[] leftOut;
+    private final Stakes stakes;
     private final double idlePenalty;
     private final double[] known;
     private final double[] powers;
@@ -31,61 +29,33 @@ final class Worth {
     private double inverse = 1;
     private double slope;
 
-    Worth(Tours tours, Costs costs, Instance instance) {
+    Worth(Tours tours, Costs costs, Aim aim, Stakes stakes) {
         this.tours = tours;
         this.costs = costs;
-        aim = instance.aim();
-        sumWeight = Math.max(aim.sumWeight(), TIDINESS * aim.longestWeight() / tours.drones);
-        double most = worstPlan();
-        double least =
-                instance.visits().stream().mapToDouble(Visit::priority).min().orElse(1);
-        leftOut = instance.visits().stream()
-                .mapToDouble(visit -> most * visit.priority() / least)
-                .toArray();
-        idlePenalty = aim.everyDrone() ? most : 0;
+        this.aim = aim;
+        sumWeight = sumWeight(aim, tours.drones);
+        this.stakes = stakes;
+        idlePenalty = aim.everyDrone() ? stakes.most() : 0;
         known = new double[tours.drones];
         powers = new double[tours.drones];
         slopes = new double[tours.drones];
         rescale();
     }
 
-    /** More than any plan costs that calls at each waypoint by itself, so that leaving one out never pays. */
-    private double worstPlan() {
-        double all = 1;
-        for (int waypoint = 0; waypoint < tours.waypoints; waypoint++) {
-            double worst = 0;
-            for (int r = 0; r < tours.drones; r++) {
-                int start = tours.start(r);
-                int end = tours.end(r);
-                double alone = costs.seconds(r, start, waypoint) + costs.seconds(r, waypoint, end);
-                double its = aim.longestWeight() * alone
-                        + sumWeight * (costs.sumOf(r, start, waypoint, alone) + costs.sumOf(r, waypoint, end, alone));
-                worst = Double.isFinite(its) ? Math.max(worst, its) : worst;
-            }
-            all += worst;
-        }
-        return 10 * all;
-    }
-
     /** Measures norms relative to the longest tour of now, so that no power overflows. */
     final void rescale() {
-        double longest = longest();
+        double longest = tours.longest();
         reference = longest > 0 ? longest : 1;
         inverse = 1 / reference;
         Arrays.fill(known, Double.NaN);
     }
 
-    /** A drone in the air comes down somewhere, waypoints or not; one on the ground stays there. */
-    private boolean flies(int r) {
-        return tours.size(r) > 0 || costs.mustFly(r);
-    }
-
-    private double sum(int r) {
-        return flies(r) ? tours.sum(r) : 0;
+    private boolean isIdle(int r) {
+        return tours.size(r) == 0 && !costs.busy(r);
     }
 
     private double power(int r) {
-        double seconds = flies(r) ? tours.seconds(r) : 0;
+        double seconds = tours.flies(r) ? tours.seconds(r) : 0;
         if (known[r] != seconds) {
             known[r] = seconds;
             powers[r] = raised(seconds * inverse);
@@ -109,10 +79,10 @@ final class Worth {
         double sum = 0;
         for (int r = 0; r < tours.drones; r++) {
             norm += power(r);
-            sum += sumWeight * sum(r) + (tours.size(r) == 0 ? idlePenalty : 0);
+            sum += sumWeight * tours.flown(r) + (isIdle(r) ? idlePenalty : 0);
         }
         for (int i = 0; i < tours.absent().size(); i++) {
-            sum += leftOut[tours.absent().get(i)];
+            sum += stakes.leftOut(tours.absent().get(i));
         }
         double root = reference * Math.pow(norm, 1.0 / NORM);
         slope = norm > 0 ? aim.longestWeight() * root / norm / NORM : 0;
@@ -124,8 +94,8 @@ final class Worth {
      * is surely no less than a limit.
      */
     double insertion(int r, double moreSeconds, double moreSum, double limit) {
-        double straight = tours.sum(r) - sum(r);
-        double change = sumWeight * (moreSum + straight) - (tours.size(r) == 0 ? idlePenalty : 0);
+        double straight = tours.sum(r) - tours.flown(r);
+        double change = sumWeight * (moreSum + straight) - (isIdle(r) ? idlePenalty : 0);
         if (slope > 0) {
             double power = power(r);
             // The norm is convex: it lies above its tangent.
@@ -137,25 +107,13 @@ final class Worth {
         return change;
     }
 
-    /** When the last tour ends, in seconds on the plan's clock; drones that stay on the ground end none. */
-    double longest() {
-        double longest = 0;
-        for (int r = 0; r < tours.drones; r++) {
-            longest = flies(r) ? Math.max(longest, tours.seconds(r)) : longest;
-        }
-        return longest;
-    }
-
-    double total() {
-        double total = 0;
-        for (int r = 0; r < tours.drones; r++) {
-            total += sum(r);
-        }
-        return total;
+    /** How much what the aim sums weighs. */
+    static double sumWeight(Aim aim, int drones) {
+        return Math.max(aim.sumWeight(), TIDINESS * aim.longestWeight() / drones);
     }
 
     double leftOut(int waypoint) {
-        return leftOut[waypoint];
+        return stakes.leftOut(waypoint);
     }
 
     /** What counts of a plan: its longest tour in seconds, what the aim sums, and how many drones stay idle. */
@@ -180,11 +138,11 @@ final class Worth {
         int idle = 0;
         double missing = 0;
         for (int r = 0; r < tours.drones; r++) {
-            idle += tours.size(r) == 0 ? 1 : 0;
+            idle += isIdle(r) ? 1 : 0;
         }
         for (int i = 0; i < tours.absent().size(); i++) {
-            missing += leftOut[tours.absent().get(i)];
+            missing += stakes.leftOut(tours.absent().get(i));
         }
-        return exact(new Tally(longest(), total(), idle)) + missing;
+        return exact(new Tally(tours.longest(), tours.total(), idle)) + missing;
     }
 }

@@ -13,6 +13,8 @@ import org.dronemap.cognitive.plan.Arranger;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.PlanChecker;
 import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.replan.Replanning;
+import org.dronemap.cognitive.replan.Situation;
 
 /** Plans missions of several drones. Every plan that leaves here was looked at by the independent checker. */
 public final class Engine {
@@ -57,6 +59,11 @@ public final class Engine {
                         costs.instance().visits().get(waypoint).drones().get(0))
                 .toArray();
         return costs.plan(orders);
+    }
+
+    /** Plans anew from a plan that is being flown: at once, and better within a budget. */
+    public static Replanning replanning(Situation situation) {
+        return new Replanning(situation);
     }
 
     private static int boundRounds(Problem problem) {

@@ -1,0 +1,11 @@
+package org.dronemap.cognitive.replan;
+
+/**
+ * What a plan comes to, before drones are kept apart.
+ *
+ * @param longestSeconds when the last tour ends, on the plan's clock
+ * @param sum what the objective sums, in its unit
+ * @param cost the objective itself, of what is served
+ * @param unserved how many waypoints nobody visits
+ */
+public record Figures(double longestSeconds, double sum, double cost, int unserved) {}

@@ -1,0 +1,13 @@
+package org.dronemap.cognitive.replan;
+
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A waypoint that another drone visits than before.
+ *
+ * @param from nobody, when it is new or was unserved
+ * @param to nobody, when it is unserved now
+ */
+public record Moved(
+        String waypoint, @Nullable DroneId from, @Nullable DroneId to) {}

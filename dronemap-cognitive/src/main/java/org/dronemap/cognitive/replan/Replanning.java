@@ -1,0 +1,76 @@
+package org.dronemap.cognitive.replan;
+
+import java.util.BitSet;
+import org.dronemap.cognitive.allocate.Allocation;
+import org.dronemap.cognitive.allocate.Allocator;
+import org.dronemap.cognitive.allocate.Budget;
+import org.dronemap.cognitive.cost.Aim;
+import org.dronemap.cognitive.cost.Continuation;
+import org.dronemap.cognitive.cost.CostModel;
+import org.dronemap.cognitive.plan.Arranger;
+import org.dronemap.cognitive.plan.Plan;
+import org.dronemap.cognitive.plan.PlanChecker;
+import org.dronemap.cognitive.problem.Problem;
+
+/**
+ * A plan for a situation: one at once, which keeps live orders and puts orphans where they cost least, and one that is
+ * better within a budget, for which as few drones as possible change their orders. Both were looked at by the independent
+ * checker. Immutable, safe for several threads: the same situation, seed and number of iterations give the same plan.
+ */
+public final class Replanning {
+    private final Problem problem;
+    private final CostModel costs;
+    private final Continuation continuation;
+    private final Allocator allocator;
+    private final Standing standing;
+    private final Figures before;
+    private final Allocation kept;
+
+    public Replanning(Situation situation) {
+        problem = situation.problem();
+        costs = CostModel.of(problem);
+        standing = Standing.of(situation);
+        continuation = Continuation.of(costs.instance(), standing.firm());
+        allocator = new Allocator(continuation.rest());
+        int[][] live = continuation.rest(standing.orders());
+        BitSet everybody = new BitSet();
+        everybody.set(0, live.length);
+        before = figures(allocator.insert(live, everybody));
+        kept = allocator.insert(live, new BitSet());
+    }
+
+    /** Live orders as they are, but for what cannot be flown any more, and orphans among them. */
+    public Replanned atOnce() {
+        return replanned(kept, 0);
+    }
+
+    /** Searches from there until the budget is spent. */
+    public Replanned improve(long seed, Budget budget) {
+        Allocation found = allocator.improve(kept.orders(), seed, budget, better -> {});
+        Restoring restoring = new Restoring(allocator, continuation.rest(standing.orders()), this::cost);
+        return replanned(restoring.fewestChanged(kept, found), found.iterations());
+    }
+
+    private double cost(Allocation allocation) {
+        return figures(allocation).cost();
+    }
+
+    private Figures figures(Allocation allocation) {
+        Aim aim = continuation.whole().aim();
+        double sum = allocation.sum() + continuation.sum();
+        double cost = aim.longestWeight() * allocation.longestSeconds() + aim.sumWeight() * sum;
+        return new Figures(allocation.longestSeconds(), sum, cost, allocation.unserved().length);
+    }
+
+    private Replanned replanned(Allocation allocation, long iterations) {
+        int[][] orders = continuation.whole(allocation.orders());
+        Plan plan = Arranger.apart(problem, costs.plan(orders)).plan();
+        return new Replanned(
+                plan,
+                standing.changes(orders),
+                before,
+                figures(allocation),
+                iterations,
+                PlanChecker.faults(problem, plan));
+    }
+}

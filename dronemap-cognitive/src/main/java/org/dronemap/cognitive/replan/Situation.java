@@ -1,0 +1,33 @@
+package org.dronemap.cognitive.replan;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.core.drone.DroneId;
+
+/**
+ * How things stand when a plan has to change.
+ *
+ * @param problem drones where they are when the new plan begins, in flight or on the ground, and the waypoints that may be
+ *     given out; what is reserved for a silent vehicle is not among them
+ * @param live what drones have been told to do; those of drones that are not in the problem have lost their drone, and
+ *     waypoints that are not in the problem are done, cancelled or reserved
+ */
+public record Situation(Problem problem, List<LiveOrder> live) {
+    public Situation {
+        live = List.copyOf(live);
+        Set<DroneId> drones = new HashSet<>();
+        Set<String> waypoints = new HashSet<>();
+        for (LiveOrder order : live) {
+            if (!drones.add(order.drone())) {
+                throw new IllegalArgumentException("the drone " + order.drone() + " has two live orders");
+            }
+            order.waypoints().forEach(waypoint -> {
+                if (!waypoints.add(waypoint)) {
+                    throw new IllegalArgumentException("the waypoint " + waypoint + " is in live orders twice");
+                }
+            });
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package org.dronemap.cognitive.replan;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/** Live orders in numbers: waypoints and drones as the problem counts them. Never changes. */
+final class Standing {
+    private final Problem problem;
+    private final int[][] firm;
+    private final int[][] orders;
+    private final @Nullable DroneId[] owners;
+
+    private Standing(Problem problem, int[][] firm, int[][] orders, @Nullable DroneId[] owners) {
+        this.problem = problem;
+        this.firm = firm;
+        this.orders = orders;
+        this.owners = owners;
+    }
+
+    static Standing of(Situation situation) {
+        Problem problem = situation.problem();
+        Map<String, Integer> numbers = new HashMap<>();
+        for (int i = 0; i < problem.waypoints().size(); i++) {
+            numbers.put(problem.waypoints().get(i).id(), i);
+        }
+        Map<DroneId, LiveOrder> live = new HashMap<>();
+        @Nullable DroneId[] owners = new DroneId[problem.waypoints().size()];
+        for (LiveOrder order : situation.live()) {
+            live.put(order.drone(), order);
+            order.waypoints()
+                    .map(numbers::get)
+                    .filter(Objects::nonNull)
+                    .forEach(waypoint -> owners[waypoint] = order.drone());
+        }
+        int drones = problem.crafts().size();
+        int[][] firm = new int[drones][];
+        int[][] orders = new int[drones][];
+        for (int r = 0; r < drones; r++) {
+            DroneId id = problem.crafts().get(r).id();
+            LiveOrder order = live.getOrDefault(id, LiveOrder.of(id, List.of()));
+            firm[r] = known(numbers, order.firm());
+            orders[r] = known(numbers, order.waypoints().toList());
+        }
+        return new Standing(problem, firm, orders, owners);
+    }
+
+    private static int[] known(Map<String, Integer> numbers, List<String> waypoints) {
+        return waypoints.stream()
+                .map(numbers::get)
+                .filter(Objects::nonNull)
+                .mapToInt(Integer::intValue)
+                .toArray();
+    }
+
+    int[][] firm() {
+        return firm;
+    }
+
+    /** With what is firm. */
+    int[][] orders() {
+        return orders;
+    }
+
+    /** What new orders make of these. */
+    Replanned.Changes changes(int[][] renewed) {
+        @Nullable DroneId[] now = new DroneId[owners.length];
+        List<DroneId> drones = new ArrayList<>();
+        for (int r = 0; r < renewed.length; r++) {
+            DroneId drone = problem.crafts().get(r).id();
+            for (int waypoint : renewed[r]) {
+                now[waypoint] = drone;
+            }
+            if (!Arrays.equals(renewed[r], orders[r])) {
+                drones.add(drone);
+            }
+        }
+        List<Moved> moved = new ArrayList<>();
+        for (int waypoint = 0; waypoint < now.length; waypoint++) {
+            if (!Objects.equals(now[waypoint], owners[waypoint])) {
+                moved.add(new Moved(problem.waypoints().get(waypoint).id(), owners[waypoint], now[waypoint]));
+            }
+        }
+        return new Replanned.Changes(moved, drones);
+    }
+}

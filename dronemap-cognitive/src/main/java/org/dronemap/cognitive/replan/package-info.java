@@ -1,0 +1,5 @@
+/** Changing plans that are being flown: what stands is kept where it can be, and what is left is put where it costs least. */
+@NullMarked
+package org.dronemap.cognitive.replan;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.cognitive.replan;
+
+import org.jspecify.annotations.NullMarked;
