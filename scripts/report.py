@@ -2,6 +2,7 @@
 
 Input: a file of tab-separated lines `suite, kind, what, log`, where kind is
   passed | failed   one check that stands for itself
+  skipped           `what` is the reason
   junit             `what` is a pattern of JUnit reports
   status            the program of the suite failed; counts only when no report of the suite shows a failure
 Exit code 1 when anything failed.
@@ -80,6 +81,8 @@ def read_results(path: Path) -> dict[str, Suite]:
             suite.passed += 1
         elif kind == "failed":
             suite.fail(f"{what} (see {log})")
+        elif kind == "skipped":
+            suite.skips[what] += 1
         elif kind == "junit":
             add_reports(suite, what)
         elif not suite.failures:

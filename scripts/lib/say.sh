@@ -2,7 +2,7 @@
 # How the script speaks and how it ends: progress, sentences, exit codes, interruption.
 
 readonly EXIT_FAILED=1 EXIT_USAGE=2 EXIT_RIGHTS=3 EXIT_PORT=4 EXIT_DISK=5 EXIT_NETWORK=6
-readonly EXIT_BUILD=7 EXIT_START=8 EXIT_PASSWORD=9 EXIT_CHANGED=10
+readonly EXIT_BUILD=7 EXIT_START=8 EXIT_PASSWORD=9 EXIT_CHANGED=10 EXIT_UNCHECKED=11
 
 WORK=""           # what is being done, for the sentence after an interruption
 ACTIVE_GROUP=""   # process group of the long command under way

@@ -10,6 +10,7 @@ command_test() {
     suite_shell
     suite_typescript
     suite_java test -DexcludedGroups=soak
+    suite_vulnerabilities
     suite_python_checks
     suite_pytest "not soak"
     report
@@ -82,7 +83,7 @@ run_check() { # TITLE LOG COMMAND…
 
 log_of() { printf '%s/%s.log' "$TEST_LOGS" "$(tr -c 'a-zA-Z0-9\n' - <<<"$1-$2")"; }
 
-record() { # SUITE passed|failed|junit|status WHAT-OR-PATTERN [LOG]
+record() { # SUITE passed|failed|skipped|junit|status WHAT-OR-PATTERN [LOG]
     printf '%s\t%s\t%s\t%s\n' "$1" "$2" "$3" "${4:-}" >>"$RESULTS"
 }
 

@@ -35,6 +35,16 @@ def test_passes_when_all_passed(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert capsys.readouterr().out.splitlines()[-1] == "1 passed, 0 failed, 0 skipped"
 
 
+def test_what_could_not_be_checked_is_called_not_proved(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = (("shell", "passed", "shellcheck", ""), ("supply", "skipped", "no database", ""))
+    assert report.main(results(tmp_path, *lines)) == 0
+    printed = capsys.readouterr().out
+    assert "not proved: no database" in printed
+    assert printed.splitlines()[-1] == "1 passed, 0 failed, 1 skipped"
+
+
 def test_a_suite_that_ended_without_a_report_has_failed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -85,7 +85,14 @@ def test_every_suite_is_part_of_a_test_run() -> None:
     """A suite that nobody calls fails nowhere."""
     body = (ROOT / "scripts" / "lib" / "suites.sh").read_text().split("command_test()")[1].split("\n}")[0]
     called = [line.split()[0] for line in body.splitlines()[1:]]
-    suites = ["suite_shell", "suite_typescript", "suite_java", "suite_python_checks", "suite_pytest"]
+    suites = [
+        "suite_shell",
+        "suite_typescript",
+        "suite_java",
+        "suite_vulnerabilities",
+        "suite_python_checks",
+        "suite_pytest",
+    ]
     assert [name for name in called if name.startswith("suite_")] == suites
     assert called[-1] == "report"
     assert (ROOT / ".ci" / "run").read_text().splitlines()[-1] == "exec ./dronemap test"
