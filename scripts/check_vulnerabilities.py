@@ -117,7 +117,7 @@ def proved(findings: list[Finding], folder: Path) -> list[Finding]:
         names = ", ".join(" ".join(each) for each in sorted(unseen))
         raise NotChecked(
             f"the scanner does not know that {names} is vulnerable, so its database in {folder} is missing"
-            " or broken; run ./dronemap vulnerabilities where there is a network, or copy that folder from there"
+            " or broken; run ./dronemap vulnerabilities where there is a network, or bring that folder"
         )
     newest = max(file.stat().st_mtime for file in folder.rglob("all.zip"))
     days = (time.time() - newest) / SECONDS_A_DAY
