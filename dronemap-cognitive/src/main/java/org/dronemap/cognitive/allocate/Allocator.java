@@ -86,7 +86,7 @@ public final class Allocator {
             }
             best = tours.orders();
             bestExact = worth.exact();
-            cooling = Cooling.of(instance, tours.total(), orders != null);
+            cooling = Cooling.of(instance, tours.total());
         }
 
         Allocation run(Budget budget, Consumer<Allocation> improved) {

@@ -32,8 +32,47 @@ final class Choice {
         return after;
     }
 
+    /** Looks before and after a waypoint of that tour. */
+    void beside(int waypoint, int r, int other) {
+        int before = tours.prev(other);
+        int after = tours.next(other);
+        double ahead = costs.seconds(r, before, waypoint) + costs.seconds(r, waypoint, other) - tours.out(before);
+        double behind = costs.seconds(r, other, waypoint) + costs.seconds(r, waypoint, after) - tours.out(other);
+        if (costs.timed()) {
+            judge(waypoint, r, before, ahead);
+            judge(waypoint, r, other, behind);
+        } else if (ahead < behind) {
+            judge(waypoint, r, before, ahead);
+        } else {
+            judge(waypoint, r, other, behind);
+        }
+    }
+
+    /** Looks at the start and at the end of a tour. */
+    void atAnEnd(int waypoint, int r) {
+        int start = tours.start(r);
+        int first = tours.next(start);
+        judge(waypoint, r, start, more(waypoint, r, start, first));
+        int last = tours.prev(tours.end(r));
+        if (last != start) {
+            judge(waypoint, r, last, more(waypoint, r, last, tours.end(r)));
+        }
+    }
+
+    private double more(int waypoint, int r, int after, int before) {
+        return costs.seconds(r, after, waypoint) + costs.seconds(r, waypoint, before) - tours.out(after);
+    }
+
+    /** Looks at all places of a tour. */
+    void everywhere(int waypoint, int r) {
+        int end = tours.end(r);
+        for (int place = tours.start(r); place != end; place = tours.next(place)) {
+            judge(waypoint, r, place, more(waypoint, r, place, tours.next(place)));
+        }
+    }
+
     /** Looks at one place, {@code moreSeconds} being what the way gets longer by. */
-    void judge(int waypoint, int r, int place, double moreSeconds) {
+    private void judge(int waypoint, int r, int place, double moreSeconds) {
         if (!Double.isFinite(moreSeconds)) {
             return;
         }

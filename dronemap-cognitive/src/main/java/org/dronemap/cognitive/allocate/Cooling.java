@@ -8,15 +8,14 @@ record Cooling(double hot, double cold) {
     private static final double HOT = 5;
 
     private static final double COLD = 0.1;
-    /** Where a plan at hand is improved, so that it is not torn up first. */
-    private static final double WARM = 0.5;
 
-    static Cooling of(Instance instance, double total, boolean begun) {
+
+    static Cooling of(Instance instance, double total) {
         int drones = instance.carriers().size();
         double leg = total / (instance.visits().size() + drones);
         double unit =
                 instance.aim().longestWeight() * leg / drones + instance.aim().sumWeight() * leg;
-        return new Cooling(unit * (begun ? WARM : HOT), unit * COLD);
+        return new Cooling(unit * HOT, unit * COLD);
     }
 
     /** For a share of the budget, 0 to 1. */

@@ -98,14 +98,14 @@ final class GreedyInsertion {
             int other = near.get(waypoint, rank);
             int r = tours.drone(other);
             if (r != Tours.NONE && costs.allows(waypoint, r) && !overlooked()) {
-                beside(waypoint, r, other);
+                choice.beside(waypoint, r, other);
             }
         }
         boolean few = tours.drones <= MOST_ENDS;
         for (int i = few ? tours.drones : MOST_ENDS; i > 0; i--) {
             int r = few ? i - 1 : random.nextInt(tours.drones);
             if (costs.allows(waypoint, r)) {
-                atAnEnd(waypoint, r);
+                choice.atAnEnd(waypoint, r);
             }
         }
         if (choice.after() != Tours.NONE) {
@@ -115,34 +115,5 @@ final class GreedyInsertion {
 
     private boolean overlooked() {
         return (random.nextInt() & 1023) < OVERLOOKED_IN_1024;
-    }
-
-    private void beside(int waypoint, int r, int other) {
-        int before = tours.prev(other);
-        int after = tours.next(other);
-        double ahead = costs.seconds(r, before, waypoint) + costs.seconds(r, waypoint, other) - tours.out(before);
-        double behind = costs.seconds(r, other, waypoint) + costs.seconds(r, waypoint, after) - tours.out(other);
-        if (costs.timed()) {
-            choice.judge(waypoint, r, before, ahead);
-            choice.judge(waypoint, r, other, behind);
-        } else if (ahead < behind) {
-            choice.judge(waypoint, r, before, ahead);
-        } else {
-            choice.judge(waypoint, r, other, behind);
-        }
-    }
-
-    private void atAnEnd(int waypoint, int r) {
-        int start = tours.start(r);
-        int first = tours.next(start);
-        choice.judge(waypoint, r, start, more(waypoint, r, start, first));
-        int last = tours.prev(tours.end(r));
-        if (last != start) {
-            choice.judge(waypoint, r, last, more(waypoint, r, last, tours.end(r)));
-        }
-    }
-
-    private double more(int waypoint, int r, int after, int before) {
-        return costs.seconds(r, after, waypoint) + costs.seconds(r, waypoint, before) - tours.out(after);
     }
 }

@@ -1,7 +1,6 @@
 package org.dronemap.cognitive.allocate;
 
 import java.util.BitSet;
-import java.util.SplittableRandom;
 import org.dronemap.cognitive.cost.Instance;
 
 /**
@@ -9,8 +8,8 @@ import org.dronemap.cognitive.cost.Instance;
  * of a plan that is good otherwise.
  */
 final class OrphanInsertion {
-    /** So many places are looked at; with more orphans only those beside near neighbours are. */
-    private static final double MOST_LOOKS = 5e6;
+    /** In larger plans only places beside near neighbours are looked at, and the ends of tours, as long as there are some. */
+    private static final int MOST_WAYPOINTS = 500;
 
     private final Tours tours;
     private final Worth worth;
@@ -35,10 +34,6 @@ final class OrphanInsertion {
     void insertAll(BitSet closed) {
         worth.rescale();
         worth.now();
-        if (closed.isEmpty() && looks() > MOST_LOOKS) {
-            new GreedyInsertion(tours, worth, costs, near, new SplittableRandom(0)).insertAll();
-            return;
-        }
         for (int i = 0; i < tours.absent().size(); i++) {
             lookEverywhere(tours.absent().get(i), closed);
         }
@@ -49,12 +44,6 @@ final class OrphanInsertion {
             worth.now();
             lookAgain(r, closed);
         }
-    }
-
-    private double looks() {
-        double mean = (double) tours.waypoints / tours.drones;
-        double once = (double) tours.absent().size() * tours.waypoints;
-        return costs.timed() ? once * mean : once;
     }
 
     /** The one to be put in next, or {@link Tours#NONE} when there is no place for any. */
@@ -79,14 +68,17 @@ final class OrphanInsertion {
 
     private void lookEverywhere(int orphan, BitSet closed) {
         choice.clear();
-        for (int r = 0; r < tours.drones; r++) {
-            if (!closed.get(r)) {
-                look(orphan, r);
+        if (tours.waypoints > MOST_WAYPOINTS) {
+            lookNearby(orphan, closed);
+        }
+        boolean found = choice.after() != Tours.NONE;
+        for (int r = 0; r < tours.drones && !found; r++) {
+            if (isOpen(orphan, r, closed)) {
+                choice.everywhere(orphan, r);
             }
         }
         note(orphan);
     }
-
     /** One tour has changed: those that were best in it may be best elsewhere now. */
     private void lookAgain(int changed, BitSet closed) {
         for (int i = 0; i < tours.absent().size(); i++) {
@@ -104,7 +96,9 @@ final class OrphanInsertion {
 
     private void lookBeside(int orphan, int changed) {
         choice.clear();
-        look(orphan, changed);
+        if (costs.allows(orphan, changed)) {
+            choice.everywhere(orphan, changed);
+        }
         if (choice.change() < changes[orphan]) {
             note(orphan);
         }
@@ -115,15 +109,22 @@ final class OrphanInsertion {
         afters[orphan] = choice.after();
     }
 
-    private void look(int orphan, int r) {
-        if (!costs.allows(orphan, r)) {
-            return;
+    private void lookNearby(int orphan, BitSet closed) {
+        for (int rank = 0; rank < near.length(); rank++) {
+            int other = near.get(orphan, rank);
+            int r = tours.drone(other);
+            if (r != Tours.NONE && isOpen(orphan, r, closed)) {
+                choice.beside(orphan, r, other);
+            }
         }
-        int end = tours.end(r);
-        for (int place = tours.start(r); place != end; place = tours.next(place)) {
-            double more =
-                    costs.seconds(r, place, orphan) + costs.seconds(r, orphan, tours.next(place)) - tours.out(place);
-            choice.judge(orphan, r, place, more);
+        for (int r = 0; r < tours.drones; r++) {
+            if (isOpen(orphan, r, closed)) {
+                choice.atAnEnd(orphan, r);
+            }
         }
+    }
+
+    private boolean isOpen(int orphan, int r, BitSet closed) {
+        return !closed.get(r) && costs.allows(orphan, r);
     }
 }

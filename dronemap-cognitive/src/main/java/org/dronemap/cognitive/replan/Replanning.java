@@ -18,6 +18,8 @@ import org.dronemap.cognitive.problem.Problem;
  * checker. Immutable, safe for several threads: the same situation, seed and number of iterations give the same plan.
  */
 public final class Replanning {
+    private static final double SEARCH_SHARE = 0.9;
+
     private final Problem problem;
     private final CostModel costs;
     private final Continuation continuation;
@@ -44,10 +46,12 @@ public final class Replanning {
         return replanned(kept, 0);
     }
 
-    /** Searches from there until the budget is spent. */
+    /** Searches from there until the budget is spent, its last part on keeping drones from changing. */
     public Replanned improve(long seed, Budget budget) {
-        Allocation found = allocator.improve(kept.orders(), seed, budget, better -> {});
-        Restoring restoring = new Restoring(allocator, continuation.rest(standing.orders()), this::cost);
+        Budget search = iterations -> budget.used(iterations) / SEARCH_SHARE;
+        Allocation found = allocator.improve(kept.orders(), seed, search, better -> {});
+        int[][] live = continuation.rest(standing.orders());
+        Restoring restoring = new Restoring(allocator, live, this::cost, () -> budget.used(0) >= 1);
         return replanned(restoring.fewestChanged(kept, found), found.iterations());
     }
 

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.replan;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.function.BooleanSupplier;
 import java.util.function.ToDoubleFunction;
 import org.dronemap.cognitive.allocate.Allocation;
 import org.dronemap.cognitive.allocate.Allocator;
@@ -14,11 +15,13 @@ final class Restoring {
     private final Allocator allocator;
     private final int[][] live;
     private final ToDoubleFunction<Allocation> cost;
+    private final BooleanSupplier isOver;
 
-    Restoring(Allocator allocator, int[][] live, ToDoubleFunction<Allocation> cost) {
+    Restoring(Allocator allocator, int[][] live, ToDoubleFunction<Allocation> cost, BooleanSupplier isOver) {
         this.allocator = allocator;
         this.live = live;
         this.cost = cost;
+        this.isOver = isOver;
     }
 
     /** Of two plans, and of those between the better one and the live orders, the one that few drones change for. */
@@ -37,7 +40,7 @@ final class Restoring {
     private Allocation restored(Allocation found, double most, int unserved) {
         Allocation best = found;
         BitSet changed = changed(best);
-        for (int r = changed.nextSetBit(0); r >= 0; r = changed.nextSetBit(r + 1)) {
+        for (int r = changed.nextSetBit(0); r >= 0 && !isOver.getAsBoolean(); r = changed.nextSetBit(r + 1)) {
             Allocation candidate = restore(best, r, changed);
             if (isGoodEnough(candidate, most, unserved)) {
                 best = candidate;
