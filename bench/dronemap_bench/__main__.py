@@ -23,7 +23,7 @@ def main(words: list[str]) -> None:
         if options.router and configuration.impairment is None and configuration.flood is None:
             result["router"] = router.measure(configuration, options.router)
         results.append(result)
-        whole = {"machine": _about(), "configurations": results}
+        whole = {"machine": about(), "configurations": results}
         report.write(options.out, options.name, whole)
     print(report.table(whole))
 
@@ -39,7 +39,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
-def _about() -> dict[str, str]:
+def about() -> dict[str, str]:
     java = subprocess.run(["java", "-version"], capture_output=True, text=True, check=True).stderr
     revision = subprocess.run(
         ["git", "-C", str(ROOT), "describe", "--always", "--dirty"],

@@ -7,6 +7,7 @@ from pathlib import Path
 
 TICKS = os.sysconf("SC_CLK_TCK")
 PAGE = os.sysconf("SC_PAGE_SIZE")
+CORES = os.cpu_count() or 1
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,11 @@ def _threads(pid: int) -> dict[str, float]:
         except OSError:
             continue  # it ended meanwhile
     return used
+
+
+def busy_seconds() -> float:
+    """CPU that anything used since the machine started."""
+    return _machine()[0]
 
 
 def _machine() -> tuple[float, float]:

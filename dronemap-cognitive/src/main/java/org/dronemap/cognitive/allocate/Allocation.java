@@ -1,6 +1,7 @@
 package org.dronemap.cognitive.allocate;
 
 import java.util.Arrays;
+import java.util.List;
 import org.dronemap.cognitive.cost.Instance;
 
 /** What a search found: for each drone its waypoints in order. Those in no tour are unserved. Immutable. */
@@ -17,6 +18,10 @@ public final class Allocation {
         this.longestSeconds = longestSeconds;
         this.sum = sum;
         this.iterations = iterations;
+    }
+
+    static Allocation of(Instance instance, Costs costs, List<Round> rounds) {
+        return of(instance, costs, rounds.stream().map(Round::order).toArray(int[][]::new), 0);
     }
 
     /** Judges tours anew. */

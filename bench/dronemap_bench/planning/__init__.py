@@ -1,0 +1,1 @@
+"""Measures the planner on published instances, beside public solvers."""

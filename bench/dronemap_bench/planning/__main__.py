@@ -1,0 +1,139 @@
+"""`bench/plan`: measures the planner, and writes a table, a plot and JSON."""
+
+import argparse
+import dataclasses
+import json
+import os
+import sys
+from pathlib import Path
+
+from ..__main__ import about
+from ..programs import ROOT
+from . import checker, modes, report
+from .problems import Row, read
+from .runs import Plan, Result, RunError, run
+
+
+def main(words: list[str]) -> None:
+    options = _options(words)
+    rows = read(_data(options.data))
+    if options.check:
+        check(options.check, rows)
+        return
+    whole = [_measure(_changed(modes.named(name), options), rows, options) for name in options.mode]
+    if not all(whole):
+        sys.exit(1)
+
+
+def _measure(mode: modes.Mode, rows: list[Row], options: argparse.Namespace) -> bool:
+    """False when a run failed: the others are written all the same."""
+    chosen = [
+        row for row in rows if mode.takes(row) and (not options.instance or row.name in options.instance)
+    ]
+    runs = [
+        (row, Plan(solver, seed, seconds, mode.threads, mode.warm_up, mode.moved))
+        for seconds in mode.seconds
+        for row in chosen
+        for seed in range(1, mode.seeds + 1)
+        for solver in mode.solvers
+    ]
+    if not runs:
+        raise SystemExit(f"No instance fits {mode.name}.")
+    cpu = sum(plan.seconds + plan.warm_up for _, plan in runs)
+    print(f"{mode.name}: {mode.what}; {len(runs)} runs, {cpu:.0f} CPU seconds", file=sys.stderr)
+    results: list[Result] = []
+    failed = 0
+    where = about()
+    name = options.name or mode.name
+    for number, (row, plan) in enumerate(runs, 1):
+        try:
+            results.append(run(row, plan))
+        except RunError as error:
+            failed += 1
+            print(f"FAILED: {error}", file=sys.stderr)
+            continue
+        told = (
+            f"{row.name} {plan.solver} {plan.seconds:g} s seed {plan.seed}: {results[-1].gap_percent:.2f} %"
+        )
+        print(f"[{number}/{len(runs)}] {told}", file=sys.stderr)
+        report.write(options.out, name, where, results)
+    if results:
+        print(report.table(where, results))
+    return failed == 0
+
+
+def _changed(mode: modes.Mode, options: argparse.Namespace) -> modes.Mode:
+    wanted = {
+        "solvers": tuple(options.solver or ()),
+        "seconds": tuple(options.seconds or ()),
+        "seeds": options.seeds,
+        "threads": options.threads,
+        "moved": options.moved,
+    }
+    changes = {field: value for field, value in wanted.items() if value}
+    if options.warm_up is not None:
+        changes["warm_up"] = options.warm_up
+    return dataclasses.replace(mode, **changes)
+
+
+def check(file: Path, rows: list[Row]) -> None:
+    """Judges written results once more; ends with 1 when any of them is not what it says."""
+    known = {(row.name, row.problem.aim): row for row in rows}
+    wrong = 0
+    results = json.loads(file.read_text())["results"]
+    for result in results:
+        row = known[result["instance"], result["aim"]]
+        faults = checker.faults(row.problem, result["tours"])
+        value = checker.value(row.problem, result["tours"])
+        if abs(value - result["value"]) > 1e-6 * value:
+            faults.append(f"says {result['value']}, is {value}")
+        if faults:
+            wrong += 1
+            print(f"{row.name}: {'; '.join(faults[:5])}")
+    print(f"{len(results)} results, {wrong} wrong")
+    if wrong:
+        sys.exit(1)
+
+
+def _data(folder: Path | None) -> Path:
+    around = os.environ.get("DRONEMAP_TEST_DATA")
+    found = folder or (Path(around) / "mdmtsp" if around else None)
+    if found is None or not (found / "index.csv").is_file():
+        raise SystemExit(
+            "The instances are wanted: --data FOLDER, or mdmtsp in the folder DRONEMAP_TEST_DATA."
+        )
+    return found
+
+
+def _options(words: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="bench/plan",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="modes:\n" + "\n".join(f"  {mode.name:12} {mode.what}" for mode in modes.MODES),
+    )
+    parser.add_argument("mode", nargs="*", default=["minmax-1s"], help="what to measure (default: minmax-1s)")
+    parser.add_argument(
+        "--data", type=Path, help="folder with index.csv (default: $DRONEMAP_TEST_DATA/mdmtsp)"
+    )
+    parser.add_argument("--instance", action="append", help="only this one; may be repeated")
+    parser.add_argument("--solver", action="append", help="this one instead of the mode's; may be repeated")
+    parser.add_argument("--seconds", action="append", type=float, help="so much CPU instead; may be repeated")
+    parser.add_argument("--seeds", type=int, default=0, help="so many seeds instead")
+    parser.add_argument(
+        "--threads", type=int, default=0, help="so many threads instead; they share the CPU seconds"
+    )
+    parser.add_argument(
+        "--warm-up", type=float, help="CPU seconds of warm-up instead; 0 counts from the start"
+    )
+    parser.add_argument("--moved", action="store_true", help="instances rotated, scaled and renumbered")
+    parser.add_argument("--out", type=Path, default=ROOT / "bench" / "results", help="folder for the results")
+    parser.add_argument("--name", help="name of the result files (default: the mode's)")
+    parser.add_argument(
+        "--check", type=Path, metavar="FILE", help="judge the tours of written results, measure nothing"
+    )
+    return parser.parse_args(words)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,34 @@
+package org.dronemap.bench.planning;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** Notes when the best tours so far were found. Safe for several threads. */
+final class Convergence implements Consumer<int[][]> {
+    private final TourProblem problem;
+    private final Allowance allowance;
+    private final List<Point> points = new ArrayList<>();
+    private double best = Double.POSITIVE_INFINITY;
+
+    Convergence(TourProblem problem, Allowance allowance) {
+        this.problem = problem;
+        this.allowance = allowance;
+    }
+
+    /** From then on the best value was this. */
+    record Point(double cpuSeconds, double value) {}
+
+    @Override
+    public synchronized void accept(int[][] orders) {
+        double value = problem.value(orders);
+        if (value < best) {
+            best = value;
+            points.add(new Point(allowance.usedSeconds(), value));
+        }
+    }
+
+    synchronized List<Point> points() {
+        return List.copyOf(points);
+    }
+}

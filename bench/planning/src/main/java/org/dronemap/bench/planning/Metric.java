@@ -1,0 +1,25 @@
+package org.dronemap.bench.planning;
+
+/** How a problem measures distances. */
+public enum Metric {
+    /** Straight, unrounded. */
+    EUCLIDEAN {
+        @Override
+        double between(double dx, double dy) {
+            return Math.sqrt(dx * dx + dy * dy);
+        }
+    },
+    /** Pseudo-Euclidean of TSPLIB's att instances: a tenth of the square, then rounded up. */
+    ATT {
+        @Override
+        double between(double dx, double dy) {
+            return Math.ceil(Math.sqrt((dx * dx + dy * dy) / 10));
+        }
+    };
+
+    abstract double between(double dx, double dy);
+
+    public double between(Spot one, Spot other) {
+        return between(one.x() - other.x(), one.y() - other.y());
+    }
+}

@@ -1,0 +1,33 @@
+package org.dronemap.bench.planning;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.dronemap.bench.planning.library.JspritSolver;
+import org.dronemap.bench.planning.library.OrToolsSolver;
+import org.dronemap.bench.planning.library.TimefoldSolver;
+import org.dronemap.cognitive.allocate.GivenOrder;
+import org.dronemap.cognitive.allocate.MoveAndImprove;
+import org.dronemap.cognitive.allocate.NearestNeighbour;
+
+/** All that can be measured, by name; what is not asked for is not loaded. */
+final class Solvers {
+    private static final Map<String, Supplier<Solver>> KNOWN = new TreeMap<>(Map.of(
+            "dronemap", Engine::new,
+            "ortools", OrToolsSolver::new,
+            "timefold", TimefoldSolver::new,
+            "jsprit", JspritSolver::new,
+            "given-order", () -> new PlainWay("waypoints as they come, cut into equal stretches", new GivenOrder()),
+            "nearest-neighbour", () -> new PlainWay("the shortest tour goes on to the nearest", new NearestNeighbour()),
+            "move-and-improve", () -> new PlainWay("market of drones after Koubaa et al.", new MoveAndImprove())));
+
+    private Solvers() {}
+
+    static Solver named(String name) {
+        Supplier<Solver> found = KNOWN.get(name);
+        if (found == null) {
+            throw new IllegalArgumentException("there is no solver '" + name + "', only " + KNOWN.keySet());
+        }
+        return found.get();
+    }
+}

@@ -1,0 +1,5 @@
+/** The public solvers that the planner is measured beside, each set up as well as it is known to work for such problems. */
+@NullMarked
+package org.dronemap.bench.planning.library;
+
+import org.jspecify.annotations.NullMarked;

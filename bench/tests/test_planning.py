@@ -1,0 +1,197 @@
+"""Wrong tours are seen, moved instances are the same ones, and that tables tell what was measured."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from dronemap_bench.planning import __main__ as command
+from dronemap_bench.planning import checker, modes, plot, problems, report, runs
+from dronemap_bench.planning.problems import Moved, Problem, Row
+
+SQUARE = Problem("euclidean", "longest", ((0.0, 0.0), (10.0, 0.0)), ((0.0, 5.0), (10.0, 5.0), (10.0, 9.0)))
+
+
+def result(solver: str, gap: float, seed: int = 1, instance: str = "square") -> runs.Result:
+    plan = runs.Plan(solver, seed, 1.0, 1, 0.0, False)
+    points = [(0.1, gap + 5), (0.5, gap)]
+    return runs.Result(instance, "longest", plan, "", 18, gap, 1.01, 1.1, 3.0, points, [[0], [1, 2]])
+
+
+def test_tours_are_measured_from_and_to_their_depots() -> None:
+    assert checker.value(SQUARE, [[0], [1, 2]]) == 18
+    assert checker.value(Problem("euclidean", "sum", *(SQUARE.depots, SQUARE.waypoints)), [[0], [1, 2]]) == 28
+    assert checker.faults(SQUARE, [[0], [1, 2]]) == []
+
+
+def test_att_distances_are_rounded_up() -> None:
+    assert checker.value(Problem("att", "longest", ((0.0, 0.0),), ((30.0, 40.0),)), [[0]]) == 32
+
+
+@pytest.mark.parametrize(
+    ("tours", "fault"),
+    [
+        ([[0], [1]], "waypoint 2 is visited 0 times"),
+        ([[0, 2], [1, 2]], "waypoint 2 is visited 2 times"),
+        ([[0, 3], [1, 2]], "there is no waypoint 3"),
+        ([[0, 1, 2]], "1 tours for 2 drones"),
+    ],
+)
+def test_wrong_tours_are_seen(tours: list[list[int]], fault: str) -> None:
+    assert fault in checker.faults(SQUARE, tours)
+
+
+def test_every_drone_flies_where_the_sum_counts() -> None:
+    idle = [[0, 1, 2], []]
+    assert checker.faults(SQUARE, idle) == []
+    whole = Problem("euclidean", "sum", SQUARE.depots, SQUARE.waypoints)
+    assert checker.faults(whole, idle) == ["drone 1 stays idle"]
+
+
+def _scale(shifted: Moved) -> float:
+    return math.dist(*shifted.problem.depots) / math.dist(*SQUARE.depots)
+
+
+def test_a_moved_instance_is_the_same_one_to_the_judge_and_another_to_a_solver() -> None:
+    for seed in range(1, 20):
+        shifted = problems.moved(SQUARE, seed)
+        tours = [[2], [0, 1]]
+        back = shifted.back(tours)
+        assert checker.value(shifted.problem, tours) == pytest.approx(
+            _scale(shifted) * checker.value(SQUARE, back)
+        )
+        assert not set(shifted.problem.waypoints) & set(SQUARE.waypoints)
+        assert problems.moved(SQUARE, seed) == shifted
+
+
+def test_moving_keeps_distances_that_are_rounded() -> None:
+    att = Problem("att", "longest", SQUARE.depots, SQUARE.waypoints)
+    for seed in range(1, 20):
+        shifted = problems.moved(att, seed)
+        assert checker.value(shifted.problem, [[2], [0, 1]]) == checker.value(
+            att, shifted.back([[2], [0, 1]])
+        )
+
+
+def data(folder: Path) -> Path:
+    (folder / "coords").mkdir()
+    (folder / "coords" / "a.json").write_text(
+        json.dumps({"depots": [{"x": 0, "y": 0}], "waypoints": [[1, 0], [2, 0]]})
+    )
+    depots = [{"x": 0, "y": 0, "drones": 1}, {"x": 9, "y": 0, "drones": 2}]
+    (folder / "coords" / "b.json").write_text(json.dumps({"depots": depots, "waypoints": [[1, 0]] * 3}))
+    (folder / "index.csv").write_text(
+        "instance,file,n_waypoints,m_drones,depots,objective,best_known,edge_weight,source\n"
+        "a_m2,coords/a.json,2,2,1,min-max,4,EUC_2D_REAL,a paper\n"
+        "b,coords/b.json,3,3,2,min-sum,7.5,EUC_2D_REAL,best found in a long run\n"
+    )
+    return folder
+
+
+def test_rows_are_read_with_a_depot_for_each_drone(tmp_path: Path) -> None:
+    one, several = problems.read(data(tmp_path))
+    assert one == Row("a_m2", 4, True, Problem("euclidean", "longest", ((0, 0), (0, 0)), ((1, 0), (2, 0))))
+    assert several.problem.depots == ((0, 0), (9, 0), (9, 0))
+    assert (several.published, several.problem.aim) == (False, "sum")
+
+
+def test_a_solver_is_told_no_name(tmp_path: Path) -> None:
+    one, _ = problems.read(data(tmp_path))
+    assert one.problem.text().splitlines() == [
+        "metric euclidean",
+        "aim longest",
+        "depot 0.0 0.0",
+        "depot 0.0 0.0",
+        "waypoint 1.0 0.0",
+        "waypoint 2.0 0.0",
+    ]
+
+
+def test_an_answer_is_taken_apart() -> None:
+    lines = ["about x y", "improved 0.5 12.25", "used 1.01", "tour 0 2", "tour ", "tour 1"]
+    assert runs.parse(lines) == runs.Answer("x y", [(0.5, 12.25)], 1.01, [[0, 2], [], [1]])
+
+
+def answering(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    monkeypatch.setattr(runs, "_java", lambda file, plan: text)
+
+
+def test_a_result_counts_only_after_its_tours_were_judged(monkeypatch: pytest.MonkeyPatch) -> None:
+    row, plan = Row("square", 16.0, True, SQUARE), runs.Plan("x", 1, 1.0, 1, 0.0, False)
+    answering(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1 2\n")
+    measured = runs.run(row, plan)
+    assert (measured.value, measured.gap_percent, measured.points) == (18, 12.5, [(0.5, 12.5)])
+    answering(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1\n")
+    with pytest.raises(runs.RunError, match="waypoint 2 is visited 0 times"):
+        runs.run(row, plan)
+    answering(monkeypatch, "improved 0.5 17\nused 1\ntour 0\ntour 1 2\n")
+    with pytest.raises(runs.RunError, match="says 17"):
+        runs.run(row, plan)
+    answering(monkeypatch, "used 1\ntour 0\ntour 1 2\n")
+    with pytest.raises(runs.RunError, match="tells of no plan"):
+        runs.run(row, plan)
+
+
+def test_tours_of_a_moved_instance_are_those_of_the_instance(monkeypatch: pytest.MonkeyPatch) -> None:
+    shifted = problems.moved(SQUARE, 5)
+    value = checker.value(shifted.problem, [[0], [1, 2]])
+    answering(monkeypatch, f"improved 0.5 {value}\nused 1\ntour 0\ntour 1 2\n")
+    measured = runs.run(Row("square", 16.0, True, SQUARE), runs.Plan("x", 5, 1.0, 1, 0.0, True))
+    assert measured.tours == shifted.back([[0], [1, 2]])
+    assert measured.value == pytest.approx(value / _scale(shifted))
+
+
+ABOUT = {"at": "now", "processor": "a computer", "java": "17", "revision": "abc"}
+
+
+def test_the_table_shows_medians_and_who_is_better() -> None:
+    results = [result("dronemap", gap, seed) for seed, gap in enumerate((0.5, 0.2, 9.0), 1)]
+    results += [result("other", gap, seed) for seed, gap in enumerate((0.45, 0.45, 0.4), 1)]
+    results += [result("dronemap", 2, instance="ring"), result("other", 1, instance="ring")]
+    text = report.table(ABOUT, results)
+    assert "| square | longest | 0.50 | 0.45 |" in text
+    assert "| **mean** | longest | 1.25 | 0.72 |" in text
+    assert "| **max** | longest | 2.00 | 1.00 |" in text
+    assert "against `other` at 1 s: better or tied on 1 of 2" in text
+    assert "Better than the best known" not in text
+    assert "Better than the best known value: ring." in report.table(
+        ABOUT, [result("dronemap", -0.5, instance="ring")]
+    )
+
+
+def test_the_plot_shows_the_run_that_ends_at_the_median() -> None:
+    several = [result("dronemap", gap, seed) for seed, gap in enumerate((3.0, 1.0, 2.0), 1)]
+    chosen = plot.typical(several)
+    assert chosen is not None
+    assert chosen.gap_percent == 2
+    picture = plot.convergence([*several, result("other", 7)])
+    assert picture.count("<polyline") == 2
+    assert "square (longest)" in picture
+
+
+def test_modes_choose_their_rows() -> None:
+    row = Row("mtsp51_m3", 1, True, SQUARE)
+    ours = Row("own", 1, False, SQUARE)
+    takes = {mode.name for mode in modes.MODES if mode.takes(row)}
+    assert takes == {"minmax-1s", "minmax-10s", "libraries", "moved", "baselines", "depots-60s"}
+    assert not modes.named("minmax-1s").takes(ours)
+
+
+def test_written_results_are_judged_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = [Row("square", 16, True, SQUARE)]
+    report.write(tmp_path, "good", ABOUT, [result("x", 1)])
+    command.check(tmp_path / "good.json", rows)
+    assert "1 results, 0 wrong" in capsys.readouterr().out
+    results = json.loads((tmp_path / "good.json").read_text())
+    results["results"][0]["tours"] = [[0, 1], [2]]
+    (tmp_path / "bad.json").write_text(json.dumps(results))
+    with pytest.raises(SystemExit):
+        command.check(tmp_path / "bad.json", rows)
+    assert "says 18" in capsys.readouterr().out
+
+
+def test_without_instances_it_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DRONEMAP_TEST_DATA", raising=False)
+    with pytest.raises(SystemExit, match="--data FOLDER"):
+        command.main(["minmax-1s"])

@@ -1,0 +1,54 @@
+package org.dronemap.cognitive.allocate;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import org.dronemap.cognitive.cost.Instance;
+
+/** All drones set off at once; the one whose tour is shortest so far flies on to the nearest waypoint that is left. */
+public final class NearestNeighbour implements Baseline {
+    private static final int NONE = -1;
+
+    @Override
+    public Allocation allocate(Instance instance) {
+        Costs costs = new Costs(instance);
+        List<Round> rounds = Round.all(instance, costs);
+        List<Round> flying = new ArrayList<>(rounds);
+        BitSet left = new BitSet();
+        left.set(0, instance.visits().size());
+        while (!left.isEmpty() && !flying.isEmpty()) {
+            Round shortest = flying.stream()
+                    .min(Comparator.comparingDouble(Round::seconds))
+                    .orElseThrow();
+            int next = next(shortest, left);
+            if (next == NONE) {
+                flying.remove(shortest);
+            } else {
+                left.clear(next);
+            }
+        }
+        return Allocation.of(instance, costs, rounds);
+    }
+
+    /** Flies on to the nearest one that the drone can serve; those that it cannot are looked at once more in its next turn. */
+    private static int next(Round round, BitSet left) {
+        BitSet candidates = (BitSet) left.clone();
+        while (!candidates.isEmpty()) {
+            int nearest = NONE;
+            double least = Double.POSITIVE_INFINITY;
+            for (int waypoint = candidates.nextSetBit(0); waypoint >= 0; waypoint = candidates.nextSetBit(waypoint + 1)) {
+                double seconds = round.secondsOnTo(waypoint);
+                if (nearest == NONE || seconds < least) {
+                    least = seconds;
+                    nearest = waypoint;
+                }
+            }
+            if (round.append(nearest)) {
+                return nearest;
+            }
+            candidates.clear(nearest);
+        }
+        return NONE;
+    }
+}
