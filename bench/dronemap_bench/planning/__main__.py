@@ -6,6 +6,7 @@ import json
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 from ..__main__ import about
 from ..programs import ROOT
@@ -63,7 +64,7 @@ def _measure(mode: modes.Mode, rows: list[Row], options: argparse.Namespace) -> 
 
 
 def _changed(mode: modes.Mode, options: argparse.Namespace) -> modes.Mode:
-    wanted = {
+    wanted: dict[str, Any] = {
         "solvers": tuple(options.solver or ()),
         "seconds": tuple(options.seconds or ()),
         "seeds": options.seeds,

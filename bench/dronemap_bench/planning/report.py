@@ -54,12 +54,10 @@ def table(about: Json, results: list[Result]) -> str:
         cells = [_cell(median(results, aim, instance, key)) for key in keys]
         lines.append(_line([instance, aim, *cells]))
     for aim in sorted({aim for aim, _ in rows}):
-        for title, of in (("mean", statistics.fmean), ("max", max)):
-            gaps = [[median(results, aim, name, key) for a, name in rows if a == aim] for key in keys]
-            known = [[gap for gap in column if gap is not None] for column in gaps]
-            lines.append(
-                _line([f"**{title}**", aim, *(_cell(of(column) if column else None) for column in known)])
-            )
+        gaps = [[median(results, aim, name, key) for a, name in rows if a == aim] for key in keys]
+        known = [[gap for gap in column if gap is not None] for column in gaps]
+        lines.append(_line(["**mean**", aim, *(_cell(statistics.fmean(c) if c else None) for c in known)]))
+        lines.append(_line(["**max**", aim, *(_cell(max(c, default=None)) for c in known)]))
     return "\n".join([*lines, *_spent(results, keys), *_against(results), *_beaten(results)]) + "\n"
 
 

@@ -153,7 +153,7 @@ public final class MoveAndImprove implements Baseline {
 
         private void offer(Round seller, int waypoint) {
             int position = seller.position(waypoint);
-            boolean keeps = aim.everyDrone() && seller.size() == 1 || !seller.spares(position);
+            boolean keeps = (aim.everyDrone() && seller.size() == 1) || !seller.spares(position);
             Bid bid = keeps ? null : best(waypoint, seller);
             if (bid == null) {
                 return;

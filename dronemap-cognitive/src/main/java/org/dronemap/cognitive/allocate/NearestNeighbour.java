@@ -37,7 +37,9 @@ public final class NearestNeighbour implements Baseline {
         while (!candidates.isEmpty()) {
             int nearest = NONE;
             double least = Double.POSITIVE_INFINITY;
-            for (int waypoint = candidates.nextSetBit(0); waypoint >= 0; waypoint = candidates.nextSetBit(waypoint + 1)) {
+            for (int waypoint = candidates.nextSetBit(0);
+                    waypoint >= 0;
+                    waypoint = candidates.nextSetBit(waypoint + 1)) {
                 double seconds = round.secondsOnTo(waypoint);
                 if (nearest == NONE || seconds < least) {
                     least = seconds;

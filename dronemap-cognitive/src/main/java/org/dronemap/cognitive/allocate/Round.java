@@ -114,9 +114,7 @@ final class Round {
     /** Puts it at the end, where that can be flown. */
     boolean append(int waypoint) {
         int last = order.size();
-        boolean can = costs.allows(waypoint, drone)
-                && Double.isFinite(more(waypoint, last))
-                && fits(waypoint, last);
+        boolean can = costs.allows(waypoint, drone) && Double.isFinite(more(waypoint, last)) && fits(waypoint, last);
         if (can) {
             insert(waypoint, last);
         }

@@ -68,7 +68,9 @@ class BaselineTest {
                 Allocation found = baseline.allocate(instance);
 
                 assertThat(found.unserved()).isEmpty();
-                assertThat(Arrays.stream(found.orders()).flatMapToInt(Arrays::stream).sorted())
+                assertThat(Arrays.stream(found.orders())
+                                .flatMapToInt(Arrays::stream)
+                                .sorted())
                         .containsExactlyElementsOf(
                                 IntStream.range(0, 40).boxed().toList());
             }
@@ -92,23 +94,28 @@ class BaselineTest {
 
         Allocation found = new NearestNeighbour().allocate(instance);
 
-        // 2 is nearest for drone 0; drone 1, still at home, takes 1; drone 0 is at 1 with a tour of 2, and goes on to 3.
+        // 2 is nearest for drone 0; drone 1, still at home, takes 1; drone 0 is at 1 with a tour of 2, and goes on to
+        // 3.
         assertThat(found.orders()).isDeepEqualTo(new int[][] {{2, 3}, {1, 0}});
         assertThat(found.longestSeconds()).isEqualTo(22);
     }
 
     @Test
     void dronesThatClaimTheSameWaypointsSettleWhoFliesThem() {
-        Instance instance = line(new double[] {1, 2, 3, 21, 22, 23}, new double[] {0, 20}, Aim.minMax());
+        // Both claim the two at 1 and -1, nobody those at 2 and -2.
+        Instance instance = line(new double[] {1, 2, -1, -2}, new double[] {0, 0}, Aim.minMax());
 
         Allocation found = new MoveAndImprove().allocate(instance);
 
-        assertThat(found.orders()).isDeepEqualTo(new int[][] {{0, 1, 2}, {3, 4, 5}});
+        assertThat(found.orders()[0]).containsExactlyInAnyOrder(0, 1);
+        assertThat(found.orders()[1]).containsExactlyInAnyOrder(2, 3);
+        assertThat(found.longestSeconds()).isEqualTo(4);
     }
 
     @Test
     void aDroneSellsWhatAnotherVisitsMoreCheaply() {
-        // Each claims three. Nobody disputes the one at 25, though the other drone is much nearer: only a sale moves it.
+        // Each claims three. Nobody disputes the one at 25, though the other drone is much nearer: only a sale moves
+        // it.
         Instance instance = line(new double[] {1, 2, 25, 30, 31, 32}, new double[] {0, 31}, minSum());
 
         Allocation found = new MoveAndImprove().allocate(instance);
@@ -131,14 +138,14 @@ class BaselineTest {
 
             assertThat(searched).as("problem %d", problem).isLessThan(Math.min(neighbour, traded));
         }
-        assertThat(market.stream().mapToDouble(Double::doubleValue).average()).hasValueLessThan(1);
+        assertThat(market.stream().mapToDouble(Double::doubleValue).sum()).isLessThan(market.size());
     }
 
     @Test
     void noDroneStaysIdleWhereAllShallFly() {
         Instance instance = line(new double[] {1, 2, 3, 4}, new double[] {0, 50}, minSum().withEveryDrone());
 
-        assertThat(new MoveAndImprove().allocate(instance).orders())
+        assertThat(List.of(new MoveAndImprove().allocate(instance).orders()))
                 .allSatisfy(order -> assertThat(order).isNotEmpty());
     }
 }

@@ -9,6 +9,7 @@ final class Convergence implements Consumer<int[][]> {
     private final TourProblem problem;
     private final Allowance allowance;
     private final List<Point> points = new ArrayList<>();
+    private int[][] orders = new int[0][];
     private double best = Double.POSITIVE_INFINITY;
 
     Convergence(TourProblem problem, Allowance allowance) {
@@ -20,12 +21,18 @@ final class Convergence implements Consumer<int[][]> {
     record Point(double cpuSeconds, double value) {}
 
     @Override
-    public synchronized void accept(int[][] orders) {
-        double value = problem.value(orders);
-        if (value < best) {
+    public synchronized void accept(int[][] found) {
+        double value = problem.value(found);
+        if (value < best && problem.isServedBy(found)) {
             best = value;
+            orders = found;
             points.add(new Point(allowance.usedSeconds(), value));
         }
+    }
+
+    /** The best tours; what a library calls best may be another plan, where its own aim is a smoother one. */
+    synchronized int[][] best() {
+        return orders;
     }
 
     synchronized List<Point> points() {

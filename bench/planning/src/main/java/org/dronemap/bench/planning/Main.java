@@ -2,7 +2,6 @@ package org.dronemap.bench.planning;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Collectors;
@@ -20,9 +19,7 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] words) throws IOException {
-        try (PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8)) {
-            run(words, out);
-        }
+        run(words, System.out);
         // Some libraries leave threads behind that would keep the process.
         System.exit(0);
     }
@@ -43,7 +40,7 @@ public final class Main {
         int[][] orders = solver.solve(problem, new Solver.Order(seed, threads, allowance), convergence);
         double used = allowance.usedSeconds();
         convergence.accept(orders);
-        print(out, solver, convergence, used, orders);
+        print(out, solver, convergence, used);
     }
 
     private static void warmUp(Solver solver, boolean longest, int threads, double seconds) {
@@ -55,13 +52,13 @@ public final class Main {
         }
     }
 
-    private static void print(PrintStream out, Solver solver, Convergence convergence, double used, int[][] orders) {
+    private static void print(PrintStream out, Solver solver, Convergence convergence, double used) {
         out.println("about " + solver.about());
         for (Convergence.Point point : convergence.points()) {
             out.println("improved " + point.cpuSeconds() + " " + point.value());
         }
         out.println("used " + used);
-        for (int[] order : orders) {
+        for (int[] order : convergence.best()) {
             out.println(
                     "tour " + Arrays.stream(order).mapToObj(Integer::toString).collect(Collectors.joining(" ")));
         }

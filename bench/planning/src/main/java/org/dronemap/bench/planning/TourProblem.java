@@ -1,5 +1,6 @@
 package org.dronemap.bench.planning;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -55,6 +56,13 @@ public record TourProblem(Metric metric, boolean longest, List<Spot> depots, Lis
             at = waypoint;
         }
         return length + distance(at, depot(drone));
+    }
+
+    /** Whether every waypoint is visited and, where the sum counts, every drone flies. */
+    public boolean isServedBy(int[][] orders) {
+        int visits = Arrays.stream(orders).mapToInt(order -> order.length).sum();
+        boolean idle = Arrays.stream(orders).anyMatch(order -> order.length == 0);
+        return visits == waypoints.size() && (longest || !idle);
     }
 
     /** What the tours are worth: the longest one's length, or the sum; less is better. */

@@ -6,19 +6,34 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class ConvergenceTest {
-    @Test
-    void onlyBetterToursAreNoted() {
-        TourProblem problem = new TourProblem(
+    private static TourProblem problem(boolean longest) {
+        return new TourProblem(
                 Metric.EUCLIDEAN,
-                true,
+                longest,
                 List.of(new Spot(0, 0), new Spot(0, 0)),
                 List.of(new Spot(1, 0), new Spot(2, 0), new Spot(-2, 0)));
-        Convergence convergence = new Convergence(problem, Allowance.fromNow(1));
+    }
+
+    @Test
+    void onlyBetterToursAreNoted() {
+        Convergence convergence = new Convergence(problem(true), Allowance.fromNow(1));
 
         convergence.accept(new int[][] {{0, 1, 2}, {}});
         convergence.accept(new int[][] {{2, 0, 1}, {}});
         convergence.accept(new int[][] {{0, 1}, {2}});
 
         assertThat(convergence.points()).extracting(Convergence.Point::value).containsExactly(8.0, 4.0);
+    }
+
+    @Test
+    void toursThatLeaveADroneIdleOrAWaypointOutAreNoAnswerWhereTheSumCounts() {
+        Convergence convergence = new Convergence(problem(false), Allowance.fromNow(1));
+
+        convergence.accept(new int[][] {{0, 1, 2}, {}});
+        convergence.accept(new int[][] {{0}, {1}});
+        convergence.accept(new int[][] {{0, 2}, {1}});
+
+        assertThat(convergence.points()).extracting(Convergence.Point::value).containsExactly(10.0);
+        assertThat(convergence.best()).isDeepEqualTo(new int[][] {{0, 2}, {1}});
     }
 }

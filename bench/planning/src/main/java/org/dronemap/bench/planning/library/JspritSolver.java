@@ -29,8 +29,8 @@ public final class JspritSolver implements Solver {
 
     @Override
     public String about() {
-        return "jsprit: all its strategies, fast regret, threshold accepting over the CPU used, "
-                + "longest tour + " + SUM_WEIGHT + " of the mean";
+        return "jsprit: all its strategies, fast regret, threshold accepting over the CPU used, " + "longest tour + "
+                + SUM_WEIGHT + " of the mean";
     }
 
     @Override
@@ -95,18 +95,16 @@ public final class JspritSolver implements Solver {
         return costs.build();
     }
 
-    private static VehicleRoutingAlgorithm algorithm(
-            TourProblem problem, VehicleRoutingProblem routing, Order order) {
+    private static VehicleRoutingAlgorithm algorithm(TourProblem problem, VehicleRoutingProblem routing, Order order) {
         StateManager states = new StateManager(routing);
         ConstraintManager constraints = new ConstraintManager(routing, states);
         double weight = BALANCE / problem.drones();
-        constraints.addConstraint(
-                (SoftRouteConstraint) context -> weight * length(context.getRoute()));
+        constraints.addConstraint((SoftRouteConstraint) context -> weight * length(context.getRoute()));
         VehicleRoutingAlgorithm algorithm = Jsprit.Builder.newInstance(routing)
                 .setStateAndConstraintManager(states, constraints)
                 .addCoreStateAndConstraintStuff(true)
                 .setObjectiveFunction(solution -> cost(problem, solution))
-                .setSolutionAcceptor(new SinkingThreshold(order.allowance()))
+                .setCustomAcceptor(new SinkingThreshold(order.allowance()))
                 .setProperty(Jsprit.Parameter.FAST_REGRET, "true")
                 .setRandom(new Random(order.seed()))
                 .buildAlgorithm();
@@ -122,11 +120,15 @@ public final class JspritSolver implements Solver {
             sum += length(route);
         }
         // A waypoint left out must cost more than any tour that calls at it.
-        return longest + SUM_WEIGHT * sum / problem.drones() + 1e9 * solution.getUnassignedJobs().size();
+        return longest
+                + SUM_WEIGHT * sum / problem.drones()
+                + 1e9 * solution.getUnassignedJobs().size();
     }
 
     private static double length(VehicleRoute route) {
-        return route.isEmpty() ? 0 : route.getEnd().getArrTime() - route.getStart().getEndTime();
+        return route.isEmpty()
+                ? 0
+                : route.getEnd().getArrTime() - route.getStart().getEndTime();
     }
 
     private static int[][] orders(TourProblem problem, VehicleRoutingProblemSolution solution) {

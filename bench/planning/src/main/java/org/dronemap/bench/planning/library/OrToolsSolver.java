@@ -40,15 +40,15 @@ public final class OrToolsSolver implements Solver {
         }
         Loader.loadNativeLibraries();
         int[] depots = IntStream.range(0, problem.drones()).map(problem::depot).toArray();
-        RoutingIndexManager manager =
-                new RoutingIndexManager(problem.places(), problem.drones(), depots, depots);
+        RoutingIndexManager manager = new RoutingIndexManager(problem.places(), problem.drones(), depots, depots);
         RoutingModel model = new RoutingModel(manager);
         int transit = model.registerTransitMatrix(steps(problem));
         model.setArcCostEvaluatorOfAllVehicles(transit);
         model.addDimension(transit, 0, Long.MAX_VALUE / 1000, true, "length");
         RoutingDimension length = model.getMutableDimension("length");
         length.setGlobalSpanCostCoefficient(SPAN_WEIGHT);
-        model.addSearchMonitor(model.solver().makeCustomLimit(() -> order.allowance().isSpent()));
+        model.addSearchMonitor(
+                model.solver().makeCustomLimit(() -> order.allowance().isSpent()));
         model.addAtSolutionCallback(() -> improved.accept(current(problem, manager, model)));
         RoutingSearchParameters parameters = main.defaultRoutingSearchParameters().toBuilder()
                 .setLocalSearchMetaheuristic(LocalSearchMetaheuristic.Value.GUIDED_LOCAL_SEARCH)
@@ -61,10 +61,8 @@ public final class OrToolsSolver implements Solver {
 
     private static long[][] steps(TourProblem problem) {
         double[][] distances = problem.distances();
-        double longest = Arrays.stream(distances)
-                .flatMapToDouble(Arrays::stream)
-                .max()
-                .orElse(1);
+        double longest =
+                Arrays.stream(distances).flatMapToDouble(Arrays::stream).max().orElse(1);
         double scale = STEPS / longest;
         return Arrays.stream(distances)
                 .map(row -> Arrays.stream(row)

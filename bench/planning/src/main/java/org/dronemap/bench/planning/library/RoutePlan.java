@@ -45,8 +45,7 @@ public class RoutePlan {
         plan.stops = IntStream.range(0, problem.waypoints().size())
                 .mapToObj(Stop::new)
                 .toList();
-        plan.routes =
-                IntStream.range(0, problem.drones()).mapToObj(Route::new).toList();
+        plan.routes = IntStream.range(0, problem.drones()).mapToObj(Route::new).toList();
         return plan;
     }
 
