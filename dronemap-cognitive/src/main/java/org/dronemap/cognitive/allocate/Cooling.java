@@ -9,7 +9,6 @@ record Cooling(double hot, double cold) {
 
     private static final double COLD = 0.1;
 
-
     static Cooling of(Instance instance, double total) {
         int drones = instance.carriers().size();
         double leg = total / (instance.visits().size() + drones);

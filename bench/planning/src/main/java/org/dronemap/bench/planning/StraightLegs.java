@@ -31,6 +31,16 @@ final class StraightLegs implements Legs {
     }
 
     @Override
+    public double eastMeters(int place) {
+        return x[place];
+    }
+
+    @Override
+    public double northMeters(int place) {
+        return y[place];
+    }
+
+    @Override
     public double seconds(int type, int from, int to) {
         return metric.between(x[to] - x[from], y[to] - y[from]);
     }
