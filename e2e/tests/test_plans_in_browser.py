@@ -1,4 +1,6 @@
-"""A mission for several drones on the page: from "Select all" to "Start" in four clicks."""
+"""A mission for several drones on the page: from "Select all" to "Start" in four clicks.
+
+Two plans compared; what nobody visits, and why; and the best order for one drone by one click."""
 
 import os
 import secrets
@@ -6,15 +8,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect, sync_playwright
+from playwright.sync_api import Page, ViewportSize, expect, sync_playwright
 
-from dronemap_e2e.api import Api
+from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, launch
 from dronemap_e2e.waiting import wait_for
 
 DRONES = 3
+DESK: ViewportSize = {"width": 1440, "height": 900}
 PLACES = ((-180, -60), (-110, -120), (-30, -150), (60, -150), (130, -110), (170, -40))
 
 
@@ -37,21 +40,71 @@ def fleet(tmp_path: Path) -> Iterator[Server]:
 def page() -> Iterator[Page]:
     with sync_playwright() as playwright:
         browser = launch(playwright)
-        yield browser.new_page(viewport={"width": 1440, "height": 900})
+        yield browser.new_page(viewport=DESK)
         browser.close()
 
 
 def picture(page: Page, name: str) -> None:
-    """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+    """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at: by night and by day."""
     folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
-    if folder:
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        page.screenshot(path=Path(folder) / f"{name}.png")
+    if not folder:
+        return
+    Path(folder).mkdir(parents=True, exist_ok=True)
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme="dark" if scheme == "dark" else "light")
+        page.wait_for_timeout(400)
+        page.screenshot(path=Path(folder) / f"{name}-{scheme}.png")
+
+
+def count_presses(page: Page) -> None:
+    page.evaluate(
+        "() => { window.presses = 0; addEventListener('pointerdown', () => { window.presses += 1 }, true) }"
+    )
+
+
+def presses(page: Page) -> int:
+    count: int = page.evaluate("() => window.presses")
+    return count
 
 
 def _known(api: Api) -> bool:
     drones = [api.ready(system_id) for system_id in range(1, DRONES + 1)]
     return all(d and d["battery"] and d["link"]["quality"]["lossShort"] is not None for d in drones)
+
+
+def tap_places(page: Page, places: tuple[tuple[int, int], ...]) -> None:
+    """Pixels east and north of the middle of the map."""
+    box = page.get_by_role("application", name="Map").bounding_box()
+    assert box
+    for east, north in places:
+        page.mouse.click(box["x"] + box["width"] / 2 + east, box["y"] + box["height"] / 2 + north)
+        page.wait_for_timeout(400)
+
+
+def _place_of(page: Page, waypoint: str) -> Json:
+    """Where the newest plan of who is signed in goes for it."""
+    place: Json = page.evaluate(
+        """async (waypoint) => {
+          const all = await (await fetch('/api/v1/plans')).json();
+          const plan = await (await fetch(`/api/v1/plans/${all.plans.at(-1).id}`)).json();
+          return plan.result.tours.flatMap((tour) => tour.stops).find((stop) => stop.waypoint === waypoint);
+        }""",
+        waypoint,
+    )
+    return place
+
+
+def _forbid(api: Api, place: Json) -> None:
+    answer = api.call(
+        "POST",
+        "/zones",
+        {
+            "type": "Feature",
+            "geometry": {"type": "Point", "coordinates": [place["longitude"], place["latitude"]]},
+            "properties": {"name": "Crane", "kind": "exclusion", "radius": 8},
+        },
+    )
+    assert answer.status_code == 201, answer.text
 
 
 def test_an_operator_plans_accepts_and_starts_three_drones(fleet: Server, page: Page) -> None:
@@ -62,22 +115,51 @@ def test_an_operator_plans_accepts_and_starts_three_drones(fleet: Server, page: 
     assert answer.status_code == 201, answer.text
     station = Station(page, Pointer())
     station.sign_in(fleet.address, name, password, secrets.token_hex(10))
-    page.get_by_role("button").filter(has_text="Plan for several drones").click()
-    box = page.get_by_role("application", name="Map").bounding_box()
-    assert box
-    for east, north in PLACES:
-        page.mouse.click(box["x"] + box["width"] / 2 + east, box["y"] + box["height"] / 2 + north)
-        page.wait_for_timeout(400)
+
+    # One drone: the best order by one click, and back.
+    station.choose("ArduCopter 1")
+    station.press("Plan mission")
+    tap_places(page, (PLACES[0], PLACES[4], PLACES[1], PLACES[5]))
+    station.press("Best order")
+    station.shows("instead of")
+    picture(page, "plans-0-best-order")
+    station.press("Undo")
+    station.press("Stop planning")
+    station.press("Close ArduCopter 1")
+
+    section = page.get_by_role("button").filter(has_text="Plan for several drones")
+    section.click()
+    tap_places(page, PLACES)
     station.shows(f"{len(PLACES)} waypoints")
     picture(page, "plans-1-waypoints")
 
+    # Two plans side by side, then back to the one for the earliest end.
+    page.get_by_role("button").filter(has_text="More wishes").click()
+    page.get_by_label("Search for (s)").fill("1")
+    plan = page.get_by_role("article", name="Plan")
     station.press("Select all")
     station.press("Plan")
-    plan = page.get_by_role("article", name="Plan")
     expect(plan).to_contain_text("All done after", timeout=60_000)
-    picture(page, "plans-2-tours")
+    page.get_by_label("Good at").select_option("leastDistance")
+    station.press("Plan")
+    comparison = page.get_by_role("table")
+    expect(comparison).to_contain_text("distance in all", timeout=60_000)
+    bars = page.get_by_role("list", name="When each drone is done, in both plans")
+    expect(bars.get_by_role("listitem")).to_have_count(DRONES)
+    picture(page, "plans-2-compared")
+    page.get_by_label("Good at").select_option("earliestEnd")
+
+    # Another one lies where nobody may fly.
+    _forbid(api, _place_of(page, str(len(PLACES))))
+    count_presses(page)
+    station.press("Select all")
+    station.press("Plan")
+    left_out = page.get_by_role("region", name="Left out")
+    expect(left_out).to_contain_text("the no-fly zone “Crane”", timeout=60_000)
+    picture(page, "plans-3-left-out")
     station.press("Accept")
     expect(plan.get_by_text("mission on board")).to_have_count(plan.locator("h4").count(), timeout=60_000)
     station.hands.hold(page, station.button("Start"))
+    assert presses(page) == 4
     expect(plan.get_by_text("flying").first).to_be_visible(timeout=90_000)
-    picture(page, "plans-3-flying")
+    picture(page, "plans-4-flying")

@@ -1,3 +1,4 @@
+import type { Ending } from '../plan/draft';
 import type { AltitudeReference } from './types';
 
 export type PlanState = 'queued' | 'running' | 'finished' | 'cancelled' | 'failed';
@@ -37,10 +38,17 @@ export interface PlanTour {
   back: PlanPlace[];
 }
 
+/** What nobody visits, and why. */
+export interface PlanUnserved {
+  waypoint: string;
+  why: string;
+  place: PlanPlace;
+}
+
 export interface PlanResult {
   endsSeconds: number;
   tours: PlanTour[];
-  unserved: { waypoint: string; why: string }[];
+  unserved: PlanUnserved[];
   faults: string[];
   assumed: boolean;
 }
@@ -71,7 +79,7 @@ export interface FleetPlan {
   launch: { underWay: boolean; drones: PlanFlight[] } | null;
 }
 
-export type PlanAim = 'earliestEnd' | 'leastTime' | 'leastDistance' | 'leastEnergy';
+export type PlanAim = 'earliestEnd' | 'leastTime' | 'leastDistance' | 'leastEnergy' | 'weighted';
 
 export interface PlanWaypoint {
   id: string;
@@ -80,13 +88,39 @@ export interface PlanWaypoint {
   altitude: number;
   altitudeReference: AltitudeReference;
   holdSeconds: number | null;
+  priority?: number;
+  window?: { opens: number | null; closes: number | null };
+  needs?: string[];
+}
+
+export interface PlanObjective {
+  kind: PlanAim;
+  longestWeight?: number;
+  sumWeight?: number;
+  everyDrone?: boolean;
 }
 
 export interface PlanRequest {
   drones: readonly string[];
   waypoints: readonly PlanWaypoint[];
-  objective: { kind: PlanAim };
+  objective: PlanObjective;
   seconds: number;
+  wind?: { speed: number; from: number };
+}
+
+export interface TourRequest {
+  drone: string;
+  waypoints: readonly Omit<PlanWaypoint, 'id'>[];
+  ending: Ending;
+}
+
+/** A good order of one drone's waypoints, by their numbers in the request, from 0. */
+export interface OrderedTour {
+  order: number[];
+  before: { seconds: number; distance: number };
+  after: { seconds: number; distance: number };
+  gap: number;
+  unserved: PlanUnserved[];
 }
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
@@ -105,6 +139,19 @@ export class PlanCalls {
 
   accept(id: string, start: boolean): Promise<FleetPlan> {
     return this.#call('POST', `${one(id)}/accept`, { start });
+  }
+
+  one(id: string): Promise<FleetPlan> {
+    return this.#call('GET', one(id));
+  }
+
+  /** Nobody else of it is started. */
+  stop(id: string): Promise<FleetPlan> {
+    return this.#call('POST', `${one(id)}/stop`);
+  }
+
+  order(request: TourRequest): Promise<OrderedTour> {
+    return this.#call('POST', '/tours', request);
   }
 
   remove(id: string): Promise<void> {

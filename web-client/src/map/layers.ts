@@ -92,7 +92,7 @@ export function zoneLayers(palette: Palette): LayerSpecification[] {
   ];
 }
 
-/** Each tour in a colour of its own, with the name of its drone along it. */
+/** Each tour in a colour of its own, with the name of its drone along it; what nobody visits stands out. */
 export function tourLayers(palette: Palette): LayerSpecification[] {
   const colour = [
     'match',
@@ -100,11 +100,13 @@ export function tourLayers(palette: Palette): LayerSpecification[] {
     ...palette.tours.flatMap((tone, index) => [index, tone]),
     palette.violet,
   ] as unknown as string;
+  const ways = ['==', ['geometry-type'], 'LineString'] as unknown as boolean;
   return [
     {
       id: 'tours',
       type: 'line',
       source: 'tours',
+      filter: ways,
       layout: { 'line-cap': 'round', 'line-join': 'round' },
       paint: { 'line-color': colour, 'line-width': 3.5, 'line-opacity': 0.9 },
     },
@@ -112,6 +114,7 @@ export function tourLayers(palette: Palette): LayerSpecification[] {
       id: 'tour-labels',
       type: 'symbol',
       source: 'tours',
+      filter: ways,
       layout: {
         'symbol-placement': 'line',
         'text-field': ['get', 'label'],
@@ -120,6 +123,7 @@ export function tourLayers(palette: Palette): LayerSpecification[] {
       },
       paint: { 'text-color': colour, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
     },
+    ...numberLayers('tours', palette, ['case', ['has', 'unserved'], palette.red, colour]),
   ];
 }
 

@@ -76,6 +76,13 @@ export function shiftWaypoint(draft: Draft, key: number, by: -1 | 1): Draft {
   return { ...draft, waypoints };
 }
 
+/** In the order of these numbers, from 0; unchanged where they are not those of its waypoints. */
+export function reordered(draft: Draft, order: readonly number[]): Draft {
+  const waypoints = order.map((number) => draft.waypoints[number]).filter((one) => one !== undefined);
+  const whole = new Set(waypoints).size === draft.waypoints.length && order.length === draft.waypoints.length;
+  return whole ? { ...draft, waypoints } : draft;
+}
+
 /** Adds every place of a pasted text; says which lines were none. */
 export function addPasted(
   draft: Draft,

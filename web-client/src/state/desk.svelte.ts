@@ -15,6 +15,8 @@ export class Desk {
   /** Rises with each choice, so that choosing the same drone again brings the map back to it. */
   flights = $state(0);
   target = $state.raw<Target | null>(null);
+  /** A place that somebody asked to see; the map goes there. */
+  sight = $state.raw<Coordinates | null>(null);
   helpOpen = $state(false);
   fleetOpen = $state(true);
   sheet = $state<SheetHeight>('half');
@@ -36,6 +38,11 @@ export class Desk {
     this.selectedId = null;
     this.target = null;
     this.sheet = 'half';
+  }
+
+  lookAt({ latitude, longitude }: Coordinates): void {
+    this.sight = { latitude, longitude };
+    this.sheet = 'low';
   }
 
   aim(droneId: string, place: Coordinates): void {

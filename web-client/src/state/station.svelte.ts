@@ -161,6 +161,7 @@ export class Station {
     void this.commands.catchUp();
     void this.zones.load();
     void this.virtuals.load();
+    void this.tours.catchUp();
   }
 
   /** An administrator may have given another one since the sign-in. */

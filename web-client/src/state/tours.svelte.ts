@@ -1,44 +1,99 @@
-import type { FleetPlan, PlanAim, PlanCalls, PlanWaypoint } from '../api/plans';
-import { sentenceFor } from '../api/problem';
+import type { FleetPlan, PlanAim, PlanCalls, PlanObjective, PlanWaypoint } from '../api/plans';
+import { Problem, sentenceFor } from '../api/problem';
 import type { Coordinates } from '../geo/coordinates';
+import { NO_DEMAND, type Demand } from '../tours/demand';
+import { isUnderWay } from '../tours/tour-line';
 
 /** The name under which the editor keeps the waypoints for several drones; no drone is called so. */
 export const FLEET_DRAFT = '#fleet';
 
-/** The plan for several drones that is being made, from the choice of drones to their start. */
+/** The plans for several drones: the one that is being made, from the choice of drones to their start, and earlier ones. */
 export class Tours {
   /** Ids of the drones that are to share the waypoints. */
   chosen = $state<string[]>([]);
   aim = $state<PlanAim>('earliestEnd');
+  /** Weighted: 0: all done early, 100: little flying in all. */
+  balance = $state(50);
+  everyDrone = $state(false);
   seconds = $state<number | null>(5);
-  plan = $state.raw<FleetPlan | null>(null);
+  /** m/s; null: calm. */
+  windSpeed = $state<number | null>(null);
+  /** Degrees clockwise from north. */
+  windFrom = $state<number | null>(null);
+  /** By the keys of the waypoints in the editor. */
+  demands = $state.raw<ReadonlyMap<number, Demand>>(new Map());
   problem = $state<string | null>(null);
   /** Something was sent and is not answered yet. */
   busy = $state(false);
-  /** Where the waypoints of the plan are, by their ids: while a search goes on only these are told. */
-  places = $state.raw<ReadonlyMap<string, Coordinates>>(new Map());
+  shownId = $state<string | null>(null);
+  besideId = $state<string | null>(null);
+  #plans = $state.raw<ReadonlyMap<string, FleetPlan>>(new Map());
+  /** Where the waypoints of a plan are, by their ids: while a search goes on only these are told. */
+  #places = $state.raw<{ plan: string; places: ReadonlyMap<string, Coordinates> } | null>(null);
   readonly #calls: PlanCalls;
 
   constructor(calls: PlanCalls) {
     this.#calls = calls;
   }
 
+  /** The one that is looked at. */
+  get plan(): FleetPlan | null {
+    return this.#find(this.shownId);
+  }
+
+  /** The one that it is compared with. */
+  get beside(): FleetPlan | null {
+    return this.besideId === this.shownId ? null : this.#find(this.besideId);
+  }
+
+  /** Finished ones that can be looked at instead, the newest first. */
+  get others(): FleetPlan[] {
+    return [...this.#plans.values()]
+      .filter((one) => one.result !== null && one.id !== this.shownId)
+      .reverse();
+  }
+
+  get places(): ReadonlyMap<string, Coordinates> {
+    return this.#places?.plan === this.shownId ? this.#places.places : new Map();
+  }
+
+  #find(id: string | null): FleetPlan | null {
+    return id === null ? null : (this.#plans.get(id) ?? null);
+  }
+
   hear(plan: FleetPlan): void {
-    if (plan.id === this.plan?.id) {
-      this.plan = plan;
+    this.#plans = new Map(this.#plans).set(plan.id, plan);
+    // After the page was opened anew.
+    if (this.plan === null && (isUnderWay(plan) || plan.launch?.underWay === true)) {
+      this.shownId = plan.id;
     }
   }
 
   forget(id: string): void {
-    if (id === this.plan?.id) {
-      this.plan = null;
-    }
+    const plans = new Map(this.#plans);
+    plans.delete(id);
+    this.#plans = plans;
   }
 
   clear(): void {
-    this.plan = null;
+    this.#plans = new Map();
+    this.shownId = null;
+    this.besideId = null;
     this.chosen = [];
     this.problem = null;
+  }
+
+  demand(key: number): Demand {
+    return this.demands.get(key) ?? NO_DEMAND;
+  }
+
+  changeDemand(key: number, change: Partial<Demand>): void {
+    this.demands = new Map(this.demands).set(key, { ...this.demand(key), ...change });
+  }
+
+  show(id: string): void {
+    this.besideId = this.shownId;
+    this.shownId = id;
   }
 
   async ask(waypoints: readonly PlanWaypoint[]): Promise<void> {
@@ -47,15 +102,29 @@ export class Tours {
       const plan = await this.#calls.ask({
         drones: this.chosen,
         waypoints,
-        objective: { kind: this.aim },
+        objective: this.#objective(),
         seconds: this.seconds ?? 5,
+        ...(this.windSpeed === null || this.windSpeed === 0
+          ? {}
+          : { wind: { speed: this.windSpeed, from: this.windFrom ?? 0 } }),
       });
-      this.places = new Map(waypoints.map((waypoint) => [waypoint.id, waypoint]));
-      this.plan = plan;
-      if (before !== null && before.state !== 'queued' && before.state !== 'running') {
-        await this.#calls.remove(before.id);
+      this.#places = {
+        plan: plan.id,
+        places: new Map(waypoints.map((waypoint) => [waypoint.id, waypoint])),
+      };
+      // The stream may have told of later ones.
+      if (!this.#plans.has(plan.id)) {
+        this.hear(plan);
       }
+      this.shownId = plan.id;
+      this.besideId = before?.result ? before.id : null;
     });
+  }
+
+  #objective(): PlanObjective {
+    const objective: PlanObjective = { kind: this.aim, everyDrone: this.everyDrone };
+    const share = this.balance / 100;
+    return this.aim === 'weighted' ? { ...objective, longestWeight: 1 - share, sumWeight: share } : objective;
   }
 
   /** Puts the missions on board, and starts the drones when that is asked for. */
@@ -66,14 +135,44 @@ export class Tours {
     }
   }
 
+  async stop(): Promise<void> {
+    const { plan } = this;
+    if (plan !== null) {
+      await this.#attempt(async () => this.hear(await this.#calls.stop(plan.id)));
+    }
+  }
+
   /** Cancels the search, or leaves the plan. */
   async drop(): Promise<void> {
     const { plan } = this;
     if (plan !== null) {
       await this.#attempt(async () => {
-        this.plan = null;
         await this.#calls.remove(plan.id);
+        if (isUnderWay(plan)) {
+          // It was cancelled; now it is forgotten.
+          await this.#calls.remove(plan.id);
+        }
+        this.forget(plan.id);
+        this.shownId = null;
       });
+    }
+  }
+
+  /** The connection was lost, and is there again: a server that was started anew knows no plans. */
+  async catchUp(): Promise<void> {
+    const { plan } = this;
+    if (plan === null) {
+      return;
+    }
+    try {
+      this.hear(await this.#calls.one(plan.id));
+    } catch (thrown) {
+      if (thrown instanceof Problem && thrown.status === 404) {
+        this.forget(plan.id);
+        this.problem =
+          'The server no longer knows this plan: it was started anew, or much time has passed. ' +
+          'What was uploaded is on board; drones that had not been started stay where they are.';
+      }
     }
   }
 

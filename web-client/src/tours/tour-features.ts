@@ -30,15 +30,26 @@ function sketched(
 }
 
 function flown(plan: FleetPlan, standOf: (drone: string) => Coordinates | null): (Feature | null)[] {
-  return (plan.result?.tours ?? []).map((tour) => {
+  const tours = (plan.result?.tours ?? []).flatMap((tour) => {
     const stand = standOf(tour.drone);
     const way: (Coordinates | PlanPlace)[] = [
       ...(stand === null ? [] : [stand]),
       ...tour.stops.flatMap((stop) => [...stop.via, stop]),
       ...tour.back,
     ];
-    return line(plan, tour.drone, way.map(positionOf));
+    const stops = tour.stops.map((stop) =>
+      mark(stop, { tone: toneOf(plan, tour.drone), label: stop.waypoint }),
+    );
+    return [line(plan, tour.drone, way.map(positionOf)), ...stops];
   });
+  const unserved = (plan.result?.unserved ?? []).map((one) =>
+    mark(one.place, { unserved: true, label: `${one.waypoint} ✕` }),
+  );
+  return [...tours, ...unserved];
+}
+
+function mark(place: Coordinates, properties: Record<string, unknown>): Feature {
+  return { type: 'Feature', properties, geometry: { type: 'Point', coordinates: positionOf(place) } };
 }
 
 function line(plan: FleetPlan, drone: string, coordinates: Position[]): Feature | null {

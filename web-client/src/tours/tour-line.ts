@@ -1,7 +1,17 @@
-import type { FleetPlan, PlanFlight, PlanProgress, PlanStage, PlanTour } from '../api/plans';
+import type {
+  FleetPlan,
+  OrderedTour,
+  PlanFlight,
+  PlanProgress,
+  PlanResult,
+  PlanStage,
+  PlanTour,
+  PlanWaypoint,
+  TourRequest,
+} from '../api/plans';
 import type { Drone } from '../api/types';
 import type { Draft } from '../plan/draft';
-import type { PlanWaypoint } from '../api/plans';
+import { NO_DEMAND, type Demand } from './demand';
 import { counted, distance, fixed, span } from '../ui/format';
 
 /** So many colours there are for tours; further ones begin anew. */
@@ -10,6 +20,10 @@ export const TOUR_TONES = 6;
 export function toneOf(plan: FleetPlan, drone: string): number {
   const at = plan.drones.findIndex((one) => one.id === drone);
   return Math.max(0, at) % TOUR_TONES;
+}
+
+export function isUnderWay(plan: FleetPlan): boolean {
+  return plan.state === 'queued' || plan.state === 'running';
 }
 
 /** Why a drone cannot be planned with now, or null. The cloud looks closer. */
@@ -103,7 +117,10 @@ export function barsOf(tour: PlanTour, all: readonly PlanTour[]): Bar[] {
 }
 
 /** Of the plan in the editor; take-off and end are the planner's. */
-export function waypointsOf(draft: Draft | null): PlanWaypoint[] {
+export function waypointsOf(
+  draft: Draft | null,
+  demandOf: (key: number) => Demand = () => NO_DEMAND,
+): PlanWaypoint[] {
   return (draft?.waypoints ?? []).flatMap((waypoint, index) =>
     waypoint.altitude === null
       ? []
@@ -115,7 +132,102 @@ export function waypointsOf(draft: Draft | null): PlanWaypoint[] {
             altitude: waypoint.altitude,
             altitudeReference: waypoint.altitudeReference,
             holdSeconds: waypoint.holdSeconds,
+            ...wishes(demandOf(waypoint.key)),
           },
         ],
   );
+}
+
+function wishes({ priority, opens, closes, picture }: Demand): Partial<PlanWaypoint> {
+  return {
+    ...(priority === null ? {} : { priority }),
+    ...(opens === null && closes === null ? {} : { window: { opens, closes } }),
+    ...(picture ? { needs: ['takePicture'] } : {}),
+  };
+}
+
+/** One line of a comparison; `better`: whether less of it is here, there, or neither. */
+export interface Compared {
+  label: string;
+  here: string;
+  there: string;
+  better: 'here' | 'there' | null;
+}
+
+const sum = (values: readonly number[]): number => values.reduce((so, value) => so + value, 0);
+
+/** Two finished plans side by side; less is better in every line. */
+export function compared(here: PlanResult, there: PlanResult): Compared[] {
+  const time = (seconds: number): string => span(Math.round(seconds));
+  const lines: [string, (one: PlanResult) => number, (value: number) => string][] = [
+    ['left out', (one) => one.unserved.length, (value) => fixed(value)],
+    ['all done after', (one) => one.endsSeconds, time],
+    ['flying in all', (one) => sum(one.tours.map((tour) => tour.endsSeconds - tour.departsSeconds)), time],
+    ['distance in all', (one) => sum(one.tours.map((tour) => tour.distance)), distance],
+    [
+      'energy in all',
+      (one) => sum(one.tours.map((tour) => tour.wattHours)),
+      (value) => `${fixed(value, 1)} Wh`,
+    ],
+    ['drones that fly', (one) => one.tours.length, (value) => fixed(value)],
+  ];
+  return lines.map(([label, value, words]) => {
+    const [a, b] = [value(here), value(there)];
+    const same = words(a) === words(b);
+    return { label, here: words(a), there: words(b), better: same ? null : a < b ? 'here' : 'there' };
+  });
+}
+
+/** A name for a plan in a list. */
+export function planName(plan: FleetPlan): string {
+  const ends = plan.result === null ? '' : `: ${span(Math.round(plan.result.endsSeconds))}`;
+  return `${counted(plan.drones.length, 'drone')}, ${counted(plan.waypoints, 'waypoint')}${ends}`;
+}
+
+/** How a plan got better, as points of a picture 100 wide and 100 high; empty where there is nothing to be seen. */
+export function stepsOf(improvements: readonly PlanProgress[], seconds: number): string {
+  const whole = improvements.filter((step) => step.unserved === improvements.at(-1)?.unserved);
+  const most = Math.max(...whole.map((step) => step.longestSeconds));
+  const least = Math.min(...whole.map((step) => step.longestSeconds));
+  if (whole.length < 2 || most === least) {
+    return '';
+  }
+  const y = (step: PlanProgress): number => 100 * (1 - (step.longestSeconds - least) / (most - least));
+  const x = (step: PlanProgress): number => 100 * Math.min(1, step.seconds / seconds);
+  let so = '';
+  let before = y(whole[0] as PlanProgress);
+  for (const step of whole) {
+    so += ` ${fixed(x(step), 1)},${fixed(before, 1)} ${fixed(x(step), 1)},${fixed(y(step), 1)}`;
+    before = y(step);
+  }
+  return `${so} 100,${fixed(before, 1)}`.trim();
+}
+
+/** The waypoints of a mission as they are asked about; without an altitude they are taken to lie at the height of home. */
+export function tourRequest(drone: string, draft: Draft): TourRequest {
+  return {
+    drone,
+    ending: draft.ending,
+    waypoints: draft.waypoints.map((one) => ({
+      latitude: one.latitude,
+      longitude: one.longitude,
+      altitude: one.altitude ?? 0,
+      altitudeReference: one.altitudeReference,
+      holdSeconds: one.holdSeconds,
+    })),
+  };
+}
+
+/** What ordering the waypoints of a mission has come to. */
+export function orderLine({ before, after, unserved, order }: OrderedTour): string {
+  const left =
+    unserved.length === 0
+      ? ''
+      : ` Not to be visited, and put last: ${unserved.map((one) => `waypoint ${one.waypoint} (${one.why})`).join('; ')}.`;
+  const same = order.every((number, index) => number === index);
+  const gain = same
+    ? `This order is a good one already: ${distance(after.distance)}.`
+    : `${distance(after.distance)} instead of ${distance(before.distance)}, ` +
+      `${span(Math.round(after.seconds))} instead of ${span(Math.round(before.seconds))}. Undo takes it back.`;
+  return gain + left;
 }

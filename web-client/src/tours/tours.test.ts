@@ -1,15 +1,29 @@
 import { describe, expect, it } from 'vitest';
 import type { FleetPlan, PlanProgress, PlanTour } from '../api/plans';
-import { addWaypoint, changeWaypoint, emptyDraft } from '../plan/draft';
+import { Problem } from '../api/problem';
+import { addWaypoint, changeWaypoint, emptyDraft, reordered } from '../plan/draft';
 import { Tours } from '../state/tours.svelte';
-import { barsOf, flightLine, gapLine, stateLine, waypointsOf } from './tour-line';
+import { NO_DEMAND } from './demand';
+import {
+  barsOf,
+  compared,
+  flightLine,
+  gapLine,
+  orderLine,
+  stateLine,
+  stepsOf,
+  waypointsOf,
+} from './tour-line';
 import { tourFeatures } from './tour-features';
+import { whyNotAsked, whyNotWished } from './wishes';
 
 const PLACES = new Map([
   ['1', { latitude: 47.1, longitude: 8.1 }],
   ['2', { latitude: 47.2, longitude: 8.2 }],
 ]);
 const HOME = { latitude: 47, longitude: 8 };
+
+const RESULT = { endsSeconds: 1, tours: [], unserved: [], faults: [], assumed: true };
 
 function progress(change: Partial<PlanProgress>): PlanProgress {
   return { seconds: 1, longestSeconds: 100, sum: 0, unserved: 0, gap: 0.1, iterations: 1, ...change };
@@ -131,21 +145,124 @@ describe('a plan for several drones', () => {
     ]);
   });
 
-  it('hears only of the plan that is shown, and tells why one was refused', async () => {
+  it('asks for what each waypoint wants, and for the rest of nothing', () => {
+    const draft = addWaypoint(addWaypoint(emptyDraft(), HOME, 20), HOME, 30);
+    const wants = { priority: 10, opens: null, closes: 60, picture: true };
+    const [first, second] = waypointsOf(draft, (key) => (key === 2 ? wants : NO_DEMAND));
+    expect(Object.keys(first ?? {})).not.toContain('priority');
+    expect(second).toMatchObject({
+      priority: 10,
+      window: { opens: null, closes: 60 },
+      needs: ['takePicture'],
+    });
+    expect(whyNotAsked({ ...wants, opens: 61 }, 2)).toBe('Waypoint 2 ends before it begins.');
+    expect(whyNotWished({ seconds: 5, windSpeed: 4, windFrom: null })).toBe('Say where the wind comes from.');
+    expect(whyNotWished({ seconds: 61, windSpeed: null, windFrom: null })).toBe(
+      'Search for 0.1 to 60 seconds.',
+    );
+    expect(whyNotWished({ seconds: 5, windSpeed: 4, windFrom: 270 })).toBeNull();
+  });
+
+  it('marks on the map what nobody visits', () => {
+    const place = { latitude: 47.5, longitude: 8.5, altitudeAmsl: 500 };
+    const result = { ...RESULT, unserved: [{ waypoint: '2', why: 'It is too far.', place }] };
+    expect(
+      tourFeatures(plan({ state: 'finished', result }), PLACES, () => HOME).features.at(-1),
+    ).toMatchObject({
+      properties: { unserved: true, label: '2 ✕' },
+      geometry: { type: 'Point', coordinates: [8.5, 47.5] },
+    });
+  });
+
+  it('is compared with another one line by line, less being better', () => {
+    const here = { ...RESULT, endsSeconds: 90, tours: [tour('d1'), tour('d2')] };
+    const there = { ...RESULT, endsSeconds: 120, tours: [tour('d1', { departsSeconds: 10 })] };
+    const lines = new Map(compared(here, there).map((line) => [line.label, line]));
+    expect(lines.get('all done after')).toMatchObject({
+      here: '1 min 30 s',
+      there: '2 min 00 s',
+      better: 'here',
+    });
+    expect(lines.get('flying in all')).toMatchObject({
+      here: '3 min 20 s',
+      there: '1 min 30 s',
+      better: 'there',
+    });
+    expect(lines.get('left out')?.better).toBeNull();
+  });
+
+  it('draws how it got better, without what was no whole plan yet', () => {
+    const steps = [
+      progress({ seconds: 0, longestSeconds: 50, unserved: 3 }),
+      progress({ seconds: 1, longestSeconds: 200 }),
+      progress({ seconds: 2.5, longestSeconds: 100 }),
+    ];
+    expect(stepsOf(steps, 5)).toBe('20.0,0.0 20.0,0.0 50.0,0.0 50.0,100.0 100,100.0');
+    expect(stepsOf(steps.slice(0, 2), 5)).toBe('');
+  });
+
+  it('tells what a better order saves, and changes the draft only as a whole', () => {
+    const line = orderLine({
+      order: [1, 0],
+      before: { seconds: 100, distance: 900 },
+      after: { seconds: 70, distance: 640 },
+      gap: 0,
+      unserved: [],
+    });
+    expect(line).toBe('640 m instead of 900 m, 1 min 10 s instead of 1 min 40 s. Undo takes it back.');
+    const draft = addWaypoint(addWaypoint(emptyDraft(), HOME, 20), HOME, 30);
+    expect(reordered(draft, [1, 0]).waypoints.map((one) => one.key)).toEqual([2, 1]);
+    expect(reordered(draft, [1, 1])).toBe(draft);
+    expect(reordered(draft, [1])).toBe(draft);
+  });
+
+  it('shows the plan that was asked for, keeps the one before beside it, and tells why one was refused', async () => {
+    let asked = 0;
+    const bodies: unknown[] = [];
     const calls = {
-      ask: () => Promise.resolve(plan({})),
+      ask: (body: unknown) => {
+        bodies.push(body);
+        return Promise.resolve(plan({ id: `p${++asked}` }));
+      },
       accept: () => Promise.reject(new Error('It has moved.')),
+      one: () => Promise.reject(new Problem({ status: 404, detail: 'There is no such plan.' })),
       remove: () => Promise.resolve(),
     };
     const tours = new Tours(calls as unknown as ConstructorParameters<typeof Tours>[0]);
+    tours.aim = 'weighted';
+    tours.balance = 25;
+    tours.windSpeed = 4;
+    tours.windFrom = 270;
     await tours.ask([]);
+    expect(bodies[0]).toMatchObject({
+      objective: { kind: 'weighted', longestWeight: 0.75, sumWeight: 0.25, everyDrone: false },
+      wind: { speed: 4, from: 270 },
+    });
     tours.hear(plan({ id: 'other', state: 'finished' }));
     expect(tours.plan?.state).toBe('running');
-    tours.hear(plan({ state: 'finished' }));
+    tours.hear(plan({ state: 'finished', result: RESULT }));
     expect(tours.plan?.state).toBe('finished');
     await tours.accept(true);
-    expect(tours.problem).not.toBeNull();
-    tours.forget('p1');
+    expect(tours.problem).toBe('It has moved.');
+
+    await tours.ask([]);
+    expect(tours.plan?.id).toBe('p2');
+    expect(tours.beside?.id).toBe('p1');
+    tours.show('p1');
+    expect([tours.plan?.id, tours.beside?.id]).toEqual(['p1', 'p2']);
+    await tours.catchUp();
+    expect(tours.plan).toBeNull();
+    expect(tours.problem).toContain('no longer knows this plan');
+  });
+
+  it('is found again after the page was opened anew, while something of it is under way', () => {
+    const tours = new Tours({} as ConstructorParameters<typeof Tours>[0]);
+    tours.hear(plan({ id: 'old', state: 'finished', result: RESULT }));
+    expect(tours.plan).toBeNull();
+    expect(tours.others.map((one) => one.id)).toEqual(['old']);
+    tours.hear(plan({ id: 'running' }));
+    expect(tours.plan?.id).toBe('running');
+    tours.forget('running');
     expect(tours.plan).toBeNull();
   });
 });

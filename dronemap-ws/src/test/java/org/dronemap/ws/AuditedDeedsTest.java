@@ -46,6 +46,13 @@ class AuditedDeedsTest extends DeedTrial {
             "takeOverControl", "<reason>smoke</reason>",
             "handControlOver", "<user>our-other</user>");
 
+    /** Operations of SOAP that are not of one drone, and what makes ready for them. */
+    private static final Map<String, String> PLANNING = Map.of(
+            "planMission", "POST /api/v1/plans",
+            "acceptPlan", "POST /api/v1/plans/{id}/accept",
+            "stopPlan", "POST /api/v1/plans/{id}/stop",
+            "cancelPlan", "DELETE /api/v1/plans/{id}");
+
     @Test
     void eachOperationOfRestThatSucceedsLeavesOneRecordThatSaysSo() {
         List<String> wrong = new ArrayList<>();
@@ -111,13 +118,15 @@ class AuditedDeedsTest extends DeedTrial {
                 continue;
             }
             beReadyFor(operation);
+            String elements = elements(operation);
             int before = house.records().size();
-            String answer = soap(operation);
+            String answer = soap(operation, elements);
             List<AuditEntry> left = since(before);
             boolean right = !answer.contains("Fault>")
                     && left.size() == 1
                     && left.get(0).face().equals("soap")
-                    && vehicle.id().equals(left.get(0).drone())
+                    && (PLANNING.containsKey(operation)
+                            || vehicle.id().equals(left.get(0).drone()))
                     && left.get(0).by() != null
                     && DONE.contains(left.get(0).outcome());
             if (!right) {
@@ -149,10 +158,22 @@ class AuditedDeedsTest extends DeedTrial {
         }
     }
 
-    private String soap(String operation) {
+    private String elements(String operation) {
+        String asRest = PLANNING.get(operation);
+        if (asRest == null) {
+            return "<droneId>" + vehicle.id() + "</droneId>" + ELEMENTS.getOrDefault(operation, "");
+        }
+        Deeds.Deed deed = deed(asRest).orElseThrow();
+        return operation.equals("planMission")
+                ? "<droneId>" + deed.body().split("\"", 5)[3] + "</droneId><visit>" + HERE
+                        + "<altitude>20</altitude></visit><seconds>0.1</seconds>"
+                : "<planId>" + deed.path().split("/")[4] + "</planId>";
+    }
+
+    private String soap(String operation, String elements) {
         String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
-                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + "><droneId>" + vehicle.id()
-                + "</droneId>" + ELEMENTS.getOrDefault(operation, "") + "</w:" + operation + "></s:Body></s:Envelope>";
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + elements + "</w:"
+                + operation + "></s:Body></s:Envelope>";
         return estate.administrator()
                 .http()
                 .send(

@@ -1,6 +1,7 @@
 package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
@@ -17,10 +18,17 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.MAVLinkController;
+import org.dronemap.ws.soap.SoapPlan;
+import org.dronemap.ws.soap.SoapStop;
+import org.dronemap.ws.soap.SoapTour;
+import org.dronemap.ws.soap.SoapVisit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -320,6 +328,32 @@ class PlansTest {
 
     private static int delete(Http http, String id) {
         return http.send(PATH + "/" + id, HttpRequest.Builder::DELETE).status();
+    }
+
+    @Test
+    void goTheSameWayThroughSoap() throws DronemapFault {
+        MAVLinkController soap = SoapClient.withKey(house, key);
+        SoapVisit near = SoapVisit.at(LATITUDE + 0.0008, LONGITUDE, 30.0);
+        SoapVisit far = SoapVisit.at(LATITUDE + 0.0012, LONGITUDE + 0.0008, 30.0);
+        assertThatThrownBy(() -> soap.planMission(
+                        List.of(falcon.id()), List.of(SoapVisit.at(95.0, LONGITUDE, 30.0)), null, null, null))
+                .hasMessageContaining("waypoints[0].latitude");
+        SoapPlan asked = soap.planMission(List.of(falcon.id(), heron.id()), List.of(near, far), null, null, 0.1);
+        Waiting.until(
+                "the plan is finished",
+                () -> Optional.of(operator.get(PATH + "/" + asked.getPlanId()))
+                        .filter(plan -> plan.text("state").equals("finished")));
+        assertThat(soap.getPlan(asked.getPlanId()).getTour()).isNotEmpty();
+
+        SoapPlan flown = soap.acceptPlan(asked.getPlanId(), true, null);
+        assertThat(flown.getTour()).extracting(SoapTour::getStage).containsOnly("started");
+        assertThat(flown.getTour().stream().flatMap(tour -> tour.getStop().stream()))
+                .extracting(SoapStop::getWaypoint)
+                .containsExactlyInAnyOrder("1", "2");
+        assertThatThrownBy(() -> soap.stopPlan(asked.getPlanId()))
+                .hasMessageContaining("Nobody of this plan waits for a start.");
+        soap.cancelPlan(asked.getPlanId());
+        assertThatThrownBy(() -> soap.getPlan(asked.getPlanId())).hasMessageContaining("There is no plan");
     }
 
     @Test

@@ -111,11 +111,8 @@ class RightsTest {
     }
 
     private boolean mayCallSoap(String operation, Caller caller) {
-        Map<String, String> of = switch (operation) {
-            case "getDronesList" -> Map.of();
-            case "getCommand" -> Map.of("commandId", "nosuchcommand");
-            default -> Map.of("droneId", "nosuchdrone");
-        };
+        Map<String, String> of =
+                operation.equals("getDronesList") ? Map.of() : Map.of(Faces.elementOf(operation), "nosuchthing");
         String answer = faces.soap(callers.get(caller), operation, of);
         boolean refused = answer.contains("<code>not-signed-in</code>") || answer.contains("<code>forbidden</code>");
         assertThat(refused || answer.contains("<code>unknown</code>") || answer.contains("getDronesListResponse"))

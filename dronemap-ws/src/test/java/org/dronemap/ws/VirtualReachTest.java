@@ -7,10 +7,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.RightsTable;
@@ -107,10 +109,9 @@ class VirtualReachTest extends ReachTrial {
             }
         }
         for (String operation : faces.soap()) {
-            if (!operation.equals("getDronesList")) {
-                boolean command = operation.equals("getCommand");
-                String thing = own.thing(command ? "commands" : "drones").orElseThrow();
-                alikeInSoap(member, operation, command ? "commandId" : "droneId", thing);
+            Optional<String> thing = own.thing(Faces.kindOf(operation));
+            if (!operation.equals("getDronesList") && thing.isPresent()) {
+                alikeInSoap(member, operation, Faces.elementOf(operation), thing.get());
                 cells++;
             }
         }

@@ -19,6 +19,7 @@ public final class AuditRules {
             "getParameters",
             "getCommand",
             "getControl",
+            "getPlan",
             "controlHeartbeat");
     private static final Set<String> LEFT_OUT_OF_STREAM = Set.of("ping", "subscribe");
 

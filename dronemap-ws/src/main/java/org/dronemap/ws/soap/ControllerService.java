@@ -36,18 +36,21 @@ public class ControllerService implements MAVLinkController {
     private final CommandService commands;
     private final ControlService controls;
     private final ParameterService parameters;
+    private final SoapPlans plans;
 
     public ControllerService(
             SoapCaller caller,
             DroneService drones,
             CommandService commands,
             ControlService controls,
-            ParameterService parameters) {
+            ParameterService parameters,
+            SoapPlans plans) {
         this.caller = caller;
         this.drones = drones;
         this.commands = commands;
         this.controls = controls;
         this.parameters = parameters;
+        this.plans = plans;
     }
 
     @Override
@@ -214,6 +217,41 @@ public class ControllerService implements MAVLinkController {
     private SoapControl control(String droneId, ControlAction action, ControlRequestView with) throws DronemapFault {
         return answer(() -> SoapControl.of(
                 controls.act(caller.principal(), droneId, action, with).control()));
+    }
+
+    @Override
+    public SoapPlan planMission(
+            @Nullable List<String> droneIds,
+            @Nullable List<SoapVisit> visits,
+            @Nullable SoapObjective objective,
+            @Nullable SoapWind wind,
+            @Nullable Double seconds)
+            throws DronemapFault {
+        return answer(() -> plans.ask(new SoapPlans.Wish(droneIds, visits, objective, wind, seconds)));
+    }
+
+    @Override
+    public SoapPlan getPlan(String planId) throws DronemapFault {
+        return answer(() -> plans.plan(planId));
+    }
+
+    @Override
+    public SoapPlan acceptPlan(String planId, @Nullable Boolean start, @Nullable String onCloudLoss)
+            throws DronemapFault {
+        return answer(() -> plans.accept(planId, start, onCloudLoss));
+    }
+
+    @Override
+    public SoapPlan stopPlan(String planId) throws DronemapFault {
+        return answer(() -> plans.stop(planId));
+    }
+
+    @Override
+    public void cancelPlan(String planId) throws DronemapFault {
+        answer(() -> {
+            plans.cancel(planId);
+            return planId;
+        });
     }
 
     @Override

@@ -13,6 +13,8 @@ public interface MAVLinkController {
     String DRONE = "droneId";
     String OUTCOME = "commandOutcome";
     String CONTROL = "control";
+    String PLAN = "plan";
+    String PLAN_ID = "planId";
 
     @WebMethod
     @WebResult(name = "drone")
@@ -167,6 +169,39 @@ public interface MAVLinkController {
     @WebMethod
     @WebResult(name = CONTROL)
     SoapControl giveControlBack(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** Shares the visits out among the drones, in the background: ask for it by getPlan until it is finished. */
+    @WebMethod
+    @WebResult(name = PLAN)
+    SoapPlan planMission(
+            @WebParam(name = DRONE) @Nullable List<String> droneIds,
+            @WebParam(name = "visit") @Nullable List<SoapVisit> visits,
+            @WebParam(name = "objective") @Nullable SoapObjective objective,
+            @WebParam(name = "wind") @Nullable SoapWind wind,
+            @WebParam(name = "seconds") @Nullable Double seconds)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = PLAN)
+    SoapPlan getPlan(@WebParam(name = PLAN_ID) String planId) throws DronemapFault;
+
+    /** Uploads each drone's mission and, with {@code start}, starts the drones; {@code underWay}: not all is done yet. */
+    @WebMethod
+    @WebResult(name = PLAN)
+    SoapPlan acceptPlan(
+            @WebParam(name = PLAN_ID) String planId,
+            @WebParam(name = "start") @Nullable Boolean start,
+            @WebParam(name = "onCloudLoss") @Nullable String onCloudLoss)
+            throws DronemapFault;
+
+    /** Nobody else of an accepted plan is started. */
+    @WebMethod
+    @WebResult(name = PLAN)
+    SoapPlan stopPlan(@WebParam(name = PLAN_ID) String planId) throws DronemapFault;
+
+    /** Cancels one that is searched for; forgets one that has ended. */
+    @WebMethod
+    void cancelPlan(@WebParam(name = PLAN_ID) String planId) throws DronemapFault;
 
     @WebMethod
     @WebResult(name = OUTCOME)

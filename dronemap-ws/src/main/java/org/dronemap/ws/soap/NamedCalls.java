@@ -1,6 +1,8 @@
 package org.dronemap.ws.soap;
 
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import javax.xml.namespace.QName;
 import org.apache.cxf.message.Exchange;
 import org.apache.cxf.message.Message;
@@ -12,16 +14,23 @@ import org.dronemap.ws.service.AuditRules;
 
 /** Notes which operation a call is of, and of which drone, for the record that it leaves. */
 final class NamedCalls extends AbstractPhaseInterceptor<Message> {
+    /** The first value of these is no drone's id. */
+    private static final Set<String> OF_PLANS = Set.of("acceptPlan", "stopPlan", "cancelPlan");
+
     NamedCalls() {
         super(Phase.PRE_INVOKE);
     }
 
     @Override
     public void handleMessage(Message message) {
-        note(message.getExchange());
+        Exchange exchange = message.getExchange();
+        note(exchange);
         List<?> arguments = message.getContent(List.class);
         if (arguments != null) {
-            Activity.current().ifPresent(call -> note(call, arguments));
+            String operation = exchange.getBindingOperationInfo() == null
+                    ? ""
+                    : exchange.getBindingOperationInfo().getName().getLocalPart();
+            Activity.current().ifPresent(call -> note(call, OF_PLANS.contains(operation), arguments));
         }
     }
 
@@ -38,12 +47,19 @@ final class NamedCalls extends AbstractPhaseInterceptor<Message> {
         }
     }
 
-    /** Each operation that changes something is of a drone; of the rest only what are plain values. */
-    private static void note(Activity call, List<?> arguments) {
+    /** Most operations that change something are of one drone; of the rest only what are plain values. */
+    private static void note(Activity call, boolean ofPlan, List<?> arguments) {
         for (int i = 0; i < arguments.size(); i++) {
             Object value = arguments.get(i);
-            if (i == 0 && value instanceof String drone) {
-                call.drone(AuditNotes.told(drone));
+            if (i == 0 && value instanceof String thing) {
+                if (ofPlan) {
+                    call.parameters("planId=" + AuditNotes.told(thing));
+                } else {
+                    call.drone(AuditNotes.told(thing));
+                }
+            } else if (value instanceof List<?> drones && drones.stream().allMatch(String.class::isInstance)) {
+                String told = drones.stream().map(String::valueOf).collect(Collectors.joining(" "));
+                call.parameters("drones=" + AuditNotes.told(told));
             } else if (value instanceof String text) {
                 call.parameters(AuditNotes.told(text), "");
             } else if (value instanceof Number || value instanceof Boolean) {

@@ -1,8 +1,7 @@
 package org.dronemap.ws.soap;
 
-import jakarta.xml.bind.annotation.XmlType;
+import java.lang.reflect.Field;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.apache.cxf.interceptor.Fault;
@@ -20,8 +19,12 @@ import org.dronemap.ws.service.Problem;
  */
 final class StrictElements extends AbstractPhaseInterceptor<Message> {
     private static final Set<String> TRUTH_VALUES = Set.of("true", "false", "1", "0");
-    private static final List<String> OF_A_WAYPOINT =
-            List.of(SoapWaypoint.class.getAnnotation(XmlType.class).propOrder());
+    /** What has members of its own. */
+    private static final Map<String, Class<?>> COMPOUND = Map.of(
+            "waypoint", SoapWaypoint.class,
+            "visit", SoapVisit.class,
+            "objective", SoapObjective.class,
+            "wind", SoapWind.class);
 
     StrictElements() {
         super(Phase.PRE_LOGICAL);
@@ -55,8 +58,11 @@ final class StrictElements extends AbstractPhaseInterceptor<Message> {
         for (MessagePartInfo part : unwrapped.getInput().getMessageParts()) {
             String name = part.getConcreteName().getLocalPart();
             known.put(name, part.getTypeClass());
-            if (name.equals("waypoint")) {
-                OF_A_WAYPOINT.forEach(member -> known.put(name + "." + member, Object.class));
+            Class<?> compound = COMPOUND.get(name);
+            if (compound != null) {
+                for (Field member : compound.getDeclaredFields()) {
+                    known.put(name + "." + member.getName(), member.getType());
+                }
             }
         }
         return known;

@@ -19,7 +19,7 @@ final class Whereabouts extends StreamReaderDelegate {
     /** The parser counts them by its settings of before any message, which cannot be changed from here. */
     private static final int MOST_ATTRIBUTES = 50;
     /** What may stand more than once is numbered from the first on. */
-    private static final Set<String> REPEATED = Set.of("waypoint");
+    private static final Set<String> REPEATED = Set.of("waypoint", "visit");
 
     private final Deque<Element> open = new ArrayDeque<>();
     private final Map<String, Value> seen = new LinkedHashMap<>();

@@ -11,10 +11,12 @@ import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.ParameterService;
+import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.soap.ControllerService;
 import org.dronemap.ws.soap.KnownServices;
 import org.dronemap.ws.soap.SoapCaller;
 import org.dronemap.ws.soap.SoapEndpoint;
+import org.dronemap.ws.soap.SoapPlans;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.boot.web.servlet.ServletRegistrationBean;
 import org.springframework.context.annotation.Bean;
@@ -34,15 +36,20 @@ public class SoapConfiguration {
         return new SoapCaller(authentication, budgets);
     }
 
-    @Bean(destroyMethod = "stop")
-    EndpointImpl soapEndpoint(
-            Bus soapBus,
+    @Bean
+    ControllerService controllerService(
             SoapCaller caller,
             DroneService drones,
             CommandService commands,
             ControlService controls,
-            ParameterService parameters) {
-        return SoapEndpoint.publish(soapBus, new ControllerService(caller, drones, commands, controls, parameters));
+            ParameterService parameters,
+            PlanService plans) {
+        return new ControllerService(caller, drones, commands, controls, parameters, new SoapPlans(caller, plans));
+    }
+
+    @Bean(destroyMethod = "stop")
+    EndpointImpl soapEndpoint(Bus soapBus, ControllerService controllerService) {
+        return SoapEndpoint.publish(soapBus, controllerService);
     }
 
     @Bean

@@ -76,6 +76,24 @@ public final class Faces {
                                         method.equals("GET") ? "" : BODIES.getOrDefault(operation, "{}"))));
     }
 
+    /** The element that names what an operation of SOAP is about. */
+    public static String elementOf(String operation) {
+        return switch (operation) {
+            case "getCommand" -> "commandId";
+            case "getPlan", "acceptPlan", "stopPlan", "cancelPlan" -> "planId";
+            default -> "droneId";
+        };
+    }
+
+    /** What kind of thing that is. */
+    public static String kindOf(String operation) {
+        return switch (elementOf(operation)) {
+            case "commandId" -> "commands";
+            case "planId" -> "plans";
+            default -> "drones";
+        };
+    }
+
     /** The whole answer; {@code values} are the elements of the call. */
     public String soap(Http caller, String operation, Map<String, String> values) {
         String elements = values.entrySet().stream()

@@ -1,0 +1,18 @@
+/** What a waypoint asks for beside its place; null: nothing in particular. */
+export interface Demand {
+  priority: number | null;
+  /** Seconds after the start of the plan. */
+  opens: number | null;
+  closes: number | null;
+  picture: boolean;
+}
+
+export const NO_DEMAND: Demand = { priority: null, opens: null, closes: null, picture: false };
+
+/** How much a waypoint weighs beside others when not all can be visited. */
+export const PRIORITIES: [number | null, string][] = [
+  [0.1, 'low'],
+  [null, 'usual'],
+  [10, 'high'],
+  [1000, 'before all others'],
+];
