@@ -120,6 +120,10 @@ class HiddenDroneTest {
                 () -> run(holder, id).path("flown").asInt() == 1 ? Optional.of(true) : Optional.empty());
         supervisor.post("/api/v1/drones/" + falcon.id() + "/commands?wait=10", "{\"type\":\"hold\"}");
         await(holder, id, "suspended");
+        assertThat(run(supervisor, id).path("detail").asString(""))
+                .as("what it said")
+                .isNotEmpty();
+        assertThat(run(holder, id).path("detail").isNull()).isTrue();
         search("suspended", holder, falcon, id);
         falcon.isOnGround();
         keep("resume", holder.post(PATH + "/" + id + "/resume", "{}"));

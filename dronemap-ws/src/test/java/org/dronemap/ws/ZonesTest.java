@@ -6,8 +6,14 @@ import static org.awaitility.Awaitility.await;
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.EnumSet;
+import java.util.Set;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.event.DroneEvent;
@@ -230,6 +236,27 @@ class ZonesTest {
                             .path("id")
                             .asString())
                     .isEqualTo(id);
+        }
+    }
+
+    @Test
+    void showsZonesOfADroneToThoseAloneWhoSeeIt() {
+        String own = "\"name\":\"Its own\",\"drone\":\"" + vehicle.id() + "\"";
+        String id = supervisor.post(ZONES, feature(NORTH, own)).text("id");
+        KeyScope another = new KeyScope(Set.of(new DroneId("another-1")), EnumSet.allOf(Permission.class));
+        String key = house.key(new KeyRights(Role.OPERATOR, another, null));
+        Http blind = new Http(house, key);
+
+        assertThat(blind.get(ZONES).json().path("features").size()).isZero();
+        assertThat(blind.get(ZONES + "/" + id).status()).isEqualTo(404);
+        assertThat(operator.get(ZONES).json().path("features").size()).isEqualTo(1);
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> isType(message, "drones"));
+            supervisor.post(ZONES, feature(HERE, own));
+            supervisor.post(ZONES, feature(NORTH, "\"name\":\"Everybody's\""));
+            stream.await(message -> isType(message, "zone"));
+
+            assertThat(stream.heard().toString()).contains("Everybody's").doesNotContain("Its own", vehicle.id());
         }
     }
 
