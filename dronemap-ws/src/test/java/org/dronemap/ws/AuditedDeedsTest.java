@@ -16,6 +16,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.house.Deeds;
+import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.StreamListener;
@@ -47,11 +48,16 @@ class AuditedDeedsTest extends DeedTrial {
             "handControlOver", "<user>our-other</user>");
 
     /** Operations of SOAP that are not of one drone, and what makes ready for them. */
-    private static final Map<String, String> PLANNING = Map.of(
+    private static final Map<String, String> AS_REST = Map.of(
             "planMission", "POST /api/v1/plans",
             "acceptPlan", "POST /api/v1/plans/{id}/accept",
             "stopPlan", "POST /api/v1/plans/{id}/stop",
-            "cancelPlan", "DELETE /api/v1/plans/{id}");
+            "cancelPlan", "DELETE /api/v1/plans/{id}",
+            "createVirtualDrone", "POST /api/v1/virtual-drones",
+            "startVirtualDrone", "POST /api/v1/virtual-drones/{id}/start",
+            "stopVirtualDrone", "POST /api/v1/virtual-drones/{id}/stop",
+            "resumeVirtualDrone", "POST /api/v1/virtual-drones/{id}/resume",
+            "removeVirtualDrone", "DELETE /api/v1/virtual-drones/{id}");
 
     @Test
     void eachOperationOfRestThatSucceedsLeavesOneRecordThatSaysSo() {
@@ -125,7 +131,7 @@ class AuditedDeedsTest extends DeedTrial {
             boolean right = !answer.contains("Fault>")
                     && left.size() == 1
                     && left.get(0).face().equals("soap")
-                    && (PLANNING.containsKey(operation)
+                    && (AS_REST.containsKey(operation)
                             || vehicle.id().equals(left.get(0).drone()))
                     && left.get(0).by() != null
                     && DONE.contains(left.get(0).outcome());
@@ -159,15 +165,19 @@ class AuditedDeedsTest extends DeedTrial {
     }
 
     private String elements(String operation) {
-        String asRest = PLANNING.get(operation);
+        String asRest = AS_REST.get(operation);
         if (asRest == null) {
             return "<droneId>" + vehicle.id() + "</droneId>" + ELEMENTS.getOrDefault(operation, "");
         }
         Deeds.Deed deed = deed(asRest).orElseThrow();
-        return operation.equals("planMission")
-                ? "<droneId>" + deed.body().split("\"", 5)[3] + "</droneId><visit>" + HERE
-                        + "<altitude>20</altitude></visit><seconds>0.1</seconds>"
-                : "<planId>" + deed.path().split("/")[4] + "</planId>";
+        if (operation.equals("planMission")) {
+            return "<droneId>" + deed.body().split("\"", 5)[3] + "</droneId><visit>" + HERE
+                    + "<altitude>20</altitude></visit><seconds>0.1</seconds>";
+        }
+        String element = Faces.elementOf(operation);
+        String about =
+                operation.equals("createVirtualDrone") ? "Survey" : deed.path().split("/")[4];
+        return "<" + element + ">" + about + "</" + element + ">";
     }
 
     private String soap(String operation, String elements) {

@@ -142,8 +142,8 @@ class GrantedReachTest extends ReachTrial {
             for (String operation : faces.soap()) {
                 String element = Faces.elementOf(operation);
                 String kind = Faces.kindOf(operation);
-                // Plans are their owner's alone, which PlansTest looks after.
-                if (operation.equals("getDronesList") || own.thing(kind).isEmpty()) {
+                // Plans and virtual drones are their owner's alone, which PlansTest and VirtualReachTest look after.
+                if (Faces.isList(operation) || own.thing(kind).isEmpty()) {
                     continue;
                 }
                 Map<String, String> values = new LinkedHashMap<>();

@@ -1,10 +1,12 @@
 package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.access.KeyRights;
@@ -16,9 +18,14 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.MAVLinkController;
+import org.dronemap.ws.soap.SoapVirtualDrone;
+import org.dronemap.ws.soap.SoapWaypoint;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -203,6 +210,47 @@ class VirtualDronesTest {
         assertThat(operator.post(PATH + "/" + empty + "/start", "{\"onCloudLoss\":\"panic\"}")
                         .text("allowed"))
                 .isEqualTo("continue or rtl");
+    }
+
+    @Test
+    void flyTheSameWayThroughSoap() throws DronemapFault {
+        WillingCopter falcon = falcon();
+        offer(falcon);
+        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.OPERATOR));
+        List<SoapWaypoint> way = List.of(SoapWaypoint.at(47.398, 8.5456, 20.0), SoapWaypoint.at(47.399, 8.5456, 20.0));
+        assertThatThrownBy(() -> soap.createVirtualDrone("Survey", "bird", null, null, way))
+                .hasMessageContaining("needs.kind");
+        SoapVirtualDrone made = soap.createVirtualDrone("Survey", "multicopter", null, null, way);
+        String id = made.getVirtualDroneId();
+        assertThat(made.getState()).isNull();
+        assertThat(made.getWaypoint()).hasSizeGreaterThanOrEqualTo(2);
+        assertThat(soap.getVirtualDronesList())
+                .extracting(SoapVirtualDrone::getName)
+                .containsExactly("Survey");
+        assertThatThrownBy(() -> soap.startVirtualDrone(id, "fly")).hasMessageContaining("onCloudLoss");
+
+        soap.startVirtualDrone(id, "rtl");
+        Waiting.until(
+                "it flies",
+                () -> Optional.ofNullable(through(soap, id)).filter(now -> "flying".equals(now.getState())));
+        assertThat(through(soap, id).getDroneId()).isEqualTo(falcon.id());
+        assertThatThrownBy(() -> soap.removeVirtualDrone(id)).hasMessageContaining("stop it first");
+        assertThatThrownBy(() -> soap.resumeVirtualDrone(id)).hasMessageContaining("It does not wait");
+        soap.stopVirtualDrone(id);
+        falcon.isOnGround();
+        Waiting.until(
+                "it is stopped",
+                () -> Optional.ofNullable(through(soap, id)).filter(now -> "stopped".equals(now.getState())));
+        soap.removeVirtualDrone(id);
+        assertThatThrownBy(() -> soap.getVirtualDrone(id)).hasMessageContaining("There is no virtual drone");
+    }
+
+    private static SoapVirtualDrone through(MAVLinkController soap, String id) {
+        try {
+            return soap.getVirtualDrone(id);
+        } catch (DronemapFault fault) {
+            throw new AssertionError(fault);
+        }
     }
 
     @Test

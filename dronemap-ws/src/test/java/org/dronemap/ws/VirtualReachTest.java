@@ -74,6 +74,31 @@ class VirtualReachTest extends ReachTrial {
     }
 
     @Test
+    void answersThoseOfOthersAsAbsentOnesThroughSoap() {
+        String colleagues = own.thing("virtual-drones").orElseThrow();
+        String foreigns = foreign.thing("virtual-drones").orElseThrow();
+        int cells = 0;
+        for (Role role : Role.values()) {
+            for (String operation : faces.soap()) {
+                if (!Faces.elementOf(operation).equals("virtualDroneId")) {
+                    continue;
+                }
+                alikeInSoap(ours.get(role), operation, "virtualDroneId", foreigns);
+                if (!role.includes(Role.SUPERVISOR)) {
+                    alikeInSoap(ours.get(role), operation, "virtualDroneId", colleagues);
+                }
+                cells++;
+            }
+            String list = faces.soap(ours.get(role).http(), "getVirtualDronesList", Map.of());
+            if (list.contains(foreigns) || (!role.includes(Role.SUPERVISOR) && list.contains(colleagues))) {
+                wrong.add("getVirtualDronesList for " + role + ": " + list);
+            }
+        }
+        assertThat(wrong).isEmpty();
+        assertThat(cells).isGreaterThan(20);
+    }
+
+    @Test
     void opensThemToWhatWasGrantedWithVirtualDronesAndRealOnesNot() {
         int cells = 0;
         for (Role role : List.of(Role.VIEWER, Role.PLANNER, Role.OPERATOR, Role.SUPERVISOR, Role.ADMINISTRATOR)) {
@@ -110,7 +135,7 @@ class VirtualReachTest extends ReachTrial {
         }
         for (String operation : faces.soap()) {
             Optional<String> thing = own.thing(Faces.kindOf(operation));
-            if (!operation.equals("getDronesList") && thing.isPresent()) {
+            if (!Faces.isList(operation) && thing.isPresent()) {
                 alikeInSoap(member, operation, Faces.elementOf(operation), thing.get());
                 cells++;
             }

@@ -20,6 +20,8 @@ public final class AuditRules {
             "getCommand",
             "getControl",
             "getPlan",
+            "getVirtualDronesList",
+            "getVirtualDrone",
             "controlHeartbeat");
     private static final Set<String> LEFT_OUT_OF_STREAM = Set.of("ping", "subscribe");
 

@@ -37,6 +37,7 @@ public class ControllerService implements MAVLinkController {
     private final ControlService controls;
     private final ParameterService parameters;
     private final SoapPlans plans;
+    private final SoapVirtualDrones virtuals;
 
     public ControllerService(
             SoapCaller caller,
@@ -44,13 +45,14 @@ public class ControllerService implements MAVLinkController {
             CommandService commands,
             ControlService controls,
             ParameterService parameters,
-            SoapPlans plans) {
+            SoapMissions missions) {
         this.caller = caller;
         this.drones = drones;
         this.commands = commands;
         this.controls = controls;
         this.parameters = parameters;
-        this.plans = plans;
+        this.plans = missions.plans();
+        this.virtuals = missions.virtuals();
     }
 
     @Override
@@ -251,6 +253,51 @@ public class ControllerService implements MAVLinkController {
         answer(() -> {
             plans.cancel(planId);
             return planId;
+        });
+    }
+
+    @Override
+    public List<SoapVirtualDrone> getVirtualDronesList() throws DronemapFault {
+        return answer(virtuals::all);
+    }
+
+    @Override
+    public SoapVirtualDrone getVirtualDrone(String virtualDroneId) throws DronemapFault {
+        return answer(() -> virtuals.one(virtualDroneId));
+    }
+
+    @Override
+    public SoapVirtualDrone createVirtualDrone(
+            @Nullable String name,
+            @Nullable String kind,
+            @Nullable Integer enduranceMinutes,
+            @Nullable List<String> needs,
+            @Nullable List<SoapWaypoint> waypoints)
+            throws DronemapFault {
+        return answer(() -> virtuals.make(new SoapVirtualDrones.Wish(name, kind, enduranceMinutes, needs, waypoints)));
+    }
+
+    @Override
+    public SoapVirtualDrone startVirtualDrone(String virtualDroneId, @Nullable String onCloudLoss)
+            throws DronemapFault {
+        return answer(() -> virtuals.start(virtualDroneId, onCloudLoss));
+    }
+
+    @Override
+    public SoapVirtualDrone stopVirtualDrone(String virtualDroneId) throws DronemapFault {
+        return answer(() -> virtuals.stop(virtualDroneId));
+    }
+
+    @Override
+    public SoapVirtualDrone resumeVirtualDrone(String virtualDroneId) throws DronemapFault {
+        return answer(() -> virtuals.resume(virtualDroneId));
+    }
+
+    @Override
+    public void removeVirtualDrone(String virtualDroneId) throws DronemapFault {
+        answer(() -> {
+            virtuals.remove(virtualDroneId);
+            return virtualDroneId;
         });
     }
 

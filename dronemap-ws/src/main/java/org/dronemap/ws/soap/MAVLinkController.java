@@ -15,6 +15,8 @@ public interface MAVLinkController {
     String CONTROL = "control";
     String PLAN = "plan";
     String PLAN_ID = "planId";
+    String VIRTUAL = "virtualDrone";
+    String VIRTUAL_ID = "virtualDroneId";
 
     @WebMethod
     @WebResult(name = "drone")
@@ -202,6 +204,46 @@ public interface MAVLinkController {
     /** Cancels one that is searched for; forgets one that has ended. */
     @WebMethod
     void cancelPlan(@WebParam(name = PLAN_ID) String planId) throws DronemapFault;
+
+    /** One's own; of all of the organisation for its supervisors. */
+    @WebMethod
+    @WebResult(name = VIRTUAL)
+    List<SoapVirtualDrone> getVirtualDronesList() throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = VIRTUAL)
+    SoapVirtualDrone getVirtualDrone(@WebParam(name = VIRTUAL_ID) String virtualDroneId) throws DronemapFault;
+
+    /** Kind, endurance and needs (names of actions) say what a drone must be to serve. */
+    @WebMethod
+    @WebResult(name = VIRTUAL)
+    SoapVirtualDrone createVirtualDrone(
+            @WebParam(name = "name") @Nullable String name,
+            @WebParam(name = "kind") @Nullable String kind,
+            @WebParam(name = "enduranceMinutes") @Nullable Integer enduranceMinutes,
+            @WebParam(name = "need") @Nullable List<String> needs,
+            @WebParam(name = "waypoint") @Nullable List<SoapWaypoint> waypoints)
+            throws DronemapFault;
+
+    /** Asks for a drone to fly its mission: ask for it by getVirtualDrone until it is done. */
+    @WebMethod
+    @WebResult(name = VIRTUAL)
+    SoapVirtualDrone startVirtualDrone(
+            @WebParam(name = VIRTUAL_ID) String virtualDroneId,
+            @WebParam(name = "onCloudLoss") @Nullable String onCloudLoss)
+            throws DronemapFault;
+
+    /** Calls the drone home that serves it. */
+    @WebMethod
+    @WebResult(name = VIRTUAL)
+    SoapVirtualDrone stopVirtualDrone(@WebParam(name = VIRTUAL_ID) String virtualDroneId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = VIRTUAL)
+    SoapVirtualDrone resumeVirtualDrone(@WebParam(name = VIRTUAL_ID) String virtualDroneId) throws DronemapFault;
+
+    @WebMethod
+    void removeVirtualDrone(@WebParam(name = VIRTUAL_ID) String virtualDroneId) throws DronemapFault;
 
     @WebMethod
     @WebResult(name = OUTCOME)

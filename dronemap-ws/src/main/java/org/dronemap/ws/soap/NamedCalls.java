@@ -1,7 +1,7 @@
 package org.dronemap.ws.soap;
 
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 import java.util.stream.Collectors;
 import javax.xml.namespace.QName;
 import org.apache.cxf.message.Exchange;
@@ -11,11 +11,20 @@ import org.apache.cxf.phase.Phase;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.AuditRules;
+import org.jspecify.annotations.Nullable;
 
 /** Notes which operation a call is of, and of which drone, for the record that it leaves. */
 final class NamedCalls extends AbstractPhaseInterceptor<Message> {
     /** The first value of these is no drone's id. */
-    private static final Set<String> OF_PLANS = Set.of("acceptPlan", "stopPlan", "cancelPlan");
+    private static final Map<String, String> OF_OTHER_THINGS = Map.of(
+            "acceptPlan", MAVLinkController.PLAN_ID,
+            "stopPlan", MAVLinkController.PLAN_ID,
+            "cancelPlan", MAVLinkController.PLAN_ID,
+            "createVirtualDrone", "name",
+            "startVirtualDrone", MAVLinkController.VIRTUAL_ID,
+            "stopVirtualDrone", MAVLinkController.VIRTUAL_ID,
+            "resumeVirtualDrone", MAVLinkController.VIRTUAL_ID,
+            "removeVirtualDrone", MAVLinkController.VIRTUAL_ID);
 
     NamedCalls() {
         super(Phase.PRE_INVOKE);
@@ -30,7 +39,7 @@ final class NamedCalls extends AbstractPhaseInterceptor<Message> {
             String operation = exchange.getBindingOperationInfo() == null
                     ? ""
                     : exchange.getBindingOperationInfo().getName().getLocalPart();
-            Activity.current().ifPresent(call -> note(call, OF_PLANS.contains(operation), arguments));
+            Activity.current().ifPresent(call -> note(call, OF_OTHER_THINGS.get(operation), arguments));
         }
     }
 
@@ -48,14 +57,14 @@ final class NamedCalls extends AbstractPhaseInterceptor<Message> {
     }
 
     /** Most operations that change something are of one drone; of the rest only what are plain values. */
-    private static void note(Activity call, boolean ofPlan, List<?> arguments) {
+    private static void note(Activity call, @Nullable String first, List<?> arguments) {
         for (int i = 0; i < arguments.size(); i++) {
             Object value = arguments.get(i);
             if (i == 0 && value instanceof String thing) {
-                if (ofPlan) {
-                    call.parameters("planId=" + AuditNotes.told(thing));
-                } else {
+                if (first == null) {
                     call.drone(AuditNotes.told(thing));
+                } else {
+                    call.parameters(first + "=" + AuditNotes.told(thing));
                 }
             } else if (value instanceof List<?> drones && drones.stream().allMatch(String.class::isInstance)) {
                 String told = drones.stream().map(String::valueOf).collect(Collectors.joining(" "));

@@ -12,11 +12,14 @@ import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PlanService;
+import org.dronemap.ws.service.VirtualDroneService;
 import org.dronemap.ws.soap.ControllerService;
 import org.dronemap.ws.soap.KnownServices;
 import org.dronemap.ws.soap.SoapCaller;
 import org.dronemap.ws.soap.SoapEndpoint;
+import org.dronemap.ws.soap.SoapMissions;
 import org.dronemap.ws.soap.SoapPlans;
+import org.dronemap.ws.soap.SoapVirtualDrones;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.boot.web.servlet.ServletRegistrationBean;
 import org.springframework.context.annotation.Bean;
@@ -43,8 +46,13 @@ public class SoapConfiguration {
             CommandService commands,
             ControlService controls,
             ParameterService parameters,
-            PlanService plans) {
-        return new ControllerService(caller, drones, commands, controls, parameters, new SoapPlans(caller, plans));
+            SoapMissions missions) {
+        return new ControllerService(caller, drones, commands, controls, parameters, missions);
+    }
+
+    @Bean
+    SoapMissions soapMissions(SoapCaller caller, PlanService plans, VirtualDroneService virtuals) {
+        return new SoapMissions(new SoapPlans(caller, plans), new SoapVirtualDrones(caller, virtuals));
     }
 
     @Bean(destroyMethod = "stop")

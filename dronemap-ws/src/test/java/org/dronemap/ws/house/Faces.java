@@ -81,8 +81,19 @@ public final class Faces {
         return switch (operation) {
             case "getCommand" -> "commandId";
             case "getPlan", "acceptPlan", "stopPlan", "cancelPlan" -> "planId";
+            case "createVirtualDrone" -> "name";
+            case "getVirtualDrone",
+                    "startVirtualDrone",
+                    "stopVirtualDrone",
+                    "resumeVirtualDrone",
+                    "removeVirtualDrone" -> "virtualDroneId";
             default -> "droneId";
         };
+    }
+
+    /** It is about nothing in particular. */
+    public static boolean isList(String operation) {
+        return operation.endsWith("List");
     }
 
     /** What kind of thing that is. */
@@ -90,6 +101,9 @@ public final class Faces {
         return switch (elementOf(operation)) {
             case "commandId" -> "commands";
             case "planId" -> "plans";
+            case "name" -> "nothing";
+            // Not what an organisation has: they are their owner's alone.
+            case "virtualDroneId" -> "virtual drones of one's own";
             default -> "drones";
         };
     }
