@@ -17,6 +17,7 @@ public final class Allocator {
 
     private static final double ROUNDING = 1e-12;
     private static final int BETWEEN_SURVEYS = 64 * 256;
+    private static final int MOST_RECONNECTIONS = 4;
 
     private final Instance instance;
     private final Costs costs;
@@ -61,7 +62,12 @@ public final class Allocator {
         private final Worth worth = new Worth(tours, costs, instance.aim(), stakes);
         private final GreedyInsertion insertion;
         private final StringRemoval removal;
+        private final Reconnection reconnection;
         private final Cooling cooling;
+        /** Before each ruin: long tours have more of them to find. */
+        private final int reconnections =
+                Math.max(1, Math.min(MOST_RECONNECTIONS, tours.waypoints / tours.drones / 100));
+
         private int[][] best;
         private double bestExact;
         /** The tours are better than {@code best} says. */
@@ -74,6 +80,7 @@ public final class Allocator {
             random = new SplittableRandom(seed);
             insertion = new GreedyInsertion(tours, worth, costs, near, random);
             removal = new StringRemoval(tours, near, random);
+            reconnection = new Reconnection(tours, worth, costs, near, random);
             if (orders != null) {
                 tours.set(new Mending(instance, costs).flyable(orders));
             }
@@ -124,7 +131,22 @@ public final class Allocator {
             return worth.now();
         }
 
-        private double step(double current, double heat) {
+        /** What it changes stays so; not while the tours are the only copy of the best ones. */
+        private double reconnect(double start, double heat) {
+            double current = start;
+            for (int left = reconnections; left > 0 && !atBest; left--) {
+                double now = reconnection.tryOne(current, current - heat * Math.log(random.nextDouble()));
+                if (now != current) {
+                    current = now;
+                    tours.keep();
+                    noteIfBest();
+                }
+            }
+            return current;
+        }
+
+        private double step(double start, double heat) {
+            double current = reconnect(start, heat);
             removal.remove();
             insertion.insertAbsent();
             double candidate = worth.now();
@@ -132,8 +154,7 @@ public final class Allocator {
                 tours.takeBack();
                 return current;
             }
-            double exact = worth.exact();
-            boolean better = exact < bestExact - ROUNDING * Math.abs(bestExact);
+            boolean better = isBest();
             if (!better && atBest) {
                 // Copied when it is left, not each time that it gets better; the step away is given up for that.
                 tours.takeBack();
@@ -142,11 +163,19 @@ public final class Allocator {
                 return current;
             }
             tours.keep();
-            if (better) {
-                bestExact = exact;
+            noteIfBest();
+            return candidate;
+        }
+
+        private boolean isBest() {
+            return worth.exact() < bestExact - ROUNDING * Math.abs(bestExact);
+        }
+
+        private void noteIfBest() {
+            if (isBest()) {
+                bestExact = worth.exact();
                 atBest = true;
             }
-            return candidate;
         }
 
         private Allocation allocation() {

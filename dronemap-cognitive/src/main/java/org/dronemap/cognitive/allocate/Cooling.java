@@ -7,7 +7,7 @@ record Cooling(double hot, double cold) {
     /** In legs of mean length, shared by the drones where only the longest tour matters. */
     private static final double HOT = 5;
 
-    private static final double COLD = 0.1;
+    private static final double COLD = 0.03;
 
     static Cooling of(Instance instance, double total) {
         int drones = instance.carriers().size();

@@ -1,5 +1,6 @@
 package org.dronemap.cognitive.allocate;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import org.dronemap.cognitive.cost.Aim.Measure;
@@ -35,6 +36,7 @@ final class Costs {
     private final boolean alike;
     private final double @Nullable [][] tables;
     private final double @Nullable [] onlyTable;
+    private final boolean unrestricted;
 
     Costs(Instance instance) {
         legs = instance.legs();
@@ -69,6 +71,7 @@ final class Costs {
         int kinds = carriers.stream().mapToInt(Carrier::type).max().orElse(0) + 1;
         tables = (long) places * places * kinds <= LARGEST_TABLE ? tables(kinds) : null;
         onlyTable = tables != null && kinds == 1 ? tables[0] : null;
+        unrestricted = Arrays.stream(allowed).allMatch(drones -> drones.cardinality() == carriers.size());
     }
 
     private double[][] tables(int kinds) {
@@ -157,7 +160,12 @@ final class Costs {
     }
 
     boolean allows(int waypoint, int drone) {
-        return allowed[waypoint].get(drone);
+        return unrestricted || allowed[waypoint].get(drone);
+    }
+
+    /** Whether every drone may serve every waypoint. */
+    boolean unrestricted() {
+        return unrestricted;
     }
 
     /** Whether any waypoint has a window, so that drones may have to wait. */

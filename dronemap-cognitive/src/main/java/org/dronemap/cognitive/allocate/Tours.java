@@ -220,6 +220,78 @@ final class Tours {
         surveyIfTimed(r);
     }
 
+    /** Whether a waypoint comes before another one of the same tour: looks both ways at once. */
+    boolean isBefore(int one, int other) {
+        int ahead = one;
+        int back = one;
+        while (true) {
+            ahead = next[ahead];
+            back = prev[back];
+            if (ahead == other || !isWaypoint(back)) {
+                return true;
+            }
+            if (back == other || !isWaypoint(ahead)) {
+                return false;
+            }
+        }
+    }
+
+    /** Turns a stretch of one tour round; not to be mixed with changes that are to be taken back. */
+    void turn(int from, int to) {
+        int r = drone[from];
+        int before = prev[from];
+        int after = next[to];
+        int place = from;
+        while (place != after) {
+            int following = next[place];
+            next[place] = prev[place];
+            prev[place] = following;
+            place = following;
+        }
+        join(before, to);
+        join(from, after);
+        survey(r);
+    }
+
+    /** What comes after two places of different tours is exchanged; not to be mixed with changes that are to be taken back. */
+    void exchangeTails(int one, int other) {
+        int r = drone[one];
+        int s = drone[other];
+        int mine = next[one];
+        int lastMine = prev[end(r)];
+        int yours = next[other];
+        int lastYours = prev[end(s)];
+        boolean mineIsEmpty = lastMine == one;
+        boolean yoursIsEmpty = lastYours == other;
+        join(one, yoursIsEmpty ? end(r) : yours);
+        join(yoursIsEmpty ? one : lastYours, end(r));
+        join(other, mineIsEmpty ? end(s) : mine);
+        join(mineIsEmpty ? other : lastMine, end(s));
+        takeOver(r);
+        takeOver(s);
+    }
+
+    /** All that is linked up between a drone's start and its end is its own. */
+    private void takeOver(int r) {
+        int count = 0;
+        for (int place = next[start(r)]; place != end(r); place = next[place]) {
+            drone[place] = r;
+            count++;
+        }
+        size[r] = count;
+        survey(r);
+    }
+
+    /** Whether the drone may serve all that is in its tour. */
+    boolean isAllowed(int r) {
+        for (int place = next[start(r)]; place != end(r); place = next[place]) {
+            if (!costs.allows(place, r)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Where drones wait for windows to open, no tour is the sum of its legs. */
     private void surveyIfTimed(int r) {
         if (costs.timed()) {

@@ -112,6 +112,11 @@ final class Worth {
         return Math.max(aim.sumWeight(), TIDINESS * aim.longestWeight() / drones);
     }
 
+    /** What a change of the sum alone comes to, whatever it does to the longest tour. */
+    double ofSum(double moreSum) {
+        return sumWeight * moreSum;
+    }
+
     double leftOut(int waypoint) {
         return stakes.leftOut(waypoint);
     }

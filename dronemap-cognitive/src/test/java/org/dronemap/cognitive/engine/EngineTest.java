@@ -67,4 +67,14 @@ class EngineTest {
                 .orElseThrow();
         assertThat(ends).isGreaterThanOrEqualTo(planned.progress().longestSeconds() - 1e-6);
     }
+
+    @Test
+    void givesTheSamePlanForTheSameSeedAndNumberOfIterations() {
+        for (int seed = 1; seed <= 5; seed++) {
+            Problem problem = problem(seed, 40, 3);
+
+            assertThat(Engine.plan(problem, seed, SHORT, progress -> {}))
+                    .isEqualTo(Engine.plan(problem, seed, SHORT, progress -> {}));
+        }
+    }
 }

@@ -24,8 +24,8 @@ import org.dronemap.bench.planning.TourProblem;
 public final class JspritSolver implements Solver {
     /** What the sum of all tours counts beside the longest, shared by the drones. */
     private static final double SUM_WEIGHT = 0.2;
-    /** How much the length of a tour counts against it when a waypoint is put in. */
-    private static final double BALANCE = 0.08;
+    /** How much the length of a tour counts against it when a waypoint is put in: with less the first plan is one long tour. */
+    private static final double BALANCE = 1;
     /** With regret insertion the first plan of more waypoints takes longer than the search is given. */
     private static final int MOST_REGRETTED = 250;
 
@@ -100,8 +100,7 @@ public final class JspritSolver implements Solver {
     private static VehicleRoutingAlgorithm algorithm(TourProblem problem, VehicleRoutingProblem routing, Order order) {
         StateManager states = new StateManager(routing);
         ConstraintManager constraints = new ConstraintManager(routing, states);
-        double weight = BALANCE / problem.drones();
-        constraints.addConstraint((SoftRouteConstraint) context -> weight * length(context.getRoute()));
+        constraints.addConstraint((SoftRouteConstraint) context -> BALANCE * length(context.getRoute()));
         VehicleRoutingAlgorithm algorithm = Jsprit.Builder.newInstance(routing)
                 .setStateAndConstraintManager(states, constraints)
                 .addCoreStateAndConstraintStuff(true)
