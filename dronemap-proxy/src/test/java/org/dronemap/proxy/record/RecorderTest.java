@@ -60,8 +60,12 @@ class RecorderTest {
     }
 
     private Recorder recorder(RecordingPolicy policy) {
+        return recorder(policy, store);
+    }
+
+    private Recorder recorder(RecordingPolicy policy, ListedRecordings kept) {
         return new Recorder(
-                directory, policy, new Recorder.Keeping(store, journal, drone -> "Copter 1"), clock, freeBytes::get);
+                directory, policy, new Recorder.Keeping(kept, journal, drone -> "Copter 1"), clock, freeBytes::get);
     }
 
     @AfterEach
@@ -229,9 +233,11 @@ class RecorderTest {
         Recording cut = recorder.shelf().recordings().get(0);
         Files.write(file(cut), new byte[] {0, 5, 4, 3, 2, 1, 0, 0, (byte) 0xFD, 40, 0, 7}, StandardOpenOption.APPEND);
         Files.copy(file(cut), directory.resolve("20260101T000000Z_lost-one.tlog"));
-        store.save(cut);
+        // What was known at the crash; the one that "crashed" still lives, and goes on saving.
+        ListedRecordings known = new ListedRecordings();
+        known.save(cut);
 
-        Recorder next = recorder(RecordingPolicy.DEFAULT);
+        Recorder next = recorder(RecordingPolicy.DEFAULT, known);
         next.start();
         Recording mended = next.shelf().recording(cut.id()).orElseThrow();
         assertThat(mended.state()).isEqualTo(Recording.State.INCOMPLETE);
