@@ -135,7 +135,9 @@ public final class ScriptedVehicle implements VehicleChannel {
     public void perform(Mandate mandate, Command command, Report report) {
         performed.add(command);
         report.accepted();
-        report.ended(script.apply(command));
+        Outcome outcome = script.apply(command);
+        // As at a real link: what the vehicle has said on the way is known before its answer is.
+        link.lane().execute(() -> report.ended(outcome));
     }
 
     @Override
