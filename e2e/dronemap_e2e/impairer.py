@@ -107,6 +107,14 @@ class Impairer:
             delay = weather.delay + self._random.uniform(-weather.jitter, weather.jitter)
             heapq.heappush(self._due, (time.monotonic() + delay, next(self._order), way, to, data))
 
+    def newest(self) -> int:
+        """Stands for all that is on its way now; for `arrived`."""
+        return next(self._order)
+
+    def arrived(self, newest: int) -> bool:
+        """Nothing that was on its way then still is."""
+        return all(order > newest for _, order, *_ in list(self._due))
+
     def _deliver(self) -> None:
         now = time.monotonic()
         while self._due and self._due[0][0] <= now:

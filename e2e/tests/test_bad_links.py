@@ -7,6 +7,7 @@ from collections import Counter, deque
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import pytest
@@ -183,7 +184,8 @@ def test_outcomes_agree_with_what_the_vehicles_did(
                 )
             )
         # Whatever was on its way when the last outcome came has arrived by then, and may act.
-        time.sleep(2 * (BAD.delay + BAD.jitter))
+        for _ in "there", "and back":
+            wait_for("all has arrived", partial(link.arrived, link.newest()))
         lines = [
             line
             for copter, given in zip(copters, flown, strict=True)
