@@ -79,6 +79,7 @@ final class OrphanInsertion {
         }
         note(orphan);
     }
+
     /** One tour has changed: those that were best in it may be best elsewhere now. */
     private void lookAgain(int changed, BitSet closed) {
         for (int i = 0; i < tours.absent().size(); i++) {

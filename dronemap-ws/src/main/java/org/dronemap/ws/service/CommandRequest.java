@@ -84,103 +84,115 @@ public record CommandRequest(
 
     /** A command without parameters. */
     public static CommandRequest simple(String type) {
-        return new CommandRequest(
-                type, null, null, null, null, null, null, null, null, null, null, null, null, null, null);
+        return new Draft(type).request();
     }
 
     public static CommandRequest disarm(@Nullable Boolean force) {
-        return new CommandRequest(
-                "disarm", null, force, null, null, null, null, null, null, null, null, null, null, null, null);
+        Draft draft = new Draft("disarm");
+        draft.force = force;
+        return draft.request();
     }
 
     public static CommandRequest setMode(@Nullable String mode) {
-        return new CommandRequest(
-                "setMode", null, null, mode, null, null, null, null, null, null, null, null, null, null, null);
+        Draft draft = new Draft("setMode");
+        draft.mode = mode;
+        return draft.request();
     }
 
     public static CommandRequest takeOff(@Nullable Double altitude) {
-        return new CommandRequest(
-                "takeOff", null, null, null, null, null, altitude, null, null, null, null, null, null, null, null);
+        Draft draft = new Draft("takeOff");
+        draft.altitude = altitude;
+        return draft.request();
     }
 
     public static CommandRequest goTo(
             @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude) {
-        return new CommandRequest(
-                "goTo", null, null, null, latitude, longitude, altitude, null, null, null, null, null, null, null,
-                null);
+        return new Draft("goTo").at(latitude, longitude, altitude).request();
     }
 
     public static CommandRequest uploadMission(@Nullable List<MissionItemView> items) {
-        return new CommandRequest(
-                "uploadMission", null, null, null, null, null, null, null, items, null, null, null, null, null, null);
+        Draft draft = new Draft("uploadMission");
+        draft.items = items;
+        return draft.request();
     }
 
     public static CommandRequest startMission(@Nullable String onCloudLoss) {
-        return new CommandRequest(
-                "startMission",
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                onCloudLoss,
-                null,
-                null,
-                null,
-                null,
-                null);
+        Draft draft = new Draft("startMission");
+        draft.onCloudLoss = onCloudLoss;
+        return draft.request();
     }
 
     public static CommandRequest turn(@Nullable Double degrees) {
-        return new CommandRequest(
-                "turn", null, null, null, null, null, null, null, null, null, degrees, null, null, null, null);
+        Draft draft = new Draft("turn");
+        draft.degrees = degrees;
+        return draft.request();
     }
 
     public static CommandRequest setRelay(@Nullable Integer relay, @Nullable String setting) {
-        return new CommandRequest(
-                "setRelay", null, null, null, null, null, null, null, null, null, null, relay, setting, null, null);
+        Draft draft = new Draft("setRelay");
+        draft.relay = relay;
+        draft.setting = setting;
+        return draft.request();
     }
 
     /** The altitude is above sea level; all three null: where the vehicle is. */
     public static CommandRequest setHome(
             @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAmsl) {
-        return new CommandRequest(
-                "setHome",
-                null,
-                null,
-                null,
-                latitude,
-                longitude,
-                altitudeAmsl,
-                "amsl",
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null);
+        Draft draft = new Draft("setHome").at(latitude, longitude, altitudeAmsl);
+        draft.altitudeReference = "amsl";
+        return draft.request();
     }
 
     public static CommandRequest setParameter(@Nullable String name, @Nullable Double value) {
-        return new CommandRequest(
-                "setParameters",
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                null,
-                List.of(new ParameterRequest(name, value)),
-                null);
+        Draft draft = new Draft("setParameters");
+        draft.parameters = List.of(new ParameterRequest(name, value));
+        return draft.request();
+    }
+
+    /** What is not set stays out. Owned by the method that makes it. */
+    private static final class Draft {
+        private final String type;
+        private @Nullable Boolean force;
+        private @Nullable String mode;
+        private @Nullable Double latitude;
+        private @Nullable Double longitude;
+        private @Nullable Double altitude;
+        private @Nullable String altitudeReference;
+        private @Nullable List<MissionItemView> items;
+        private @Nullable String onCloudLoss;
+        private @Nullable Double degrees;
+        private @Nullable Integer relay;
+        private @Nullable String setting;
+        private @Nullable List<ParameterRequest> parameters;
+
+        Draft(String type) {
+            this.type = type;
+        }
+
+        Draft at(@Nullable Double atLatitude, @Nullable Double atLongitude, @Nullable Double atAltitude) {
+            latitude = atLatitude;
+            longitude = atLongitude;
+            altitude = atAltitude;
+            return this;
+        }
+
+        CommandRequest request() {
+            return new CommandRequest(
+                    type,
+                    null,
+                    force,
+                    mode,
+                    latitude,
+                    longitude,
+                    altitude,
+                    altitudeReference,
+                    items,
+                    onCloudLoss,
+                    degrees,
+                    relay,
+                    setting,
+                    parameters,
+                    null);
+        }
     }
 }
