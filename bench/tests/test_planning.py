@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from dronemap_bench.planning import __main__ as command
-from dronemap_bench.planning import checker, modes, plot, problems, report, runs
+from dronemap_bench.planning import checker, losses, modes, plot, problems, report, runs
 from dronemap_bench.planning.problems import Moved, Problem, Row
 
 SQUARE = Problem("euclidean", "longest", ((0.0, 0.0), (10.0, 0.0)), ((0.0, 5.0), (10.0, 5.0), (10.0, 9.0)))
@@ -195,3 +195,18 @@ def test_without_instances_it_says_what_is_missing(monkeypatch: pytest.MonkeyPat
     monkeypatch.delenv("DRONEMAP_TEST_DATA", raising=False)
     with pytest.raises(SystemExit, match="--data FOLDER"):
         command.main(["minmax-1s"])
+
+
+def test_re_plans_are_read_and_told_in_figures() -> None:
+    cases = losses.parse(
+        ["noise", "case 2.0 90.0 0 120.0 101.0 100.0 3", "case 4.0 95.5 1 130.0 99.0 100.0 9"]
+    )
+    assert [case.gap_percent for case in cases] == [pytest.approx(1.0), 0.0]
+    table = losses.table(losses.Setup(2, 200, 10, 100, 10), cases)
+    assert "200 waypoints and 10 drones lose one; 1 faults" in table
+    assert "| a plan at once, ms | 3.00 | 3.00 | 4.00 | 4.00 |" in table
+
+
+def test_a_percentile_is_a_value_that_was_measured() -> None:
+    assert losses.percentile([float(value) for value in range(1, 201)], 95) == 190
+    assert losses.percentile([3.0], 95) == 3

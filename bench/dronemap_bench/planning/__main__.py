@@ -10,19 +10,35 @@ from typing import Any
 
 from ..__main__ import about
 from ..programs import ROOT
-from . import checker, modes, report
+from . import checker, losses, modes, report
 from .problems import Row, read
 from .runs import Plan, Result, RunError, run
+
+REPLAN = "replan"
 
 
 def main(words: list[str]) -> None:
     options = _options(words)
+    if options.mode == [REPLAN]:
+        _replan(options)
+        return
     rows = read(_data(options.data))
     if options.check:
         check(options.check, rows)
         return
     whole = [_measure(_changed(modes.named(name), options), rows, options) for name in options.mode]
     if not all(whole):
+        sys.exit(1)
+
+
+def _replan(options: argparse.Namespace) -> None:
+    setup = losses.Setup(
+        options.cases, options.waypoints, options.drones, options.budget_ms, options.solve_seconds
+    )
+    cases = losses.run(setup)
+    losses.write(options.out, options.name or REPLAN, about(), setup, cases)
+    print(losses.table(setup, cases))
+    if any(case.faults for case in cases):
         sys.exit(1)
 
 
@@ -111,7 +127,9 @@ def _options(words: list[str]) -> argparse.Namespace:
         prog="bench/plan",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="modes:\n" + "\n".join(f"  {mode.name:12} {mode.what}" for mode in modes.MODES),
+        epilog="modes:\n"
+        + "\n".join(f"  {mode.name:12} {mode.what}" for mode in modes.MODES)
+        + f"\n  {REPLAN:12} random missions lose a drone (by itself, with the options from --cases on)",
     )
     parser.add_argument("mode", nargs="*", default=["minmax-1s"], help="what to measure (default: minmax-1s)")
     parser.add_argument(
@@ -130,6 +148,13 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--moved", action="store_true", help="instances rotated, scaled and renumbered")
     parser.add_argument("--out", type=Path, default=ROOT / "bench" / "results", help="folder for the results")
     parser.add_argument("--name", help="name of the result files (default: the mode's)")
+    parser.add_argument("--cases", type=int, default=200, help="so many missions (default: 200)")
+    parser.add_argument("--waypoints", type=int, default=200, help="of each mission (default: 200)")
+    parser.add_argument("--drones", type=int, default=10, help="of each mission (default: 10)")
+    parser.add_argument("--budget-ms", type=float, default=100, help="for the better plan (default: 100)")
+    parser.add_argument(
+        "--solve-seconds", type=float, default=10, help="of the search to compare with (default: 10; 0: none)"
+    )
     parser.add_argument(
         "--check", type=Path, metavar="FILE", help="judge the tours of written results, measure nothing"
     )

@@ -55,6 +55,13 @@ public final class Allocator {
         return Allocation.of(instance, costs, tours.orders(), 0);
     }
 
+    /** What a plan is compared by; less is better. */
+    double worth(Allocation allocation) {
+        Tours tours = new Tours(instance, costs);
+        tours.set(allocation.orders());
+        return new Worth(tours, costs, instance.aim(), stakes).exact();
+    }
+
     /** One walk through the plans. */
     private final class Search {
         private final SplittableRandom random;

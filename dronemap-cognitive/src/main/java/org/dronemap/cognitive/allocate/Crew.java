@@ -1,0 +1,88 @@
+package org.dronemap.cognitive.allocate;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import org.dronemap.cognitive.cost.Instance;
+
+/**
+ * Several searches of one problem at the same time, each with a seed of its own and the whole budget; the best plan of all
+ * counts. Which one is found in a budget of iterations does not depend on how the searches share processors.
+ */
+public final class Crew {
+    private static final long BETWEEN_SEEDS = 1_000_003;
+
+    private final Allocator allocator;
+    private final int searches;
+    private final Executor executor;
+
+    /** All searches but one run on the executor, which must start them at once; one runs on the thread that asks. */
+    public Crew(Instance instance, int searches, Executor executor) {
+        if (searches < 1) {
+            throw new IllegalArgumentException("searches must be at least 1: " + searches);
+        }
+        allocator = new Allocator(instance);
+        this.searches = searches;
+        this.executor = executor;
+    }
+
+    /** {@code improved} hears of every plan that is better than those of all searches before, one at a time on any thread. */
+    public Allocation search(long seed, Budget budget, Consumer<Allocation> improved) {
+        AtomicBoolean failed = new AtomicBoolean();
+        Budget whole = budget.orWhen(failed::get);
+        Best best = new Best(improved);
+        List<CompletableFuture<Allocation>> others = new ArrayList<>();
+        for (int number = 1; number < searches; number++) {
+            long its = seed + BETWEEN_SEEDS * number;
+            others.add(CompletableFuture.supplyAsync(() -> guarded(its, whole, best, failed), executor));
+        }
+        List<Allocation> found = new ArrayList<>();
+        found.add(guarded(seed, whole, best, failed));
+        others.forEach(other -> found.add(other.join()));
+        return least(found);
+    }
+
+    /** A search that fails ends the others. */
+    private Allocation guarded(long seed, Budget budget, Best best, AtomicBoolean failed) {
+        boolean done = false;
+        try {
+            Allocation found = allocator.search(seed, budget, best::offer);
+            done = true;
+            return found;
+        } finally {
+            if (!done) {
+                failed.set(true);
+            }
+        }
+    }
+
+    /** The first of equals. */
+    private Allocation least(List<Allocation> found) {
+        Allocation least = found.get(0);
+        for (Allocation one : found) {
+            least = allocator.worth(one) < allocator.worth(least) ? one : least;
+        }
+        return least;
+    }
+
+    /** What was told so far. Guarded by itself. */
+    private final class Best {
+        private final Consumer<Allocation> improved;
+        private double worth = Double.POSITIVE_INFINITY;
+
+        Best(Consumer<Allocation> improved) {
+            this.improved = improved;
+        }
+
+        synchronized void offer(Allocation found) {
+            double its = allocator.worth(found);
+            if (its < worth) {
+                worth = its;
+                improved.accept(found);
+            }
+        }
+    }
+}
