@@ -23,7 +23,7 @@ public final class Losses {
     private static final int WARM_UP_SEED = 1_000_000;
     private static final double NANOS_PER_MILLI = 1e6;
     /** What building the problem and writing the plan take of the budget. */
-    private static final double SEARCH_SHARE = 0.85;
+    private static final double SEARCH_SHARE = 0.95;
 
     private Losses() {}
 
