@@ -93,7 +93,8 @@ public final class Backup {
                 .unwrap(PGConnection.class)
                 .getCopyAPI()
                 .copyOut(
-                        "COPY " + schema + "." + table + " (" + String.join(", ", columns)
+                        // As a query, for a table that has parts cannot be copied by its name.
+                        "COPY (SELECT " + String.join(", ", columns) + " FROM " + schema + "." + table
                                 + ") TO STDOUT WITH (FORMAT csv, HEADER true, ENCODING 'UTF8')",
                         new DigestOutputStream(zip, digest));
         zip.closeEntry();

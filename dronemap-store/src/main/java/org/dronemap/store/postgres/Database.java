@@ -16,6 +16,8 @@ import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.history.FlightStore;
+import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
@@ -129,6 +131,14 @@ public final class Database implements AutoCloseable {
 
     public VirtualDroneStore virtualDrones() {
         return new PostgresVirtualDroneStore(sql);
+    }
+
+    public TelemetryStore telemetry() {
+        return new PostgresTelemetryStore(pool);
+    }
+
+    public FlightStore flights() {
+        return new PostgresFlightStore(sql);
     }
 
     public Backup backup() {

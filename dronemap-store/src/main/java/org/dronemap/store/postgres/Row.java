@@ -4,6 +4,7 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** The columns of the row that a result stands on, by name and in the types of the core. */
@@ -39,8 +40,43 @@ record Row(ResultSet result) {
         return result.getObject(column, Long.class);
     }
 
+    /** In the digits that are kept, so that a short number comes back as it was. */
+    @Nullable
+    Double number(String column) throws SQLException {
+        return number(result.getObject(column));
+    }
+
+    @Nullable
+    Double number(int place) throws SQLException {
+        return number(result.getObject(place));
+    }
+
+    private static @Nullable Double number(@Nullable Object value) {
+        if (value instanceof Float single) {
+            return Double.valueOf(single.toString());
+        }
+        return value == null ? null : (Double) ((Number) value).doubleValue();
+    }
+
+    @Nullable
+    Boolean boolOrNull(String column) throws SQLException {
+        return result.getObject(column, Boolean.class);
+    }
+
+    List<String> texts(String column) throws SQLException {
+        return List.of((String[]) result.getArray(column).getArray());
+    }
+
+    double float8(String column) throws SQLException {
+        return result.getDouble(column);
+    }
+
     boolean bool(String column) throws SQLException {
         return result.getBoolean(column);
+    }
+
+    Instant time(int place) throws SQLException {
+        return result.getObject(place, OffsetDateTime.class).toInstant();
     }
 
     Instant time(String column) throws SQLException {

@@ -24,7 +24,7 @@ final class TableCatalog {
         this.schema = schema;
     }
 
-    /** Tables with their columns; a table comes after those that it refers to. */
+    /** Tables with their columns, one that has parts as a whole; a table comes after those that it refers to. */
     Map<String, List<String>> tablesInOrder() throws SQLException {
         Map<String, List<String>> columns = new LinkedHashMap<>();
         pairs(
@@ -32,6 +32,8 @@ final class TableCatalog {
                 SELECT c.table_name, c.column_name FROM information_schema.columns c
                 JOIN information_schema.tables t USING (table_schema, table_name)
                 WHERE table_schema = ? AND t.table_type = 'BASE TABLE' AND c.is_generated = 'NEVER'
+                AND NOT (SELECT relispartition FROM pg_class WHERE oid =
+                    (quote_ident(table_schema) || '.' || quote_ident(c.table_name))::regclass)
                 ORDER BY c.table_name, c.ordinal_position""",
                 (table, column) -> columns.computeIfAbsent(table, name -> new ArrayList<>())
                         .add(column));

@@ -1,0 +1,50 @@
+package org.dronemap.core.history;
+
+import java.time.Instant;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.Holder;
+import org.jspecify.annotations.Nullable;
+
+/** What is remembered of changes of control. */
+final class ControlEvents {
+    private ControlEvents() {}
+
+    static HistoryEvent of(DroneId drone, Instant at, ControlChange change) {
+        Holder other = change.other();
+        return new HistoryEvent(
+                drone,
+                at,
+                HistoryEvent.Kind.CONTROL,
+                change.by().words() + " " + verb(change.kind()) + (other == null ? "." : " (" + other.words() + ")."),
+                null,
+                user(change.by()),
+                null,
+                null,
+                change.reason());
+    }
+
+    static @Nullable String user(Holder holder) {
+        if (holder instanceof Holder.Person person) {
+            return person.name();
+        }
+        return holder instanceof Holder.Operation operation ? operation.user() : null;
+    }
+
+    private static String verb(ControlChange.Kind kind) {
+        return switch (kind) {
+            case TAKEN -> "took control";
+            case REQUESTED -> "asked for control";
+            case REFUSED -> "refused control";
+            case HANDED_OVER -> "handed control over";
+            case TAKEN_OVER -> "took control over";
+            case RELEASED -> "gave control back";
+            case EXPIRED -> "was idle, and control ended";
+            case LOST -> "fell silent in control";
+            case RETURN_DUE -> "was not replaced, and the drone is called back";
+            case PILOT_ACTED -> "acted";
+            case PILOT_LEFT -> "let go";
+            case EXPELLED -> "may command no more";
+        };
+    }
+}

@@ -1,0 +1,70 @@
+package org.dronemap.core.history;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One flight: from arming to disarming, or until the drone was heard no more.
+ *
+ * @param droneName as it was called when the flight began
+ * @param end null while it goes on; of one that was lost, when it was last heard
+ * @param heard when it was last looked at
+ * @param users who commanded it, in the order of their first command; empty: nobody here
+ * @param operation what the cloud conducted with it; null: nothing
+ * @param notice what a reader has to know, a sentence; null: nothing
+ * @param notes of people, empty at first
+ */
+public record Flight(
+        String id,
+        DroneId drone,
+        String droneName,
+        Instant start,
+        @Nullable Instant end,
+        State state,
+        Instant heard,
+        Measures measures,
+        List<String> users,
+        @Nullable Operation operation,
+        @Nullable String notice,
+        String notes) {
+    private static final int MOST_USERS = 20;
+
+    /** How far it is. */
+    public enum State {
+        RUNNING,
+        /** There is no contact; it may still fly, and go on when it is heard again. */
+        LOST,
+        ENDED
+    }
+
+    /** What conducted it: its id, and how people call it, such as: The virtual drone “Survey” of ann. */
+    public record Operation(String id, String words) {}
+
+    public Flight {
+        users = List.copyOf(users);
+    }
+
+    Flight with(Measures now, Instant at) {
+        return new Flight(id, drone, droneName, start, end, state, at, now, users, operation, notice, notes);
+    }
+
+    Flight in(State next, @Nullable Instant ended, @Nullable String why) {
+        return new Flight(id, drone, droneName, start, ended, next, heard, measures, users, operation, why, notes);
+    }
+
+    Flight by(@Nullable String user) {
+        if (user == null || users.contains(user) || users.size() == MOST_USERS) {
+            return this;
+        }
+        List<String> all = new ArrayList<>(users);
+        all.add(user);
+        return new Flight(id, drone, droneName, start, end, state, heard, measures, all, operation, notice, notes);
+    }
+
+    Flight conductedBy(Operation conductor) {
+        return new Flight(id, drone, droneName, start, end, state, heard, measures, users, conductor, notice, notes);
+    }
+}

@@ -1,0 +1,61 @@
+package org.dronemap.core.history;
+
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Has the store make room for the days to come and take away old ones, on a thread of its own. */
+public final class HistoryKeeper implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(HistoryKeeper.class);
+
+    private final TelemetryStore store;
+    private final Retention retention;
+    private final InstantSource clock;
+    private final Pulse pulse = new Pulse();
+    private volatile boolean closed;
+    private volatile @Nullable String failure;
+
+    public HistoryKeeper(TelemetryStore store, Retention retention, InstantSource clock) {
+        this.store = store;
+        this.retention = retention;
+        this.clock = clock;
+    }
+
+    /** Once at once, on the caller's thread, and then again and again. */
+    public void start(Duration every) {
+        tidy();
+        Thread thread = new Thread(() -> run(every), "history-keeper");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void run(Duration every) {
+        while (pulse.rest(every) && !closed) {
+            tidy();
+        }
+    }
+
+    /** A sentence when it did not work the last time. */
+    public Optional<String> trouble() {
+        return Optional.ofNullable(failure);
+    }
+
+    private void tidy() {
+        try {
+            store.tidy(retention, clock.instant());
+            failure = null;
+        } catch (RuntimeException e) {
+            LOG.warn("Telemetry cannot be tidied up now; it is tried again", e);
+            failure = "Old telemetry cannot be taken away: " + e.getMessage();
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        pulse.wake();
+    }
+}

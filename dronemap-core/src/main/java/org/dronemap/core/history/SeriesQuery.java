@@ -1,0 +1,27 @@
+package org.dronemap.core.history;
+
+import java.time.Duration;
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+
+/**
+ * What is drawn over time: each of the fields, in slots of equal length from the beginning of the span on.
+ *
+ * @param slots in how many the span is cut; a drawing needs no more than it is wide
+ */
+public record SeriesQuery(DroneId drone, Span span, List<TelemetryField> fields, int slots) {
+    private static final long MICRO = 1_000;
+
+    public SeriesQuery {
+        fields = List.copyOf(fields);
+        if (slots < 1) {
+            throw new IllegalArgumentException("at least one slot is needed, not " + slots);
+        }
+    }
+
+    /** In whole microseconds, the precision of what is kept; the last slot may reach beyond the span. */
+    public Duration slot() {
+        long micros = span.length().toNanos() / MICRO;
+        return Duration.ofNanos(Math.max(1, (micros + slots - 1) / slots) * MICRO);
+    }
+}

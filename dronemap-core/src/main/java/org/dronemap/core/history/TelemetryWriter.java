@@ -1,0 +1,176 @@
+package org.dronemap.core.history;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.atomic.LongAdder;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Writes points and events to the store in batches, on one thread of its own. Both queues are bounded: what finds no room,
+ * because the store is away, slow or full, is dropped and counted, and whoever brings it never waits.
+ */
+public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(TelemetryWriter.class);
+    private static final Comparator<TelemetryPoint> BY_DRONE =
+            Comparator.comparing(point -> point.drone().value());
+    private static final long CLOSE_MILLIS = 5_000;
+    /** So long after a drop the store counts as too slow. */
+    private static final long SLOW_NANOS = 60_000_000_000L;
+
+    /**
+     * How it is done.
+     *
+     * @param every a batch is written this often, or sooner when one is full
+     * @param batch the most points, or events, that are written at once
+     * @param room the most points, or events, that wait
+     * @param pause between two tries while the store does not take anything
+     */
+    public record Rhythm(Duration every, int batch, int room, Duration pause) {
+        /** Within a second to the disk; room for some seconds of thousands of drones. */
+        public static final Rhythm DEFAULT = new Rhythm(Duration.ofMillis(500), 20_000, 100_000, Duration.ofSeconds(2));
+    }
+
+    /** What is written at once. */
+    private record Batch(List<TelemetryPoint> points, List<HistoryEvent> events) {
+        int size() {
+            return points.size() + events.size();
+        }
+    }
+
+    private final TelemetryStore store;
+    private final Rhythm rhythm;
+    private final BlockingQueue<TelemetryPoint> points;
+    private final BlockingQueue<HistoryEvent> events;
+    private final LongAdder written = new LongAdder();
+    private final LongAdder dropped = new LongAdder();
+    private final Pulse pulse = new Pulse();
+    private final Thread thread = new Thread(this::run, "telemetry");
+    private volatile boolean closed;
+    private volatile @Nullable String failure;
+    private volatile int underWay;
+    private volatile long droppedNanos;
+
+    public TelemetryWriter(TelemetryStore store, Rhythm rhythm) {
+        this.store = store;
+        this.rhythm = rhythm;
+        this.points = new ArrayBlockingQueue<>(rhythm.room());
+        this.events = new ArrayBlockingQueue<>(rhythm.room());
+        thread.setDaemon(true);
+    }
+
+    public void start() {
+        thread.start();
+    }
+
+    @Override
+    public void point(TelemetryPoint point) {
+        if (!points.offer(point)) {
+            drop(1);
+        } else if (points.size() == rhythm.batch()) {
+            pulse.wake();
+        }
+    }
+
+    @Override
+    public void event(HistoryEvent event) {
+        if (!events.offer(event)) {
+            drop(1);
+        }
+    }
+
+    /** Any thread. */
+    public HistoryHealth health() {
+        String trouble = failure;
+        if (trouble == null && droppedNanos != 0 && System.nanoTime() - droppedNanos < SLOW_NANOS) {
+            trouble = "The telemetry store is too slow: not all that comes can be kept.";
+        }
+        return new HistoryHealth(trouble, written.sum(), dropped.sum(), points.size() + events.size() + underWay);
+    }
+
+    private void drop(int count) {
+        dropped.add(count);
+        droppedNanos = System.nanoTime();
+    }
+
+    private void run() {
+        while (!closed) {
+            rest(points.size() >= rhythm.batch() ? Duration.ZERO : rhythm.every());
+            writeAll();
+        }
+        writeAll();
+    }
+
+    private void rest(Duration time) {
+        if (!closed && !time.isZero() && !pulse.rest(time)) {
+            closed = true;
+        }
+    }
+
+    private void writeAll() {
+        Batch batch = next();
+        while (batch.size() > 0) {
+            write(batch);
+            batch = next();
+        }
+    }
+
+    private Batch next() {
+        List<TelemetryPoint> taken = new ArrayList<>();
+        points.drainTo(taken, rhythm.batch());
+        // Those of one drone side by side: who reads later reads one drone.
+        taken.sort(BY_DRONE);
+        List<HistoryEvent> happened = new ArrayList<>();
+        events.drainTo(happened, rhythm.batch());
+        return new Batch(taken, happened);
+    }
+
+    /** Until it is written; after the close it is tried once. */
+    private void write(Batch batch) {
+        underWay = batch.size();
+        boolean done = tried(batch);
+        while (!done && !closed) {
+            rest(rhythm.pause());
+            done = tried(batch);
+        }
+        if (!done) {
+            drop(batch.size());
+        }
+        underWay = 0;
+    }
+
+    private boolean tried(Batch batch) {
+        try {
+            store.append(batch.points(), batch.events());
+            written.add(batch.size());
+            if (failure != null) {
+                LOG.info("Telemetry is written again; {} points and events were dropped so far", dropped.sum());
+            }
+            failure = null;
+            return true;
+        } catch (RuntimeException e) {
+            if (failure == null) {
+                LOG.warn("Telemetry cannot be written for now; what does not fit into memory is dropped", e);
+            }
+            failure = "Telemetry cannot be written: " + e.getMessage();
+            return false;
+        }
+    }
+
+    /** Writes what waits, within some seconds. */
+    @Override
+    public void close() {
+        closed = true;
+        pulse.wake();
+        try {
+            thread.join(CLOSE_MILLIS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

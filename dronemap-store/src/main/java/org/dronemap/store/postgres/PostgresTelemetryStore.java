@@ -1,0 +1,205 @@
+package org.dronemap.store.postgres;
+
+import java.sql.Connection;
+import java.sql.PreparedStatement;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import javax.sql.DataSource;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.history.HistoryEvent;
+import org.dronemap.core.history.Retention;
+import org.dronemap.core.history.SeriesQuery;
+import org.dronemap.core.history.SeriesSlot;
+import org.dronemap.core.history.Span;
+import org.dronemap.core.history.TelemetryField;
+import org.dronemap.core.history.TelemetryPoint;
+import org.dronemap.core.history.TelemetryStore;
+import org.jspecify.annotations.Nullable;
+
+/** Telemetry in PostgreSQL: a table for each day, rows copied in. Thread-safe. */
+public final class PostgresTelemetryStore implements TelemetryStore {
+    private static final int ROWS_AT_ONCE = 2_000;
+
+    private final DataSource dataSource;
+    private final TelemetryDays days;
+
+    PostgresTelemetryStore(DataSource dataSource) {
+        this.dataSource = dataSource;
+        this.days = new TelemetryDays(dataSource);
+    }
+
+    @Override
+    public void append(List<TelemetryPoint> points, List<HistoryEvent> events) {
+        try (Connection connection = dataSource.getConnection()) {
+            connection.setAutoCommit(false);
+            try {
+                if (!points.isEmpty()) {
+                    CopyBuffer out = new CopyBuffer(TelemetryRows.copyIn(connection, "telemetry"));
+                    for (TelemetryPoint point : points) {
+                        TelemetryRows.write(point, out);
+                    }
+                    out.end();
+                }
+                insert(connection, events);
+                connection.commit();
+            } catch (SQLException | RuntimeException e) {
+                connection.rollback();
+                throw e;
+            }
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+
+    private static void insert(Connection connection, List<HistoryEvent> events) throws SQLException {
+        if (events.isEmpty()) {
+            return;
+        }
+        try (PreparedStatement statement = connection.prepareStatement("""
+                INSERT INTO drone_event (drone_id, at, kind, text, severity, done_by, command_id, result, reason)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)""")) {
+            for (HistoryEvent event : events) {
+                Sql.set(
+                        statement,
+                        event.drone().value(),
+                        event.at(),
+                        event.kind(),
+                        event.text(),
+                        event.severity(),
+                        event.by(),
+                        event.command(),
+                        event.result(),
+                        event.reason());
+                statement.addBatch();
+            }
+            statement.executeBatch();
+        }
+    }
+
+    @Override
+    public void points(DroneId drone, Span span, Consumer<TelemetryPoint> each) {
+        String sql =
+                "SELECT " + TelemetryRows.ALL + " FROM telemetry WHERE drone_id = ? AND at >= ? AND at < ? ORDER BY at";
+        try (Connection connection = dataSource.getConnection()) {
+            // The driver reads in portions only within a transaction.
+            connection.setAutoCommit(false);
+            try (PreparedStatement statement =
+                    Sql.prepare(connection, sql, drone.value(), ceiling(span.from()), ceiling(span.until()))) {
+                statement.setFetchSize(ROWS_AT_ONCE);
+                eachOnce(statement, each);
+            } finally {
+                connection.rollback();
+            }
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+
+    private static void eachOnce(PreparedStatement statement, Consumer<TelemetryPoint> each) throws SQLException {
+        try (ResultSet result = statement.executeQuery()) {
+            Instant before = null;
+            while (result.next()) {
+                TelemetryPoint point = TelemetryRows.read(new Row(result));
+                if (!point.at().equals(before)) {
+                    each.accept(point);
+                }
+                before = point.at();
+            }
+        }
+    }
+
+    @Override
+    public List<SeriesSlot> series(SeriesQuery query) {
+        String extents = query.fields().stream()
+                .map(TelemetryRows::column)
+                .map(column -> ", min(" + column + "), max(" + column + ")")
+                .collect(Collectors.joining());
+        String sql = "SELECT min(at)" + extents
+                + " FROM telemetry WHERE drone_id = ? AND at >= ? AND at < ?"
+                + " GROUP BY date_bin(make_interval(secs => ?), at, ?) ORDER BY 1";
+        try (Connection connection = dataSource.getConnection();
+                PreparedStatement statement = Sql.prepare(
+                        connection,
+                        sql,
+                        query.drone().value(),
+                        ceiling(query.span().from()),
+                        ceiling(query.span().until()),
+                        query.slot().toNanos() / 1e9,
+                        query.span().from());
+                ResultSet result = statement.executeQuery()) {
+            List<SeriesSlot> slots = new ArrayList<>();
+            while (result.next()) {
+                slots.add(slot(new Row(result), query.fields()));
+            }
+            return List.copyOf(slots);
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+
+    private static SeriesSlot slot(Row row, List<TelemetryField> fields) throws SQLException {
+        List<SeriesSlot.@Nullable Extent> extents = new ArrayList<>(fields.size());
+        for (int i = 0; i < fields.size(); i++) {
+            Double least = row.number(2 + 2 * i);
+            Double most = row.number(3 + 2 * i);
+            extents.add(least == null || most == null ? null : new SeriesSlot.Extent(least, most));
+        }
+        return new SeriesSlot(row.time(1), extents);
+    }
+
+    @Override
+    public List<HistoryEvent> events(DroneId drone, Span span, int limit) {
+        String sql = "SELECT * FROM drone_event WHERE drone_id = ? AND at >= ? AND at < ? ORDER BY at, id LIMIT ?";
+        try (Connection connection = dataSource.getConnection();
+                PreparedStatement statement = Sql.prepare(
+                        connection, sql, drone.value(), ceiling(span.from()), ceiling(span.until()), limit);
+                ResultSet result = statement.executeQuery()) {
+            List<HistoryEvent> events = new ArrayList<>();
+            while (result.next()) {
+                events.add(event(new Row(result)));
+            }
+            return List.copyOf(events);
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+
+    private static HistoryEvent event(Row row) throws SQLException {
+        String severity = row.textOrNull("severity");
+        return new HistoryEvent(
+                new DroneId(row.text("drone_id")),
+                row.time("at"),
+                row.name("kind", HistoryEvent.Kind.class),
+                row.text("text"),
+                severity == null ? null : Severity.valueOf(severity),
+                row.textOrNull("done_by"),
+                row.textOrNull("command_id"),
+                row.textOrNull("result"),
+                row.textOrNull("reason"));
+    }
+
+    /** Kept times are cut to the microsecond: one that is asked for more finely lies after what is kept of it. */
+    private static Instant ceiling(Instant time) {
+        return time.plusNanos(999);
+    }
+
+    @Override
+    public void tidy(Retention retention, Instant now) {
+        days.tidy(retention, now);
+    }
+
+    @Override
+    public String server() {
+        try (Connection connection = dataSource.getConnection()) {
+            return "PostgreSQL " + connection.getMetaData().getDatabaseProductVersion();
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+}
