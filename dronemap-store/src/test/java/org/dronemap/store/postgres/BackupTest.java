@@ -10,7 +10,9 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -35,8 +37,18 @@ import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.history.Flight;
+import org.dronemap.core.history.HistoryEvent;
+import org.dronemap.core.history.Measures;
+import org.dronemap.core.history.Retention;
+import org.dronemap.core.history.Span;
+import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
@@ -105,6 +117,60 @@ class BackupTest {
         database.access().addUser(ALICE);
         database.access().addAccessKey(KEY);
         database.access().addSignIn(new SignIn("token", "alice", AT));
+    }
+
+    @Test
+    void givesBackTelemetryEventsAndFlights() throws IOException {
+        TelemetryPoint point = point(AT);
+        TelemetryPoint unexpected = point(AT.plusSeconds(40 * 86_400L));
+        HistoryEvent event = HistoryEvent.of(DRONE.id(), AT, HistoryEvent.Kind.MODE, "GUIDED");
+        Flight flight = new Flight(
+                "f1",
+                DRONE.id(),
+                DRONE.name(),
+                AT,
+                null,
+                Flight.State.RUNNING,
+                AT,
+                Measures.NONE,
+                List.of("alice, \"{bob}\""),
+                null,
+                null,
+                "notes");
+        database.telemetry().tidy(Retention.DEFAULT, AT);
+        database.telemetry().append(List.of(point, unexpected), List.of(event));
+        database.flights().save(flight);
+        Path zip = backup();
+        SharedDatabase.empty();
+
+        database.backup().restore(zip);
+        Retention forEver = new Retention(0, 0, Duration.ofSeconds(10));
+        database.telemetry().tidy(forEver, AT);
+        database.telemetry().append(List.of(), List.of(event));
+
+        List<TelemetryPoint> points = new ArrayList<>();
+        Span span = new Span(AT.minusSeconds(1), AT.plusSeconds(50 * 86_400L));
+        database.telemetry().points(DRONE.id(), span, points::add);
+        assertThat(points).containsExactly(point, unexpected);
+        assertThat(database.telemetry().events(DRONE.id(), span, 10)).containsExactly(event, event);
+        assertThat(database.flights().flight("f1")).contains(flight);
+    }
+
+    private static TelemetryPoint point(Instant at) {
+        return new TelemetryPoint(
+                DRONE.id(),
+                at,
+                new Position(new Geodetic(47.1234567891, 8.5), 400.5, null),
+                null,
+                null,
+                null,
+                null,
+                LinkState.LIVE,
+                LinkQuality.UNKNOWN,
+                "GUIDED",
+                true,
+                null,
+                null);
     }
 
     @Test

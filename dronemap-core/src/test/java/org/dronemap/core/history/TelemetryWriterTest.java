@@ -1,0 +1,89 @@
+package org.dronemap.core.history;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class TelemetryWriterTest {
+    private static final TelemetryWriter.Rhythm QUICK =
+            new TelemetryWriter.Rhythm(Duration.ofMillis(10), 50, 100, Duration.ofMillis(10));
+
+    private final HeapTelemetryStore store = new HeapTelemetryStore();
+    private final TelemetryWriter writer = new TelemetryWriter(store, QUICK);
+    private final StateScript script = new StateScript();
+
+    @AfterEach
+    void close() {
+        store.disk.countDown();
+        writer.close();
+    }
+
+    @Test
+    void writesWhatComesInBatchesOfABoundedSize() {
+        bring(100);
+        writer.start();
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.points.size() == 100);
+        assertThat(store.batches).allMatch(size -> size <= 50);
+        await().atMost(Duration.ofSeconds(30)).until(() -> writer.health().waiting() == 0);
+        assertThat(writer.health()).isEqualTo(new HistoryHealth(null, 100, 0, 0));
+    }
+
+    @Test
+    void dropsAndCountsWhatFindsNoRoomAndNeverWaits() {
+        bring(130);
+
+        HistoryHealth health = writer.health();
+        assertThat(health.dropped()).isEqualTo(30);
+        assertThat(health.waiting()).isEqualTo(100);
+        assertThat(health.isUp()).isFalse();
+        assertThat(health.trouble()).contains("too slow");
+    }
+
+    @Test
+    void keepsRoomForEventsWhenPointsFillTheirs() {
+        bring(130);
+        writer.event(HistoryEvent.of(StateScript.DRONE, StateScript.START, HistoryEvent.Kind.MODE, "AUTO"));
+        writer.start();
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.events.size() == 1);
+        assertThat(writer.health().dropped()).isEqualTo(30);
+    }
+
+    @Test
+    void saysSoWhileTheStoreIsAwayAndRecoversWithWhatIsInMemory() {
+        store.broken = true;
+        writer.start();
+        bring(20);
+        await().atMost(Duration.ofSeconds(30)).until(() -> !writer.health().isUp());
+        assertThat(writer.health().trouble()).contains("the disk is full");
+
+        store.broken = false;
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.points.size() == 20);
+        await().atMost(Duration.ofSeconds(30)).until(() -> writer.health().isUp());
+        assertThat(writer.health().dropped()).isZero();
+    }
+
+    @Test
+    void writesWhatWaitsWhenItIsClosed() {
+        store.disk = new CountDownLatch(1);
+        writer.start();
+        bring(30);
+        store.disk.countDown();
+
+        writer.close();
+
+        assertThat(store.points).hasSize(30);
+    }
+
+    private void bring(int points) {
+        for (int i = 0; i < points; i++) {
+            writer.point(TelemetryPoint.of(script.after(1).north(i, 1).state()));
+        }
+    }
+}
