@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Map;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.ws.security.oidc.OidcSettings;
 import org.dronemap.ws.service.Work;
@@ -53,6 +54,37 @@ class SettingsTest {
         assertThat(own.rates().perSecond()).doesNotContainKey(Work.COMMAND).containsEntry(Work.REQUEST, 7.0);
         assertThat(own.streamsPerUser()).isEqualTo(2);
         assertThat(own.clients().patience()).isEqualTo(Duration.ofSeconds(3));
+    }
+
+    @Test
+    void remembersAsOftenAndAsLongAsItIsTold() {
+        assertThat(Settings.fromEnvironment(Map.of()).history()).isEqualTo(HistoryPolicy.DEFAULT);
+        HistoryPolicy own = Settings.fromEnvironment(Map.of(
+                        "DRONEMAP_TELEMETRY_RATE", "0.1",
+                        "DRONEMAP_TELEMETRY_FULL_DAYS", "7",
+                        "DRONEMAP_TELEMETRY_DAYS", "0"))
+                .history();
+
+        assertThat(own.flying()).isEqualTo(Duration.ofSeconds(10));
+        assertThat(own.resting()).isEqualTo(Duration.ofSeconds(10));
+        assertThat(own.retention().fullDays()).isEqualTo(7);
+        assertThat(own.retention().keepDays()).isZero();
+        assertThat(Settings.fromEnvironment(Map.of("DRONEMAP_MONGODB_URL", "mongodb://u:secret@h"))
+                        .toString())
+                .doesNotContain("secret");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "DRONEMAP_TELEMETRY_RATE,51",
+        "DRONEMAP_TELEMETRY_RATE,often",
+        "DRONEMAP_TELEMETRY_DAYS,-1",
+        "DRONEMAP_TELEMETRY_FULL_DAYS,10001"
+    })
+    void refusesToRememberOtherwiseThanCanBe(String name, String value) {
+        assertThatThrownBy(() -> Settings.fromEnvironment(Map.of(name, value)))
+                .isInstanceOf(SetupException.class)
+                .hasMessageContaining(name);
     }
 
     @Test

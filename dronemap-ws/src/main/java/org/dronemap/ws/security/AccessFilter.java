@@ -27,7 +27,7 @@ public final class AccessFilter extends OncePerRequestFilter {
     private static final Pattern ON_DRONES = Pattern.compile("(drones/[^/]+/)?commands|drones/[^/]+/control/.*");
 
     private static final Pattern COSTLY =
-            Pattern.compile(".*/file|backup|replays|recordings/[^/]+/replays|zones/import");
+            Pattern.compile(".*/file|flights/logbook|backup|replays|recordings/[^/]+/replays|zones/import");
 
     private final Authentication authentication;
     private final ProblemWriter problems;

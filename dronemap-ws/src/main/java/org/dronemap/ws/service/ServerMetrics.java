@@ -15,6 +15,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.history.HistoryHealth;
 import org.jspecify.annotations.Nullable;
 
 /** What a monitoring system wants to know, gathered when it asks. Any thread. */
@@ -22,6 +23,7 @@ public final class ServerMetrics {
     private final CloudManager cloud;
     private final VehicleLinks links;
     private final Supplier<Refusals> refusals;
+    private final Supplier<HistoryHealth> history;
 
     /**
      * What was kept from doing harm since the start.
@@ -31,8 +33,10 @@ public final class ServerMetrics {
      */
     public record Refusals(Map<Work, Long> work, Map<String, Long> clients) {}
 
-    public ServerMetrics(CloudManager cloud, VehicleLinks links, Supplier<Refusals> refusals) {
+    public ServerMetrics(
+            CloudManager cloud, VehicleLinks links, Supplier<Refusals> refusals, Supplier<HistoryHealth> history) {
         this.refusals = refusals;
+        this.history = history;
         this.cloud = cloud;
         this.links = links;
     }
@@ -45,6 +49,7 @@ public final class ServerMetrics {
         vehicles(all, principal);
         process(all);
         refused(all);
+        remembered(all);
         return new MetricSnapshots(all);
     }
 
@@ -127,6 +132,30 @@ public final class ServerMetrics {
         now.clients().forEach((why, times) -> clients.dataPoint(count(times, Labels.of("why", why))));
         all.add(work.build());
         all.add(clients.build());
+    }
+
+    private void remembered(List<MetricSnapshot> all) {
+        HistoryHealth now = history.get();
+        all.add(GaugeSnapshot.builder()
+                .name("dronemap_telemetry_up")
+                .help("1 while all telemetry is written down as it comes.")
+                .dataPoint(point(now.isUp() ? 1 : 0, Labels.EMPTY))
+                .build());
+        all.add(GaugeSnapshot.builder()
+                .name("dronemap_telemetry_waiting")
+                .help("Points and events that are not written yet.")
+                .dataPoint(point(now.waiting(), Labels.EMPTY))
+                .build());
+        all.add(CounterSnapshot.builder()
+                .name("dronemap_telemetry_written")
+                .help("Points and events written.")
+                .dataPoint(count((double) now.written(), Labels.EMPTY))
+                .build());
+        all.add(CounterSnapshot.builder()
+                .name("dronemap_telemetry_dropped")
+                .help("Points and events that found no room.")
+                .dataPoint(count((double) now.dropped(), Labels.EMPTY))
+                .build());
     }
 
     private static void process(List<MetricSnapshot> all) {

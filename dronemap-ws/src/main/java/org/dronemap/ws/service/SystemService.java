@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 public final class SystemService {
     private final CloudManager cloud;
     private final BooleanSupplier databaseUp;
+    private final BooleanSupplier historyUp;
     private final SettingsView settings;
     private final long startedNanos = System.nanoTime();
 
@@ -19,14 +20,18 @@ public final class SystemService {
     public record DroneCounts(long live, long suspect, long lost, long ready, long armed) {}
 
     /** How the server is. */
-    public record HealthView(String status, String database, DroneCounts drones, String version, long uptimeSeconds) {}
+    public record HealthView(
+            String status, String database, String history, DroneCounts drones, String version, long uptimeSeconds) {}
 
     /** What clients have to know. */
     public record SettingsView(int streamPort, @Nullable String tileAddress, String version, boolean publicMode) {}
 
-    public SystemService(CloudManager cloud, BooleanSupplier databaseUp, SettingsView settings) {
+    /** {@code historyUp}: all that drones do is written down as it comes. */
+    public SystemService(
+            CloudManager cloud, BooleanSupplier databaseUp, BooleanSupplier historyUp, SettingsView settings) {
         this.cloud = cloud;
         this.databaseUp = databaseUp;
+        this.historyUp = historyUp;
         this.settings = settings;
     }
 
@@ -34,9 +39,11 @@ public final class SystemService {
         List<DroneState> drones =
                 cloud.drones().stream().filter(drone -> !drone.replay()).toList();
         boolean up = databaseUp.getAsBoolean();
+        boolean remembers = historyUp.getAsBoolean();
         return new HealthView(
-                up ? "up" : "degraded",
+                up && remembers ? "up" : "degraded",
                 up ? "up" : "down",
+                remembers ? "up" : "down",
                 new DroneCounts(
                         count(drones, LinkState.LIVE),
                         count(drones, LinkState.SUSPECT),

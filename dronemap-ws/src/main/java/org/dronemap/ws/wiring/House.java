@@ -13,6 +13,7 @@ import org.dronemap.core.audit.HeadKeeper;
 import org.dronemap.core.audit.SignedHead;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.VirtualDrones;
+import org.dronemap.core.history.History;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingArchive;
@@ -32,6 +33,7 @@ public record House(
         ZoneStore zones,
         Recordings recordings,
         RecordingArchive archive,
+        History history,
         LinkSide links,
         BooleanSupplier databaseUp,
         BackupService.BackupWriter backups,

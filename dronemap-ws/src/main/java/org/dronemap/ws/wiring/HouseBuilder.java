@@ -24,6 +24,8 @@ import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.history.History;
+import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
 import org.dronemap.core.virtual.RunMachine;
@@ -33,6 +35,7 @@ import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.signing.Keyrings;
+import org.dronemap.store.mongo.MongoTelemetryStore;
 import org.dronemap.store.postgres.BackupSummary;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
@@ -77,6 +80,8 @@ final class HouseBuilder {
         CloudManager cloud = cloud(database, commands, journal, clock);
         GrantBook grants = grants(database, cloud, clock);
         cloud.addListener(new AuditedControl(audit.store(), clock, grants::owner));
+        History history = new HistoryBuilder(settings.history(), clock)
+                .open(telemetry(database), database.flights(), cloud, closing);
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
@@ -93,6 +98,7 @@ final class HouseBuilder {
                 database.zones(),
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
+                history,
                 new House.LinkSide(new ProxyLinks(links), database.links(), dtlsKeys),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
@@ -180,6 +186,16 @@ final class HouseBuilder {
         public void droneRemoved(DroneId id) {
             keyrings.removed(id);
         }
+    }
+
+    private TelemetryStore telemetry(Database database) {
+        String url = Settings.Hidden.shown(settings.mongodbUrl());
+        if (url == null) {
+            return database.telemetry();
+        }
+        MongoTelemetryStore store = MongoTelemetryStore.open(url);
+        closing.add("the MongoDB", store);
+        return store;
     }
 
     private Recorder recorder(Database database, Journal journal, CloudManager cloud, Clock clock) {

@@ -21,6 +21,7 @@ import org.dronemap.ws.rest.ControlController;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.FenceController;
+import org.dronemap.ws.rest.FlightController;
 import org.dronemap.ws.rest.GrantController;
 import org.dronemap.ws.rest.GroupController;
 import org.dronemap.ws.rest.InvitationController;
@@ -40,6 +41,7 @@ import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
 import org.dronemap.ws.rest.StreamTicketController;
 import org.dronemap.ws.rest.SystemController;
+import org.dronemap.ws.rest.TelemetryController;
 import org.dronemap.ws.rest.UserController;
 import org.dronemap.ws.rest.WaitingController;
 import org.dronemap.ws.rest.WebClientPages;
@@ -85,6 +87,7 @@ import tools.jackson.databind.DeserializationFeature;
     CommandController.class,
     ControlController.class,
     FenceController.class,
+    FlightController.class,
     LogController.class,
     MissionController.class,
     ParameterController.class,
@@ -95,6 +98,7 @@ import tools.jackson.databind.DeserializationFeature;
     LinkController.class,
     MetricsController.class,
     SystemController.class,
+    TelemetryController.class,
     WaitingController.class,
     ZoneController.class,
     StreamTicketController.class,

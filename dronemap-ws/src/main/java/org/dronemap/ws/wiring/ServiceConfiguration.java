@@ -25,6 +25,7 @@ import org.dronemap.ws.service.DtlsKeyService;
 import org.dronemap.ws.service.ExternalUsers;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
+import org.dronemap.ws.service.FlightService;
 import org.dronemap.ws.service.GrantChanges;
 import org.dronemap.ws.service.InvitationService;
 import org.dronemap.ws.service.JsonReader;
@@ -43,6 +44,7 @@ import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
+import org.dronemap.ws.service.TelemetryService;
 import org.dronemap.ws.service.UserService;
 import org.dronemap.ws.service.WaitingService;
 import org.dronemap.ws.service.ZoneService;
@@ -231,6 +233,7 @@ public class ServiceConfiguration {
         return new SystemService(
                 house.cloud(),
                 house.databaseUp(),
+                () -> house.history().health().isUp(),
                 new SystemService.SettingsView(
                         stream.number(), settings.tileAddress(), Version.current(), settings.publicMode()));
     }
@@ -251,6 +254,17 @@ public class ServiceConfiguration {
     }
 
     @Bean
+    FlightService flightService(House house) {
+        return new FlightService(house.history().flights(), house.archive());
+    }
+
+    @Bean
+    TelemetryService telemetryService(
+            House house, DroneService drones, FlightService flights, Settings settings, Clock clock) {
+        return new TelemetryService(house.history().telemetry(), drones, flights, settings.dataDirectory(), clock);
+    }
+
+    @Bean
     ReplayService replayService(House house, ReplayOwners owners, Settings settings) {
         return new ReplayService(house.recordings(), owners, settings.dataDirectory());
     }
@@ -267,6 +281,7 @@ public class ServiceConfiguration {
 
     @Bean
     ServerMetrics serverMetrics(House house, Protections protections) {
-        return new ServerMetrics(house.cloud(), house.links().vehicles(), protections::refusals);
+        return new ServerMetrics(
+                house.cloud(), house.links().vehicles(), protections::refusals, house.history()::health);
     }
 }

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.proxy.session.Enrolment;
@@ -25,6 +26,8 @@ import org.jspecify.annotations.Nullable;
  * @param tls null: plain HTTP and WebSocket
  * @param tileAddress null: only the base map that ships
  * @param control how long control of a drone lasts, and what happens when its holder is lost
+ * @param history how much of drones is remembered, and for how long
+ * @param mongodbUrl where telemetry is kept; null: beside everything else
  * @param linkSecret seals the keys of vehicles; null: it lies in a file of the data directory
  * @param auditKey chains the records of what was done; null: it lies in a file of the data directory
  * @param registration who may make an account
@@ -46,6 +49,8 @@ public record Settings(
         Watchdog watchdog,
         LeaseRules control,
         RecordingPolicy recording,
+        HistoryPolicy history,
+        @Nullable Hidden mongodbUrl,
         @Nullable Hidden linkSecret,
         @Nullable Hidden auditKey,
         Registration registration,
@@ -117,6 +122,8 @@ public record Settings(
                 watchdog(environment),
                 ControlSettings.of(environment),
                 RecordingSettings.of(environment),
+                HistorySettings.of(environment),
+                hidden(environment, "DRONEMAP_MONGODB_URL"),
                 hidden(environment, "DRONEMAP_LINK_SECRET"),
                 hidden(environment, "DRONEMAP_AUDIT_KEY"),
                 registration(environment),

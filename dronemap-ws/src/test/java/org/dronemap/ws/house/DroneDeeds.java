@@ -310,6 +310,10 @@ public final class DroneDeeds extends Deeds {
     }
 
     private void recordings() {
+        can(
+                "PATCH /api/v1/flights/{id}",
+                () -> deed(
+                        "PATCH", "flights/" + estate.thing("flights").orElseThrow(), "{\"notes\":\"" + name() + "\"}"));
         can("DELETE /api/v1/recordings/{id}", () -> deed("DELETE", "recordings/" + flown() + "?confirm=true", ""));
         can(
                 "POST /api/v1/recordings/{id}/replays",

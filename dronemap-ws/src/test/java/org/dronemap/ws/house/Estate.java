@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -38,6 +39,7 @@ public final class Estate {
         for (String kind : new String[] {
             "commands",
             "recordings",
+            "flights",
             "replays",
             "missions",
             "zones",
@@ -83,6 +85,7 @@ public final class Estate {
         return switch (kind) {
             case "commands" -> id(http.post("/api/v1/drones/" + drone.id() + "/commands", "{\"type\":\"readHome\"}"));
             case "recordings" -> recording();
+            case "flights" -> flight();
             case "replays" -> id(http.post("/api/v1/recordings/" + recording() + "/replays", ""));
             case "missions" ->
                 id(http.post(at, "{\"name\":\"" + name + "\",\"items\":[{\"type\":\"takeOff\",\"altitude\":20}]}"));
@@ -109,6 +112,19 @@ public final class Estate {
         tap.bound(new DroneId(drone.id()));
         byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
         new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::heard);
+    }
+
+    private String flight() {
+        String path = "/api/v1/flights?drone=" + drone.id();
+        int before = administrator.http().get(path).json().path("flights").size();
+        drone.says(new DroneEvent.ModeHeard("GUIDED", true));
+        drone.says(new DroneEvent.ModeHeard("GUIDED", false));
+        return Waiting.until("the flight of " + drone.id(), () -> {
+            JsonNode all = administrator.http().get(path).json().path("flights");
+            return all.size() > before
+                    ? Optional.ofNullable(all.path(0).path("id").asString(null))
+                    : Optional.empty();
+        });
     }
 
     private String recording() {

@@ -29,6 +29,12 @@ import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.conduct.AuditedBindings;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.history.FlightLog;
+import org.dronemap.core.history.History;
+import org.dronemap.core.history.HistoryKeeper;
+import org.dronemap.core.history.HistoryPolicy;
+import org.dronemap.core.history.Retention;
+import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.recording.RecordingPolicy;
@@ -40,11 +46,13 @@ import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryAuditStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
+import org.dronemap.store.memory.MemoryFlightStore;
 import org.dronemap.store.memory.MemoryGrantStore;
 import org.dronemap.store.memory.MemoryLeaseStore;
 import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
+import org.dronemap.store.memory.MemoryTelemetryStore;
 import org.dronemap.store.memory.MemoryVirtualDroneStore;
 import org.dronemap.store.memory.MemoryZoneStore;
 import org.dronemap.store.secret.HmacSeal;
@@ -68,6 +76,9 @@ public final class TestHouse implements AutoCloseable {
     private static final Watchdog PATIENT =
             new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10));
 
+    private static final TelemetryWriter.Rhythm EAGER =
+            new TelemetryWriter.Rhythm(Duration.ofMillis(10), 1_000, 10_000, Duration.ofMillis(10));
+
     private static final Settings.Protection PATIENT_WITH_ALL =
             new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED);
 
@@ -85,6 +96,10 @@ public final class TestHouse implements AutoCloseable {
     private final VirtualDrones virtuals;
     private final Path data;
     private final Recorder recorder;
+    private final MemoryTelemetryStore telemetryStore = new MemoryTelemetryStore();
+    private final TelemetryWriter telemetry = new TelemetryWriter(telemetryStore, EAGER);
+    private final FlightLog flights = new FlightLog(new MemoryFlightStore(), Duration.ofMillis(10));
+    private final History history;
 
     public TestHouse(Path data, boolean publicMode) {
         this(data, publicMode, Registration.APPROVAL);
@@ -124,6 +139,7 @@ public final class TestHouse implements AutoCloseable {
                 new Recorder.Keeping(new MemoryRecordingStore(), journal, DroneId::value),
                 Clock.systemUTC());
         startRecorder();
+        history = history();
         virtuals = new VirtualDrones(
                 cloud,
                 new MemoryVirtualDroneStore(),
@@ -139,6 +155,7 @@ public final class TestHouse implements AutoCloseable {
                 new MemoryZoneStore(),
                 new CountingRecordings(),
                 recorder.shelf(),
+                history,
                 linkSide(),
                 () -> true,
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
@@ -148,6 +165,20 @@ public final class TestHouse implements AutoCloseable {
                 virtuals,
                 audit);
         faces = FacesServer.start(settings(choices), house);
+    }
+
+    private History history() {
+        HistoryKeeper keeper = new HistoryKeeper(telemetryStore, Retention.DEFAULT, Clock.systemUTC());
+        History made = new History(
+                new History.Keeping(telemetryStore, telemetry, flights, keeper),
+                HistoryPolicy.DEFAULT,
+                Clock.systemUTC(),
+                () -> "flight-" + ids.incrementAndGet());
+        telemetry.start();
+        flights.start();
+        made.start();
+        cloud.addListener(made);
+        return made;
     }
 
     private CloudManager.Keeping keeping() {
@@ -187,6 +218,8 @@ public final class TestHouse implements AutoCloseable {
                 PATIENT,
                 LeaseRules.DEFAULT,
                 RecordingPolicy.DEFAULT,
+                HistoryPolicy.DEFAULT,
+                null,
                 null,
                 null,
                 choices.registration(),
@@ -294,6 +327,8 @@ public final class TestHouse implements AutoCloseable {
         faces.close();
         virtuals.close();
         recorder.close();
+        telemetry.close();
+        flights.close();
         lanes.close();
         journal.close();
         audit.keeper().close();

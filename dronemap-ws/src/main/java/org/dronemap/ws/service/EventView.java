@@ -1,0 +1,40 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.core.history.HistoryEvent;
+import org.jspecify.annotations.Nullable;
+
+/** Something that happened to a drone, as clients see it; null: not known, or none. */
+public record EventView(
+        Instant at,
+
+        @Schema(description = "armed, disarmed, mode, phase, message, command, mission or control")
+        String kind,
+
+        String text,
+        @Nullable String severity,
+        @Nullable String by,
+        @Schema(description = "Id of the command") @Nullable String command,
+
+        @Schema(description = "succeeded, refused, failed, timedOut, superseded or unknown") @Nullable
+        String result,
+
+        @Nullable String reason) {
+
+    /** Oldest first; {@code more}: there are more than that. */
+    public record Events(String drone, Instant from, Instant until, List<EventView> events, boolean more) {}
+
+    static EventView of(HistoryEvent event) {
+        return new EventView(
+                WireTimes.shown(event.at()),
+                WireNames.camel(event.kind()),
+                event.text(),
+                event.severity() == null ? null : WireNames.camel(event.severity()),
+                event.by(),
+                event.command(),
+                event.result(),
+                event.reason());
+    }
+}

@@ -1,0 +1,19 @@
+package org.dronemap.ws.service;
+
+import org.jspecify.annotations.Nullable;
+
+/** What people write about a flight. */
+public record FlightNotes(@Nullable String notes) {
+    private static final int LONGEST = 4_000;
+    private static final String ALLOWED = "0 to " + LONGEST + " characters";
+
+    String checked() {
+        if (notes == null) {
+            throw InvalidInput.missing("notes", ALLOWED);
+        }
+        if (notes.length() > LONGEST) {
+            throw InvalidInput.outside("notes", ALLOWED, notes.length());
+        }
+        return notes;
+    }
+}

@@ -1,0 +1,91 @@
+package org.dronemap.ws.service;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.dronemap.core.history.Span;
+import org.dronemap.core.history.TelemetryField;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Which telemetry clients want; null or empty: as usual.
+ *
+ * @param fields names with commas between them
+ * @param slots in how many the time is cut
+ * @param most points at most
+ */
+public record TelemetrySearch(
+        @Nullable String from,
+        @Nullable String until,
+        @Nullable String fields,
+        @Nullable Integer slots,
+        @Nullable Integer most) {
+    private static final Duration LONGEST = Duration.ofDays(31);
+    private static final int USUAL_SLOTS = 1_000;
+    private static final int MOST_SLOTS = 5_000;
+    private static final int USUAL_POINTS = 5_000;
+    private static final int MOST_POINTS = 20_000;
+    private static final List<TelemetryField> USUAL_FIELDS = List.of(
+            TelemetryField.ALTITUDE_ABOVE_HOME,
+            TelemetryField.GROUND_SPEED,
+            TelemetryField.BATTERY_PERCENT,
+            TelemetryField.LOSS_SHORT);
+
+    Span span(Span usual) {
+        Instant begin = WireTimes.read("from", from);
+        Instant end = WireTimes.read("until", until);
+        Instant first = begin == null ? usual.from() : begin;
+        Instant last = end == null ? usual.until() : end;
+        if (last.isBefore(first)) {
+            throw InvalidInput.outside("until", "a time after " + first, last);
+        }
+        if (Duration.between(first, last).compareTo(LONGEST) > 0) {
+            throw InvalidInput.outside("from", "a time at most 31 days before " + last, first);
+        }
+        return new Span(first, last);
+    }
+
+    List<TelemetryField> chosen() {
+        if (fields == null || fields.isBlank()) {
+            return USUAL_FIELDS;
+        }
+        return Arrays.stream(fields.split(","))
+                .map(String::strip)
+                .map(TelemetrySearch::named)
+                .distinct()
+                .toList();
+    }
+
+    private static TelemetryField named(String name) {
+        return Arrays.stream(TelemetryField.values())
+                .filter(field -> WireNames.camel(field).equals(name))
+                .findFirst()
+                .orElseThrow(() -> InvalidInput.outside(
+                        "fields",
+                        "some of "
+                                + Arrays.stream(TelemetryField.values())
+                                        .map(WireNames::camel)
+                                        .collect(Collectors.joining(", ")),
+                        "\"" + name + "\""));
+    }
+
+    int slotCount() {
+        return bounded("slots", slots, USUAL_SLOTS, MOST_SLOTS);
+    }
+
+    int mostPoints() {
+        return bounded("most", most, USUAL_POINTS, MOST_POINTS);
+    }
+
+    private static int bounded(String field, @Nullable Integer value, int usual, int most) {
+        if (value == null) {
+            return usual;
+        }
+        if (value < 1 || value > most) {
+            throw InvalidInput.outside(field, "1 to " + most, value);
+        }
+        return value;
+    }
+}

@@ -1,0 +1,56 @@
+package org.dronemap.ws.wiring;
+
+import java.security.SecureRandom;
+import java.time.Clock;
+import java.time.Duration;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.history.FlightLog;
+import org.dronemap.core.history.FlightStore;
+import org.dronemap.core.history.History;
+import org.dronemap.core.history.HistoryKeeper;
+import org.dronemap.core.history.HistoryPolicy;
+import org.dronemap.core.history.TelemetryStore;
+import org.dronemap.core.history.TelemetryWriter;
+
+/** Has all that drones do remembered. */
+public final class HistoryBuilder {
+    private static final Duration FLIGHTS_EVERY = Duration.ofSeconds(1);
+    private static final Duration TIDY_EVERY = Duration.ofHours(1);
+    private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
+    private static final int LETTERS_OF_AN_ID = 12;
+
+    private final HistoryPolicy policy;
+    private final Clock clock;
+    private final SecureRandom random = new SecureRandom();
+
+    public HistoryBuilder(HistoryPolicy policy, Clock clock) {
+        this.policy = policy;
+        this.clock = clock;
+    }
+
+    /** From now on; what is opened is handed to {@code closing}. */
+    History open(TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, Closing closing) {
+        HistoryKeeper keeper = new HistoryKeeper(telemetry, policy.retention(), clock);
+        TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.Rhythm.DEFAULT);
+        FlightLog flights = new FlightLog(flightStore, FLIGHTS_EVERY);
+        closing.add("the keeper of old telemetry", keeper);
+        closing.add("the flights", flights);
+        closing.add("the telemetry", writer);
+        History history =
+                new History(new History.Keeping(telemetry, writer, flights, keeper), policy, clock, this::newId);
+        keeper.start(TIDY_EVERY);
+        writer.start();
+        flights.start();
+        history.start();
+        cloud.addListener(history);
+        return history;
+    }
+
+    private String newId() {
+        StringBuilder id = new StringBuilder();
+        for (int i = 0; i < LETTERS_OF_AN_ID; i++) {
+            id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
+        }
+        return id.toString();
+    }
+}

@@ -1,0 +1,278 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.StringReader;
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Optional;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.xml.sax.InputSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Flights and telemetry over REST: found, looked at, taken along as files, and noted upon by those who may. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class FlightsTest {
+    private static final String PATH = "/api/v1/flights";
+    private static final String MESSAGE = "EKF <failsafe> & \"compass\"";
+
+    private TestHouse house;
+    private Http viewer;
+    private Http operator;
+    private ScriptedVehicle vehicle;
+    private String id;
+
+    @BeforeAll
+    void fly(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        viewer = new Http(house, house.key(Role.VIEWER));
+        operator = new Http(house, house.key(Role.OPERATOR));
+        vehicle = ScriptedVehicle.connect(house.cloud(), 16_001);
+        vehicle.says(new DroneEvent.BatteryHeard(new Battery(90, 12.6, null)));
+        assertThat(operator.post("/api/v1/drones/" + vehicle.id() + "/commands?wait=30", "{\"type\":\"arm\"}")
+                        .status())
+                .isEqualTo(200);
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
+        vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3987, 8.5456), 508.0, 20.0)));
+        vehicle.says(new DroneEvent.TextHeard(Severity.CRITICAL, MESSAGE));
+        vehicle.says(new DroneEvent.BatteryHeard(new Battery(70, 12.1, null)));
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
+        id = Waiting.until(
+                "the flight has ended",
+                () -> Optional.of(newest())
+                        .filter(flight -> flight.path("state").asString().equals("ended"))
+                        .map(flight -> flight.path("id").asString()));
+        Waiting.until("its points are kept", () -> points().size() == 2 ? Optional.of(true) : Optional.empty());
+    }
+
+    @AfterAll
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void nobodySeesThemWithoutSigningIn() {
+        assertThat(new Http(house, "").get(PATH).status()).isEqualTo(401);
+    }
+
+    @Test
+    void tellsWhoFlewHowFarAndOnWhatCharge() {
+        JsonNode flight = viewer.get(PATH + "/" + id).json();
+
+        assertThat(flight.path("drone").asString()).isEqualTo(vehicle.id());
+        assertThat(flight.path("users").path(0).asString()).isEqualTo(nameOf(operator));
+        assertThat(flight.path("distance").asDouble()).isBetween(110.0, 113.0);
+        assertThat(flight.path("highest").asDouble()).isEqualTo(20);
+        assertThat(flight.path("battery").path("used").asInt()).isEqualTo(20);
+        assertThat(Instant.parse(flight.path("end").asString()))
+                .isAfterOrEqualTo(Instant.parse(flight.path("start").asString()));
+    }
+
+    @Test
+    void findsFlightsAndRefusesWhatCannotBeLookedFor() {
+        assertThat(found("?drone=" + vehicle.id())).isPositive();
+        assertThat(found("?drone=another")).isZero();
+        assertThat(found("?user=" + nameOf(operator))).isPositive();
+        assertThat(found("?from=2020-01-01T00:00:00Z&until=2021-01-01T00:00:00Z"))
+                .isZero();
+        assertThat(found("?words=copter")).isPositive();
+        assertThat(viewer.get(PATH + "?from=yesterday").text("field")).isEqualTo("from");
+        assertThat(viewer.get(PATH + "?limit=0").text("field")).isEqualTo("limit");
+        assertThat(viewer.get(PATH + "?before=nosuchflight").text("field")).isEqualTo("before");
+        assertThat(viewer.get(PATH + "?drone=Not%20An%20Id").text("field")).isEqualTo("drone");
+    }
+
+    @Test
+    void tellsWhatHappenedWithTheOutcomesOfCommands() {
+        Waiting.until("the command is told", () -> {
+            String events = viewer.get(PATH + "/" + id + "/events").raw().body();
+            return events.contains("\"result\":\"succeeded\"") ? Optional.of(true) : Optional.empty();
+        });
+        JsonNode events = viewer.get(PATH + "/" + id + "/events").json().path("events");
+
+        assertThat(events.valueStream().map(event -> event.path("kind").asString()))
+                .contains("armed", "disarmed", "message", "command");
+        assertThat(events.valueStream().map(event -> event.path("text").asString()))
+                .contains(MESSAGE);
+        assertThat(viewer.get("/api/v1/drones/" + vehicle.id() + "/events")
+                        .raw()
+                        .body())
+                .contains("armed");
+    }
+
+    @Test
+    void givesNumbersOverTimeWithTheirPeaks() {
+        JsonNode series = viewer.get(PATH + "/" + id + "/telemetry?fields=altitudeAboveHome,batteryPercent&slots=1")
+                .json();
+
+        assertThat(series.path("times").size()).isEqualTo(1);
+        JsonNode height = series.path("fields").path(0);
+        assertThat(height.path("name").asString()).isEqualTo("altitudeAboveHome");
+        assertThat(height.path("unit").asString()).isEqualTo("m");
+        assertThat(height.path("least").path(0).asDouble()).isZero();
+        assertThat(height.path("most").path(0).asDouble()).isEqualTo(20);
+        String ofDrone = "/api/v1/drones/" + vehicle.id() + "/telemetry";
+        assertThat(viewer.get(ofDrone).json().path("fields").size()).isEqualTo(4);
+        assertThat(viewer.get(ofDrone + "?fields=wings").text("field")).isEqualTo("fields");
+        assertThat(viewer.get(ofDrone + "?slots=5001").text("field")).isEqualTo("slots");
+        assertThat(viewer.get(ofDrone + "?from=2020-01-01T00:00:00Z").text("field"))
+                .isEqualTo("from");
+        assertThat(viewer.get(ofDrone + "?from=2020-01-02T00:00:00Z&until=2020-01-01T00:00:00Z")
+                        .text("field"))
+                .isEqualTo("until");
+    }
+
+    @Test
+    void givesNoMorePointsThanAreAskedFor() {
+        assertThat(points()).hasSize(2);
+        assertThat(viewer.get(PATH + "/" + id + "/telemetry/points?most=1")
+                        .json()
+                        .path("points")
+                        .size())
+                .isEqualTo(1);
+        assertThat(viewer.get("/api/v1/drones/" + vehicle.id() + "/telemetry/points?most=0")
+                        .text("field"))
+                .isEqualTo("most");
+    }
+
+    @Test
+    void givesTheTrackAsATable() {
+        Http.Answer file = viewer.get(PATH + "/" + id + "/telemetry/file");
+        String[] lines = file.raw().body().split("\r\n");
+
+        assertThat(lines).hasSize(3);
+        assertThat(lines[0]).startsWith("\"at\",\"latitude\",\"longitude\"");
+        assertThat(lines[2]).contains("47.3987,8.5456,508.0,20.0").contains("\"GUIDED\"");
+        assertThat(file.raw().headers().firstValue("Content-Disposition"))
+                .hasValueSatisfying(value -> assertThat(value).endsWith(".csv\""));
+        assertThat(viewer.get(PATH + "/" + id + "/telemetry/file?form=doc").text("field"))
+                .isEqualTo("form");
+    }
+
+    @Test
+    void givesTheTrackAsGeoJson() {
+        JsonNode all = JsonMapper.shared().readTree(file("geojson"));
+        JsonNode line = all.path("features").path(0);
+
+        assertThat(line.path("geometry").path("type").asString()).isEqualTo("LineString");
+        assertThat(line.path("geometry").path("coordinates").path(1).toString()).isEqualTo("[8.5456,47.3987,508.0]");
+        assertThat(line.path("properties").path("coordTimes").size()).isEqualTo(2);
+        assertThat(all.path("features")
+                        .valueStream()
+                        .map(one -> one.path("properties").path("name").asString()))
+                .contains(MESSAGE);
+    }
+
+    @Test
+    void givesTheTrackAsKmlAndGpx() throws Exception {
+        Document kml = xml(file("kml"));
+        assertThat(kml.getElementsByTagName("gx:coord").item(1).getTextContent())
+                .isEqualTo("8.5456 47.3987 508.0");
+        assertThat(kml.getElementsByTagName("when").getLength()).isGreaterThanOrEqualTo(2);
+        assertThat(kml.getDocumentElement().getTextContent()).contains(MESSAGE);
+        Document gpx = xml(file("gpx"));
+        assertThat(gpx.getElementsByTagName("trkpt").getLength()).isEqualTo(2);
+        assertThat(gpx.getElementsByTagName("ele").item(1).getTextContent()).isEqualTo("508.0");
+    }
+
+    @Test
+    void givesTheLogbook() {
+        String logbook =
+                viewer.get(PATH + "/logbook?drone=" + vehicle.id()).raw().body();
+
+        assertThat(logbook.split("\r\n")).hasSize(2);
+        assertThat(logbook).contains("\"" + id + "\"").contains("\"" + nameOf(operator) + "\"");
+        assertThat(viewer.get(PATH + "/logbook?drone=another").raw().body().split("\r\n"))
+                .hasSize(1);
+    }
+
+    @Test
+    void keepsTheNotesOfThoseWhoMayCommand() {
+        String path = PATH + "/" + id;
+        assertThat(patch(viewer, path, "{\"notes\":\"mine\"}").status()).isEqualTo(403);
+        assertThat(patch(operator, path, "{}").text("field")).isEqualTo("notes");
+        assertThat(patch(operator, path, "{\"notes\":\"" + "x".repeat(4_001) + "\"}")
+                        .text("field"))
+                .isEqualTo("notes");
+        assertThat(patch(operator, path, "{\"notes\":\"windy\"}").text("notes")).isEqualTo("windy");
+        assertThat(viewer.get(path).text("notes")).isEqualTo("windy");
+        assertThat(found("?words=WINDY")).isEqualTo(1);
+    }
+
+    @Test
+    void hidesThemFromOtherOrganisations() {
+        Http root =
+                house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR).http();
+        String others =
+                root.post("/api/v1/organisations", "{\"name\":\"Rescue\"}").text("id");
+        Http stranger = house.member(new OrganisationId(others), "stranger", Role.ADMINISTRATOR)
+                .http();
+
+        assertThat(stranger.get(PATH).json().path("flights").size()).isZero();
+        assertThat(stranger.get(PATH + "/" + id).status()).isEqualTo(404);
+        assertThat(stranger.get(PATH + "/" + id + "/telemetry/points").status()).isEqualTo(404);
+        assertThat(stranger.get("/api/v1/drones/" + vehicle.id() + "/telemetry").status())
+                .isEqualTo(404);
+        assertThat(stranger.get(PATH + "/logbook").raw().body().split("\r\n")).hasSize(1);
+    }
+
+    @Test
+    void healthSaysThatAllIsRemembered() {
+        assertThat(viewer.get("/api/v1/health").text("history")).isEqualTo("up");
+    }
+
+    private JsonNode newest() {
+        return viewer.get(PATH + "?drone=" + vehicle.id())
+                .json()
+                .path("flights")
+                .path(0);
+    }
+
+    private JsonNode points() {
+        return viewer.get(PATH + "/" + id + "/telemetry/points").json().path("points");
+    }
+
+    private int found(String search) {
+        return viewer.get(PATH + search).json().path("flights").size();
+    }
+
+    private String file(String form) {
+        return viewer.get(PATH + "/" + id + "/telemetry/file?form=" + form)
+                .raw()
+                .body();
+    }
+
+    private static String nameOf(Http who) {
+        return who.get("/api/v1/session").text("name");
+    }
+
+    private static Document xml(String text) throws Exception {
+        return DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(text)));
+    }
+
+    private static Http.Answer patch(Http who, String path, String body) {
+        return who.send(
+                path,
+                request -> request.header("Content-Type", "application/json")
+                        .method("PATCH", HttpRequest.BodyPublishers.ofString(body)));
+    }
+}
