@@ -3,6 +3,7 @@ import { AccountCalls, type Session } from './accounts';
 import { AuditCalls } from './audit';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint } from './endpoints';
+import { FlightCalls } from './flights';
 import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
 import type { ParameterFile, ParameterPage } from './parameters';
@@ -34,6 +35,7 @@ export class RestClient {
   readonly accessKeys = new AccessKeyCalls((method, path, body) => this.#call(method, path, body));
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
   readonly audit: AuditCalls;
+  readonly flights: FlightCalls;
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
   readonly grants = new GrantCalls((method, path, body) => this.#call(method, path, body));
   readonly plans = new PlanCalls((method, path, body) => this.#call(method, path, body));
@@ -43,6 +45,7 @@ export class RestClient {
   constructor(base = '/api/v1', fetcher: Fetch = (input, init) => fetch(input, init)) {
     this.#base = base;
     this.#fetch = fetcher;
+    this.flights = new FlightCalls((method, path, body) => this.#call(method, path, body), base);
     this.audit = new AuditCalls((method, path, body) => this.#call(method, path, body), base);
   }
 

@@ -1,6 +1,6 @@
 import type { Coordinates } from '../geo/coordinates';
 
-export type Page = 'map' | 'administration';
+export type Page = 'map' | 'flights' | 'administration';
 export type SheetHeight = 'low' | 'half' | 'full';
 
 /** Where the chosen drone is asked to go, before anybody has confirmed it. */

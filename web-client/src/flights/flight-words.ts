@@ -1,0 +1,46 @@
+import type { Flight, FlightEvent } from '../api/flights';
+import { distance, fixed, span, UNKNOWN } from '../ui/format';
+
+/** When it began and how long it took. */
+export function whenLine(flight: Flight): string {
+  const begin = new Date(flight.start).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+  const length = span(Math.round(flight.seconds));
+  const state = { running: ', going on', lost: ', lost', ended: '' }[flight.state];
+  return `${begin} · ${length}${state}`;
+}
+
+/** Who, how far, how high, on what charge. */
+export function whatLine(flight: Flight): string {
+  const who = flight.users.length === 0 ? 'by hand' : flight.users.join(', ');
+  return [
+    who,
+    distance(flight.distance),
+    flight.highest === null ? null : `${fixed(flight.highest)} m high`,
+    flight.battery.used === null ? null : `${flight.battery.used} % of charge`,
+  ]
+    .filter((part) => part !== null)
+    .join(' · ');
+}
+
+export function facts(flight: Flight): [string, string][] {
+  return [
+    ['Distance', distance(flight.distance)],
+    ['Highest', flight.highest === null ? UNKNOWN : `${fixed(flight.highest)} m above home`],
+    ['Fastest', flight.fastest === null ? UNKNOWN : `${fixed(flight.fastest, 1)} m/s`],
+    ['Farthest', flight.farthest === null ? UNKNOWN : distance(flight.farthest)],
+    [
+      'Battery',
+      flight.battery.used === null
+        ? UNKNOWN
+        : `${flight.battery.first} → ${flight.battery.last} % (${flight.battery.used} % used)`,
+    ],
+    ['Commanded by', flight.users.length === 0 ? 'nobody here' : flight.users.join(', ')],
+    ['Conducted by', flight.operation ?? UNKNOWN],
+  ];
+}
+
+export function eventLine(event: FlightEvent): string {
+  const by = event.by === null ? '' : ` by ${event.by}`;
+  const result = event.result === null ? '' : `: ${event.result}`;
+  return `${event.text}${by}${result}${event.reason === null ? '' : `, ${event.reason}`}`;
+}
