@@ -22,7 +22,9 @@ export class Track {
   readonly #times: number[];
 
   constructor(points: readonly TrackPoint[]) {
-    this.#points = points.filter((point): point is Placed => point.latitude !== null && point.longitude !== null);
+    this.#points = points.filter(
+      (point): point is Placed => point.latitude !== null && point.longitude !== null,
+    );
     this.#times = this.#points.map((point) => Date.parse(point.at));
   }
 
@@ -38,7 +40,8 @@ export class Track {
   lines(): [number, number][][] {
     const lines: [number, number][][] = [];
     this.#points.forEach((point, index) => {
-      const gap = index === 0 ? Infinity : (this.#times[index] as number) - (this.#times[index - 1] as number);
+      const gap =
+        index === 0 ? Infinity : (this.#times[index] as number) - (this.#times[index - 1] as number);
       if (gap > LONGEST_GAP_MILLISECONDS) {
         lines.push([]);
       }

@@ -61,7 +61,7 @@ class FlightsTest {
                 () -> Optional.of(newest())
                         .filter(flight -> flight.path("state").asString().equals("ended"))
                         .map(flight -> flight.path("id").asString()));
-        Waiting.until("its points are kept", () -> points().size() == 2 ? Optional.of(true) : Optional.empty());
+        Waiting.until("its points are kept", () -> points().size() >= 2 ? Optional.of(true) : Optional.empty());
     }
 
     @AfterAll
@@ -134,6 +134,7 @@ class FlightsTest {
         assertThat(viewer.get(ofDrone).json().path("fields").size()).isEqualTo(4);
         assertThat(viewer.get(ofDrone + "?fields=wings").text("field")).isEqualTo("fields");
         assertThat(viewer.get(ofDrone + "?slots=5001").text("field")).isEqualTo("slots");
+        assertThat(viewer.get(ofDrone + "?slots=many").text("field")).isEqualTo("slots");
         assertThat(viewer.get(ofDrone + "?from=2020-01-01T00:00:00Z").text("field"))
                 .isEqualTo("from");
         assertThat(viewer.get(ofDrone + "?from=2020-01-02T00:00:00Z&until=2020-01-01T00:00:00Z")
@@ -143,7 +144,7 @@ class FlightsTest {
 
     @Test
     void givesNoMorePointsThanAreAskedFor() {
-        assertThat(points()).hasSize(2);
+        assertThat(points()).hasSizeGreaterThanOrEqualTo(2);
         assertThat(viewer.get(PATH + "/" + id + "/telemetry/points?most=1")
                         .json()
                         .path("points")
@@ -159,9 +160,11 @@ class FlightsTest {
         Http.Answer file = viewer.get(PATH + "/" + id + "/telemetry/file");
         String[] lines = file.raw().body().split("\r\n");
 
-        assertThat(lines).hasSize(3);
+        assertThat(lines).hasSize(points().size() + 1);
         assertThat(lines[0]).startsWith("\"at\",\"latitude\",\"longitude\"");
-        assertThat(lines[2]).contains("47.3987,8.5456,508.0,20.0").contains("\"GUIDED\"");
+        assertThat(lines[lines.length - 1])
+                .contains("47.3987,8.5456,508.0,20.0")
+                .contains("\"GUIDED\"");
         assertThat(file.raw().headers().firstValue("Content-Disposition"))
                 .hasValueSatisfying(value -> assertThat(value).endsWith(".csv\""));
         assertThat(viewer.get(PATH + "/" + id + "/telemetry/file?form=doc").text("field"))
@@ -174,8 +177,12 @@ class FlightsTest {
         JsonNode line = all.path("features").path(0);
 
         assertThat(line.path("geometry").path("type").asString()).isEqualTo("LineString");
-        assertThat(line.path("geometry").path("coordinates").path(1).toString()).isEqualTo("[8.5456,47.3987,508.0]");
-        assertThat(line.path("properties").path("coordTimes").size()).isEqualTo(2);
+        assertThat(line.path("geometry")
+                        .path("coordinates")
+                        .path(points().size() - 1)
+                        .toString())
+                .isEqualTo("[8.5456,47.3987,508.0]");
+        assertThat(line.path("properties").path("coordTimes").size()).isEqualTo(points().size());
         assertThat(all.path("features")
                         .valueStream()
                         .map(one -> one.path("properties").path("name").asString()))
@@ -185,13 +192,16 @@ class FlightsTest {
     @Test
     void givesTheTrackAsKmlAndGpx() throws Exception {
         Document kml = xml(file("kml"));
-        assertThat(kml.getElementsByTagName("gx:coord").item(1).getTextContent())
+        assertThat(kml.getElementsByTagName("gx:coord")
+                        .item(points().size() - 1)
+                        .getTextContent())
                 .isEqualTo("8.5456 47.3987 508.0");
         assertThat(kml.getElementsByTagName("when").getLength()).isGreaterThanOrEqualTo(2);
         assertThat(kml.getDocumentElement().getTextContent()).contains(MESSAGE);
         Document gpx = xml(file("gpx"));
-        assertThat(gpx.getElementsByTagName("trkpt").getLength()).isEqualTo(2);
-        assertThat(gpx.getElementsByTagName("ele").item(1).getTextContent()).isEqualTo("508.0");
+        assertThat(gpx.getElementsByTagName("trkpt").getLength()).isEqualTo(points().size());
+        assertThat(gpx.getElementsByTagName("ele").item(points().size() - 1).getTextContent())
+                .isEqualTo("508.0");
     }
 
     @Test

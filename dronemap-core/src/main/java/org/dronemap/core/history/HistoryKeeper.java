@@ -24,18 +24,17 @@ public final class HistoryKeeper implements AutoCloseable {
         this.clock = clock;
     }
 
-    /** Once at once, on the caller's thread, and then again and again. */
+    /** At once, and then again and again. */
     public void start(Duration every) {
-        tidy();
         Thread thread = new Thread(() -> run(every), "history-keeper");
         thread.setDaemon(true);
         thread.start();
     }
 
     private void run(Duration every) {
-        while (pulse.rest(every) && !closed) {
+        do {
             tidy();
-        }
+        } while (pulse.rest(every) && !closed);
     }
 
     /** A sentence when it did not work the last time. */

@@ -20,6 +20,9 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private static final Comparator<TelemetryPoint> BY_DRONE =
             Comparator.comparing(point -> point.drone().value());
     private static final long CLOSE_MILLIS = 5_000;
+    /** So often a batch is tried that a store which answers does not take. */
+    private static final int MOST_TRIES = 10;
+
     /** So long after a drop the store counts as too slow. */
     private static final long SLOW_NANOS = 60_000_000_000L;
 
@@ -130,11 +133,11 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
         return new Batch(taken, happened);
     }
 
-    /** Until it is written; after the close it is tried once. */
+    /** Until it is written, or the store takes others but not this one; after the close it is tried once. */
     private void write(Batch batch) {
         underWay = batch.size();
         boolean done = tried(batch);
-        while (!done && !closed) {
+        for (int tries = 1; !done && !closed && !(tries >= MOST_TRIES && answers()); tries++) {
             rest(rhythm.pause());
             done = tried(batch);
         }
@@ -142,6 +145,14 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
             drop(batch.size());
         }
         underWay = 0;
+    }
+
+    private boolean answers() {
+        try {
+            return !store.server().isEmpty();
+        } catch (RuntimeException away) {
+            return false;
+        }
     }
 
     private boolean tried(Batch batch) {

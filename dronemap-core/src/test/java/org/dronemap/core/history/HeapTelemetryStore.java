@@ -13,6 +13,9 @@ final class HeapTelemetryStore implements TelemetryStore {
     final List<HistoryEvent> events = new CopyOnWriteArrayList<>();
     final List<Integer> batches = new CopyOnWriteArrayList<>();
     volatile boolean broken;
+    /** It answers, but never takes an event with this text. */
+    volatile String poison = "";
+
     volatile CountDownLatch disk = new CountDownLatch(0);
 
     @Override
@@ -24,6 +27,9 @@ final class HeapTelemetryStore implements TelemetryStore {
         }
         if (broken) {
             throw new IllegalStateException("the disk is full");
+        }
+        if (newEvents.stream().anyMatch(event -> event.text().equals(poison))) {
+            throw new IllegalStateException("not that");
         }
         batches.add(newPoints.size());
         points.addAll(newPoints);
@@ -56,6 +62,9 @@ final class HeapTelemetryStore implements TelemetryStore {
 
     @Override
     public String server() {
+        if (broken) {
+            throw new IllegalStateException("the disk is full");
+        }
         return "heap";
     }
 }

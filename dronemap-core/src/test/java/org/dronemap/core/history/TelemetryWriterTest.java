@@ -70,6 +70,17 @@ class TelemetryWriterTest {
     }
 
     @Test
+    void givesUpWhatTheStoreNeverTakesAndGoesOn() {
+        store.poison = "poison";
+        writer.event(HistoryEvent.of(StateScript.DRONE, StateScript.START, HistoryEvent.Kind.MODE, "poison"));
+        writer.start();
+        await().atMost(Duration.ofSeconds(30)).until(() -> writer.health().dropped() == 1);
+        bring(5);
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.points.size() == 5);
+    }
+
+    @Test
     void writesWhatWaitsWhenItIsClosed() {
         store.disk = new CountDownLatch(1);
         writer.start();

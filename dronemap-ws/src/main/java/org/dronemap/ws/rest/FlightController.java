@@ -56,7 +56,7 @@ public class FlightController {
             description =
                     "Newest first, 50 unless limit says otherwise (1 to 200); go on with before = next. Times are as"
                             + " 2026-03-04T05:06:07Z.")
-    public FlightView.Page flights(
+    public FlightView.Flights flights(
             @ParameterObject @ModelAttribute FlightSearch search,
             @RequestParam(required = false) @Nullable String before,
             @RequestParam(required = false) @Nullable Integer limit) {

@@ -50,7 +50,7 @@ public final class FlightService {
     }
 
     /** Newest first; {@code before}: the id of the last flight of the page before. */
-    public FlightView.Page page(
+    public FlightView.Flights page(
             Principal principal, FlightSearch search, @Nullable String before, @Nullable Integer limit) {
         int most = limit(limit);
         FlightQuery query = search.query();
@@ -58,7 +58,7 @@ public final class FlightService {
         List<Flight> found = seen(principal, query, after, most + 1);
         List<Flight> page = found.size() > most ? found.subList(0, most) : found;
         List<Recording> known = recordings.recordings();
-        return new FlightView.Page(
+        return new FlightView.Flights(
                 page.stream().map(flight -> view(flight, known)).toList(),
                 found.size() > most ? page.get(most - 1).id() : null);
     }
@@ -120,8 +120,8 @@ public final class FlightService {
     }
 
     private static String row(FlightView flight) {
-        FlightView.PlaceView from = flight.takeOff();
-        FlightView.PlaceView last = flight.last();
+        FlightView.SpotView from = flight.takeOff();
+        FlightView.SpotView last = flight.last();
         return Csv.line(Arrays.asList(
                 flight.id(),
                 flight.drone(),

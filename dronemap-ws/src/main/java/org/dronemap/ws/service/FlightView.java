@@ -32,9 +32,9 @@ public record FlightView(
         @Schema(description = "From where it was armed, in metres") @Nullable
         Double farthest,
 
-        BatteryView battery,
-        @Nullable PlaceView takeOff,
-        @Nullable PlaceView last,
+        ChargeView battery,
+        @Nullable SpotView takeOff,
+        @Nullable SpotView last,
 
         @Schema(description = "Who commanded it; empty: nobody here")
         List<String> users,
@@ -47,16 +47,17 @@ public record FlightView(
         @Schema(description = "Ids of recordings of it") List<String> recordings) {
 
     /** In percent of a full charge. */
-    public record BatteryView(
+    public record ChargeView(
             @Nullable Integer first,
             @Nullable Integer last,
             @Nullable Integer used) {}
 
     /** In degrees. */
-    public record PlaceView(double latitude, double longitude) {}
+    public record SpotView(double latitude, double longitude) {}
 
     /** Some flights; {@code next}: go on with before = next, null: that is all. */
-    public record Page(List<FlightView> flights, @Nullable String next) {}
+    public record Flights(
+            List<FlightView> flights, @Nullable String next) {}
 
     static FlightView of(Flight flight, List<String> recordings) {
         Measures measures = flight.measures();
@@ -74,7 +75,7 @@ public record FlightView(
                 tenthOrNull(measures.highestMeters()),
                 tenthOrNull(measures.fastest()),
                 tenthOrNull(measures.farthestMeters()),
-                new BatteryView(measures.batteryFirst(), measures.batteryLast(), measures.batteryUsed()),
+                new ChargeView(measures.batteryFirst(), measures.batteryLast(), measures.batteryUsed()),
                 place(measures.takeOff()),
                 place(measures.last()),
                 flight.users(),
@@ -84,8 +85,8 @@ public record FlightView(
                 recordings);
     }
 
-    private static @Nullable PlaceView place(@Nullable Geodetic point) {
-        return point == null ? null : new PlaceView(point.latitudeDegrees(), point.longitudeDegrees());
+    private static @Nullable SpotView place(@Nullable Geodetic point) {
+        return point == null ? null : new SpotView(point.latitudeDegrees(), point.longitudeDegrees());
     }
 
     private static double tenth(double value) {

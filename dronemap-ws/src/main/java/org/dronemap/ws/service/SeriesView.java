@@ -19,13 +19,13 @@ public record SeriesView(
         @Schema(description = "Of the first point in each slot that has any")
         List<Instant> times,
 
-        List<FieldView> fields) {
+        List<FieldSeries> fields) {
 
     /** The least and the greatest value of each slot, so that no peak is lost; null: not known then. */
-    public record FieldView(String name, String unit, List<@Nullable Double> least, List<@Nullable Double> most) {}
+    public record FieldSeries(String name, String unit, List<@Nullable Double> least, List<@Nullable Double> most) {}
 
     static SeriesView of(SeriesQuery query, List<SeriesSlot> slots) {
-        List<FieldView> fields = new ArrayList<>();
+        List<FieldSeries> fields = new ArrayList<>();
         for (int i = 0; i < query.fields().size(); i++) {
             fields.add(field(query.fields().get(i), i, slots));
         }
@@ -38,7 +38,7 @@ public record SeriesView(
                 fields);
     }
 
-    private static FieldView field(TelemetryField field, int place, List<SeriesSlot> slots) {
+    private static FieldSeries field(TelemetryField field, int place, List<SeriesSlot> slots) {
         List<@Nullable Double> least = new ArrayList<>(slots.size());
         List<@Nullable Double> most = new ArrayList<>(slots.size());
         for (SeriesSlot slot : slots) {
@@ -46,6 +46,6 @@ public record SeriesView(
             least.add(extent == null ? null : extent.least());
             most.add(extent == null ? null : extent.most());
         }
-        return new FieldView(WireNames.camel(field), field.unit(), least, most);
+        return new FieldSeries(WireNames.camel(field), field.unit(), least, most);
     }
 }

@@ -20,8 +20,8 @@ public record TelemetrySearch(
         @Nullable String from,
         @Nullable String until,
         @Nullable String fields,
-        @Nullable Integer slots,
-        @Nullable Integer most) {
+        @Nullable String slots,
+        @Nullable String most) {
     private static final Duration LONGEST = Duration.ofDays(31);
     private static final int USUAL_SLOTS = 1_000;
     private static final int MOST_SLOTS = 5_000;
@@ -51,7 +51,7 @@ public record TelemetrySearch(
         if (fields == null || fields.isBlank()) {
             return USUAL_FIELDS;
         }
-        return Arrays.stream(fields.split(","))
+        return Arrays.stream(fields.split(",", -1))
                 .map(String::strip)
                 .map(TelemetrySearch::named)
                 .distinct()
@@ -79,13 +79,16 @@ public record TelemetrySearch(
         return bounded("most", most, USUAL_POINTS, MOST_POINTS);
     }
 
-    private static int bounded(String field, @Nullable Integer value, int usual, int most) {
-        if (value == null) {
+    private static int bounded(String field, @Nullable String value, int usual, int most) {
+        if (value == null || value.isBlank()) {
             return usual;
         }
-        if (value < 1 || value > most) {
-            throw InvalidInput.outside(field, "1 to " + most, value);
+        if (value.matches("\\d{1,6}")) {
+            int number = Integer.parseInt(value);
+            if (number >= 1 && number <= most) {
+                return number;
+            }
         }
-        return value;
+        throw InvalidInput.outside(field, "1 to " + most, "\"" + value + "\"");
     }
 }

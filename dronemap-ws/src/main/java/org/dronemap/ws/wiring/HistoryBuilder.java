@@ -13,7 +13,7 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
 
 /** Has all that drones do remembered. */
-public final class HistoryBuilder {
+final class HistoryBuilder {
     private static final Duration FLIGHTS_EVERY = Duration.ofSeconds(1);
     private static final Duration TIDY_EVERY = Duration.ofHours(1);
     private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
@@ -23,7 +23,7 @@ public final class HistoryBuilder {
     private final Clock clock;
     private final SecureRandom random = new SecureRandom();
 
-    public HistoryBuilder(HistoryPolicy policy, Clock clock) {
+    HistoryBuilder(HistoryPolicy policy, Clock clock) {
         this.policy = policy;
         this.clock = clock;
     }

@@ -123,7 +123,7 @@ public record Settings(
                 ControlSettings.of(environment),
                 RecordingSettings.of(environment),
                 HistorySettings.of(environment),
-                hidden(environment, "DRONEMAP_MONGODB_URL"),
+                mongodb(environment),
                 hidden(environment, "DRONEMAP_LINK_SECRET"),
                 hidden(environment, "DRONEMAP_AUDIT_KEY"),
                 registration(environment),
@@ -147,6 +147,12 @@ public record Settings(
     private static @Nullable String text(Map<String, String> environment, String name) {
         String value = environment.get(name);
         return value == null || value.isBlank() ? null : value.strip();
+    }
+
+    /** It may hold a password. */
+    private static @Nullable Hidden mongodb(Map<String, String> environment) {
+        String url = text(environment, "DRONEMAP_MONGODB_URL");
+        return url == null ? null : new Hidden(url);
     }
 
     private static @Nullable Hidden hidden(Map<String, String> environment, String name) {
