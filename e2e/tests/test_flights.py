@@ -70,7 +70,8 @@ def fly(api: Api, copter: Json) -> Json:
     wait_for(
         "it is there",
         lambda: (
-            far.metres_to(api.drone(drone)["position"]["latitude"], api.drone(drone)["position"]["longitude"]) < 3
+            far.metres_to(api.drone(drone)["position"]["latitude"], api.drone(drone)["position"]["longitude"])
+            < 3
         ),
         90,
     )
