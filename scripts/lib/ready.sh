@@ -117,7 +117,7 @@ command_status() {
     printf '%-9s %s\n' Server "$(json_value status "$answer" | grep . || echo 'not answering') (process $(pid_of server), $(resident_megabytes) MB)" \
         Page "$(page_address)" Stream "port $STREAM_PORT" Vehicles "${ENDPOINTS//,/ }" \
         Drones "$(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value armed "$answer") armed, $(json_value lost "$answer") lost" \
-        Database "$(json_value database "$answer")"
+        Database "$(json_value database "$answer")" History "$(json_value history "$answer")"
     if is_running sim; then printf '%-9s %s\n' Demo "$FLEET_COUNT simulated drones (process $(pid_of sim))"; else printf '%-9s none\n' Demo; fi
     free=$(free_megabytes "$DATA")
     printf '%-9s %s\n' Data "$DATA ($free MB free)" Build "$(is_built && echo 'up to date' || echo 'older than the sources: ./dronemap up builds anew')"

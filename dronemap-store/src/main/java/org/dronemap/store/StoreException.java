@@ -4,11 +4,30 @@ import org.jspecify.annotations.Nullable;
 
 /** Something could not be kept or found; the message is a sentence for the person who runs the server. */
 public final class StoreException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final boolean passing;
+
     public StoreException(String sentence) {
-        super(sentence);
+        this(sentence, null);
     }
 
     public StoreException(String sentence, @Nullable Throwable cause) {
+        this(sentence, cause, false);
+    }
+
+    private StoreException(String sentence, @Nullable Throwable cause, boolean passing) {
         super(sentence, cause);
+        this.passing = passing;
+    }
+
+    /** The store is away or full; the same may be taken once it is back. */
+    public static StoreException passing(String sentence, Throwable cause) {
+        return new StoreException(sentence, cause, true);
+    }
+
+    /** Nothing is wrong with what was asked, only with the moment. */
+    public boolean isPassing() {
+        return passing;
     }
 }

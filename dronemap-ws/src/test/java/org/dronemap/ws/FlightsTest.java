@@ -1,24 +1,36 @@
 package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.StringReader;
 import java.net.http.HttpRequest;
+import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.List;
 import java.util.Optional;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.mavlink.FrameReader;
+import org.dronemap.mavlink.FrameWriter;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.MAVLinkController;
+import org.dronemap.ws.soap.SoapFlight;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -33,6 +45,9 @@ import tools.jackson.databind.json.JsonMapper;
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class FlightsTest {
     private static final String PATH = "/api/v1/flights";
+    /** The time, and a heartbeat. */
+    private static final int RECORD_BYTES = 8 + 21;
+
     private static final String MESSAGE = "EKF <failsafe> & \"compass\"";
 
     private TestHouse house;
@@ -40,6 +55,7 @@ class FlightsTest {
     private Http operator;
     private ScriptedVehicle vehicle;
     private String id;
+    private FrameTap wire;
 
     @BeforeAll
     void fly(@TempDir Path data) {
@@ -47,6 +63,9 @@ class FlightsTest {
         viewer = new Http(house, house.key(Role.VIEWER));
         operator = new Http(house, house.key(Role.OPERATOR));
         vehicle = ScriptedVehicle.connect(house.cloud(), 16_001);
+        wire = house.recorder().open(1);
+        wire.bound(new DroneId(vehicle.id()));
+        heardOnTheWire();
         vehicle.says(new DroneEvent.BatteryHeard(new Battery(90, 12.6, null)));
         assertThat(operator.post("/api/v1/drones/" + vehicle.id() + "/commands?wait=30", "{\"type\":\"arm\"}")
                         .status())
@@ -55,6 +74,11 @@ class FlightsTest {
         vehicle.says(new DroneEvent.PositionHeard(new Position(new Geodetic(47.3987, 8.5456), 508.0, 20.0)));
         vehicle.says(new DroneEvent.TextHeard(Severity.CRITICAL, MESSAGE));
         vehicle.says(new DroneEvent.BatteryHeard(new Battery(70, 12.1, null)));
+        Waiting.until(
+                "the flight is known",
+                () -> Optional.of(newest())
+                        .filter(flight -> flight.path("state").asString().equals("running")));
+        heardOnTheWire();
         vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
         id = Waiting.until(
                 "the flight has ended",
@@ -62,6 +86,16 @@ class FlightsTest {
                         .filter(flight -> flight.path("state").asString().equals("ended"))
                         .map(flight -> flight.path("id").asString()));
         Waiting.until("its points are kept", () -> points().size() >= 2 ? Optional.of(true) : Optional.empty());
+        Instant end = Instant.parse(viewer.get(PATH + "/" + id).text("end"));
+        Waiting.until(
+                "time has passed",
+                () -> Optional.of(end).filter(at -> Instant.now().isAfter(at.plusMillis(5))));
+        heardOnTheWire();
+    }
+
+    private void heardOnTheWire() {
+        byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
+        new FrameReader().read(ByteBuffer.wrap(heartbeat), wire::heard);
     }
 
     @AfterAll
@@ -202,6 +236,81 @@ class FlightsTest {
         assertThat(gpx.getElementsByTagName("trkpt").getLength()).isEqualTo(points().size());
         assertThat(gpx.getElementsByTagName("ele").item(points().size() - 1).getTextContent())
                 .isEqualTo("508.0");
+    }
+
+    @Test
+    void givesWhatWasOnTheWireWhereItWasRecorded() {
+        Http.Answer one = viewer.get(PATH + "/" + id + "/telemetry/file?form=tlog");
+        assertThat(one.status()).isEqualTo(200);
+        assertThat(one.raw().headers().firstValue("Content-Length")).contains("" + RECORD_BYTES);
+        assertThat(one.raw().headers().firstValue("Content-Disposition"))
+                .hasValueSatisfying(value -> assertThat(value).endsWith(".tlog\""));
+        assertThat(viewer.get("/api/v1/drones/" + vehicle.id() + "/telemetry/file?form=tlog")
+                        .raw()
+                        .headers()
+                        .firstValue("Content-Length"))
+                .contains("" + 3 * RECORD_BYTES);
+        Http.Answer none = viewer.get("/api/v1/drones/" + vehicle.id()
+                + "/telemetry/file?form=tlog&from=2026-01-01T00:00:00Z&until=2026-01-01T01:00:00Z");
+        assertThat(none.status()).isEqualTo(409);
+        assertThat(none.text("detail")).startsWith("There is no recording of that drone at that time");
+    }
+
+    @Test
+    void givesFlightsThroughSoap() throws DronemapFault {
+        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.VIEWER));
+
+        SoapFlight flight = soap.getFlight(id);
+        assertThat(flight.getDroneId()).isEqualTo(vehicle.id());
+        assertThat(flight.getState()).isEqualTo("ended");
+        assertThat(flight.getBatteryUsed()).isEqualTo(20);
+        assertThat(flight.getUser()).containsExactly(nameOf(operator));
+        assertThat(soap.getFlightsList(vehicle.id(), null, null, null, null, null))
+                .extracting(SoapFlight::getFlightId)
+                .contains(id);
+        assertThat(soap.getFlightsList(null, "nobody", null, null, null, null)).isNullOrEmpty();
+        assertThatThrownBy(() -> soap.getFlightsList(null, null, "yesterday", null, null, null))
+                .hasMessageContaining("from");
+        assertThatThrownBy(() -> soap.getFlight("nosuchflight")).hasMessageContaining("There is no flight");
+    }
+
+    @Test
+    void saysWhenTheStoreIsAwayAndDronesGoOn() {
+        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.VIEWER));
+        ScriptedVehicle other = ScriptedVehicle.connect(house.cloud(), 16_002);
+        house.historyStores().off();
+        try {
+            for (String path : List.of("", "/" + id, "/" + id + "/telemetry", "/" + id + "/events", "/logbook")) {
+                Http.Answer answer = viewer.get(PATH + path);
+                assertThat(answer.status()).as(path).isEqualTo(503);
+                assertThat(answer.text("type")).as(path).isEqualTo("urn:dronemap:problem:unavailable");
+                assertThat(answer.raw().body()).as(path).doesNotContain("switched");
+            }
+            assertThatThrownBy(() -> soap.getFlight(id)).hasMessageContaining("cannot be reached");
+            other.says(new DroneEvent.TextHeard(Severity.INFO, "on the ground"));
+            Http.Answer health = Waiting.until(
+                    "it is told",
+                    () -> Optional.of(viewer.get("/api/v1/health"))
+                            .filter(answer -> answer.text("history").equals("down")));
+            assertThat(health.text("status")).isEqualTo("degraded");
+            Http.Answer status = administrator.get("/api/v1/history");
+            assertThat(status.json().path("up").asBoolean(true)).isFalse();
+            assertThat(status.text("trouble")).contains("switched off");
+            assertThat(operator.post("/api/v1/drones/" + other.id() + "/commands?wait=30", "{\"type\":\"arm\"}")
+                            .status())
+                    .isEqualTo(200);
+        } finally {
+            house.historyStores().on();
+        }
+        Http.Answer again = Waiting.until(
+                "all is well",
+                () -> Optional.of(administrator.get("/api/v1/history"))
+                        .filter(answer -> answer.json().path("up").asBoolean(false)));
+        assertThat(again.text("server")).isEqualTo("memory");
+        assertThat(again.json().path("dropped").asLong(-1)).isZero();
+        assertThat(viewer.get(PATH + "/" + id).status()).isEqualTo(200);
+        assertThat(viewer.get("/api/v1/history").status()).isEqualTo(403);
     }
 
     @Test

@@ -1,7 +1,9 @@
 package org.dronemap.core.recording;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -21,6 +23,12 @@ public interface RecordingArchive {
      * control, user. Empty when there is none.
      */
     Optional<Path> sent(String id) throws IOException;
+
+    /**
+     * Writes those messages of one recording that were heard or sent at {@code from} or later and before {@code until},
+     * in the form of the file. Returns how many; none when there is no such file.
+     */
+    long cut(String id, Instant from, Instant until, OutputStream out) throws IOException;
 
     /** Refused with a sentence while it goes on or when there is none; empty when it is gone. */
     Optional<String> delete(String id) throws IOException;

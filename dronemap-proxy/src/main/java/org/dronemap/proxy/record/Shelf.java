@@ -1,12 +1,16 @@
 package org.dronemap.proxy.record;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -23,6 +27,7 @@ import java.util.function.Function;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.mavlink.tlog.TlogReader;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -35,6 +40,8 @@ public final class Shelf implements RecordingArchive {
     private static final Logger LOG = LoggerFactory.getLogger(Shelf.class);
     private static final Duration BETWEEN_LOOKS_AT_AGE = Duration.ofMinutes(10);
     private static final int PATIENCE_SECONDS = 30;
+    /** The time, and a frame of 280 bytes at most. */
+    private static final int LONGEST_RECORD = 512;
 
     private final RecordingFiles files;
     private final RecordingPolicy policy;
@@ -92,6 +99,34 @@ public final class Shelf implements RecordingArchive {
             recorder.flush();
         }
         return Optional.of(path.apply(found.get().id())).filter(Files::isReadable);
+    }
+
+    @Override
+    public long cut(String id, Instant from, Instant until, OutputStream out) throws IOException {
+        Path file = file(id).orElse(null);
+        if (file == null) {
+            return 0;
+        }
+        long first = micros(from);
+        long end = micros(until);
+        long count = 0;
+        ByteBuffer bytes = ByteBuffer.allocate(LONGEST_RECORD);
+        try (InputStream in = Files.newInputStream(file)) {
+            TlogReader reader = new TlogReader(in);
+            for (TlogReader.Timed record = reader.next(); record != null; record = reader.next()) {
+                if (record.micros() >= first && record.micros() < end) {
+                    bytes.clear().putLong(record.micros());
+                    record.frame().writeTo(bytes);
+                    out.write(bytes.array(), 0, bytes.position());
+                    count++;
+                }
+            }
+        }
+        return count;
+    }
+
+    private static long micros(Instant time) {
+        return ChronoUnit.MICROS.between(Instant.EPOCH, time);
     }
 
     @Override

@@ -5,6 +5,9 @@ import com.mongodb.ErrorCategory;
 import com.mongodb.MongoBulkWriteException;
 import com.mongodb.MongoClientSettings;
 import com.mongodb.MongoException;
+import com.mongodb.MongoNotPrimaryException;
+import com.mongodb.MongoSocketException;
+import com.mongodb.MongoTimeoutException;
 import com.mongodb.WriteConcern;
 import com.mongodb.bulk.BulkWriteError;
 import com.mongodb.client.MongoClient;
@@ -217,8 +220,10 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
     private static <T> T trying(Supplier<T> work) {
         try {
             return work.get();
+        } catch (MongoTimeoutException | MongoSocketException | MongoNotPrimaryException e) {
+            throw StoreException.passing("The MongoDB for telemetry cannot be reached: " + e.getMessage(), e);
         } catch (MongoException e) {
-            throw new StoreException("The MongoDB for telemetry refused or cannot be reached: " + e.getMessage(), e);
+            throw new StoreException("The MongoDB for telemetry refused: " + e.getMessage(), e);
         }
     }
 

@@ -10,13 +10,15 @@ final class SqlSentence {
     private SqlSentence() {}
 
     static StoreException exception(SQLException error) {
-        return new StoreException(of(error), error);
+        return isOutOfReach(error) || isFull(error)
+                ? StoreException.passing(of(error), error)
+                : new StoreException(of(error), error);
     }
 
     static String of(SQLException error) {
         String state = state(error);
         String said = Objects.requireNonNullElse(error.getMessage(), state);
-        if (state.equals("53100")) {
+        if (isFull(error)) {
             return "The disk of the database is full; free some space, nothing was lost: " + said;
         }
         if (state.startsWith("28")) {
@@ -32,6 +34,10 @@ final class SqlSentence {
             return "The database cannot be reached: " + said;
         }
         return "The database refused: " + said;
+    }
+
+    private static boolean isFull(SQLException error) {
+        return state(error).equals("53100");
     }
 
     /** True for errors that may pass by waiting: not reachable, starting, stopping, too many connections. */

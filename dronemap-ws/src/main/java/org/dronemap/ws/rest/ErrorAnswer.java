@@ -3,7 +3,10 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Hidden;
 import jakarta.servlet.RequestDispatcher;
 import jakarta.servlet.http.HttpServletRequest;
+import java.util.Optional;
+import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.springframework.boot.webmvc.error.ErrorController;
 import org.springframework.http.MediaType;
@@ -15,12 +18,20 @@ import org.springframework.web.bind.annotation.RestController;
 @Hidden
 @RestController
 public class ErrorAnswer implements ErrorController {
+    private final Outages outages;
+
+    public ErrorAnswer(Outages outages) {
+        this.outages = outages;
+    }
 
     @RequestMapping("/error")
     public ResponseEntity<Problem> error(HttpServletRequest request) {
         Object code = request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE);
         int status = code instanceof Integer number ? number : RejectionKind.UNKNOWN.status();
-        Problem problem = Problem.ofStatus(status);
+        Object thrown = request.getAttribute(RequestDispatcher.ERROR_EXCEPTION);
+        Problem problem = (thrown instanceof Throwable cause ? outages.of(cause) : Optional.<Rejection>empty())
+                .map(Problem::of)
+                .orElseGet(() -> Problem.ofStatus(status));
         return ResponseEntity.status(problem.status())
                 .contentType(MediaType.APPLICATION_PROBLEM_JSON)
                 .body(problem);

@@ -110,7 +110,9 @@ public class FlightController {
     }
 
     @GetMapping("/{id}/telemetry/file")
-    @Operation(summary = "Take a flight along as a file", description = "form: csv, geojson, kml or gpx.")
+    @Operation(
+            summary = "Take a flight along as a file",
+            description = "form: csv, geojson, kml, gpx or tlog (where it was recorded).")
     public void file(
             @PathVariable String id,
             @ParameterObject @ModelAttribute TelemetrySearch search,

@@ -8,6 +8,7 @@ import org.apache.tomcat.util.http.InvalidParameterException;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
@@ -34,6 +35,12 @@ import tools.jackson.core.JacksonException;
 @RestControllerAdvice
 public class ProblemAdvice {
     private static final Logger LOG = LoggerFactory.getLogger(ProblemAdvice.class);
+
+    private final Outages outages;
+
+    public ProblemAdvice(Outages outages) {
+        this.outages = outages;
+    }
 
     @ExceptionHandler(Rejection.class)
     public ResponseEntity<Problem> rejected(Rejection rejection) {
@@ -132,6 +139,15 @@ public class ProblemAdvice {
         Throwable cause = e instanceof CompletionException ? e.getCause() : e;
         if (cause instanceof Rejection rejection) {
             return answer(rejection);
+        }
+        Rejection outage = outages.of(e).orElse(null);
+        if (outage != null) {
+            LOG.warn(
+                    "{} {} came while the store was away: {}",
+                    request.getMethod(),
+                    request.getRequestURI(),
+                    String.valueOf(e.getMessage()));
+            return answer(outage);
         }
         LOG.error("{} {} failed", request.getMethod(), request.getRequestURI(), e);
         return body(Problem.internal());

@@ -3,6 +3,7 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.HistoryService;
 import org.dronemap.ws.service.SystemService;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.RequestMapping;
@@ -14,10 +15,12 @@ import org.springframework.web.bind.annotation.RestController;
 @Tag(name = "Server", description = "Health and settings.")
 public class SystemController {
     private final SystemService system;
+    private final HistoryService history;
     private final CurrentPrincipal current;
 
-    public SystemController(SystemService system, CurrentPrincipal current) {
+    public SystemController(SystemService system, HistoryService history, CurrentPrincipal current) {
         this.system = system;
+        this.history = history;
         this.current = current;
     }
 
@@ -25,6 +28,12 @@ public class SystemController {
     @Operation(summary = "Is the server well? (no sign-in)", description = "ready counts the drones that can be armed.")
     public SystemService.HealthView health() {
         return system.health();
+    }
+
+    @GetMapping("/history")
+    @Operation(summary = "Is all that drones do written down? (administrator)")
+    public HistoryService.HistoryView history() {
+        return history.status(current.principal());
     }
 
     @GetMapping("/settings")

@@ -57,7 +57,9 @@ public class TelemetryController {
     }
 
     @GetMapping("/telemetry/file")
-    @Operation(summary = "Take telemetry along as a file", description = "form: csv, geojson, kml or gpx.")
+    @Operation(
+            summary = "Take telemetry along as a file",
+            description = "form: csv, geojson, kml, gpx or tlog (where it was recorded).")
     public void file(
             @PathVariable String id,
             @ParameterObject @ModelAttribute TelemetrySearch search,

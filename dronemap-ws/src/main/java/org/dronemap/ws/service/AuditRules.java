@@ -22,6 +22,8 @@ public final class AuditRules {
             "getPlan",
             "getVirtualDronesList",
             "getVirtualDrone",
+            "getFlightsList",
+            "getFlight",
             "controlHeartbeat");
     private static final Set<String> LEFT_OUT_OF_STREAM = Set.of("ping", "subscribe");
 

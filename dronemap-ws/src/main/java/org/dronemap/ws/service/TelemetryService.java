@@ -31,6 +31,7 @@ public final class TelemetryService {
     private final TelemetryStore store;
     private final DroneService drones;
     private final FlightService flights;
+    private final TlogCut tlog;
     private final Path temporaryDirectory;
     private final InstantSource clock;
 
@@ -44,11 +45,13 @@ public final class TelemetryService {
             TelemetryStore store,
             DroneService drones,
             FlightService flights,
+            TlogCut tlog,
             Path temporaryDirectory,
             InstantSource clock) {
         this.store = store;
         this.drones = drones;
         this.flights = flights;
+        this.tlog = tlog;
         this.temporaryDirectory = temporaryDirectory;
         this.clock = clock;
     }
@@ -108,23 +111,45 @@ public final class TelemetryService {
 
     /** Whole before its first byte is handed out, so that a slow reader holds nothing up. */
     public Export export(Subject subject, TelemetrySearch search, String form) throws IOException {
-        TrackForm kind = TrackForm.named(form);
         Span span = search.span(subject.usual());
-        Path file = Files.createTempFile(temporaryDirectory, "telemetry", "." + kind.ending());
-        try (BufferedWriter out = Files.newBufferedWriter(file)) {
-            kind.write(
-                    new TrackForm.Track(
-                            subject.name(),
-                            points(subject.drone(), span),
-                            kind.hasEvents() ? store.events(subject.drone(), span, MOST_EVENTS) : List.of()),
-                    out);
+        if (form.equals(TlogCut.FORM)) {
+            Path file = made(TlogCut.FORM, path -> tlog.write(subject.drone(), span, path));
+            return new Export(file, name(subject, span, TlogCut.FORM), "application/octet-stream");
+        }
+        TrackForm kind = TrackForm.named(form);
+        Path file = made(kind.ending(), path -> {
+            try (BufferedWriter out = Files.newBufferedWriter(path)) {
+                kind.write(track(subject, span, kind), out);
+            }
+        });
+        return new Export(file, name(subject, span, kind.ending()), kind.mediaType());
+    }
+
+    private TrackForm.Track track(Subject subject, Span span, TrackForm kind) {
+        return new TrackForm.Track(
+                subject.name(),
+                points(subject.drone(), span),
+                kind.hasEvents() ? store.events(subject.drone(), span, MOST_EVENTS) : List.of());
+    }
+
+    private interface Making {
+        void into(Path file) throws IOException;
+    }
+
+    private Path made(String ending, Making making) throws IOException {
+        Path file = Files.createTempFile(temporaryDirectory, "telemetry", "." + ending);
+        try {
+            making.into(file);
+            return file;
         } catch (IOException | RuntimeException e) {
             Files.deleteIfExists(file);
             throw e;
         }
-        String name = subject.name().replaceAll("[^A-Za-z0-9-]+", "-") + "_"
-                + WireTimes.shown(span.from()).toString().replaceAll("[^0-9TZ]", "");
-        return new Export(file, name + "." + kind.ending(), kind.mediaType());
+    }
+
+    private static String name(Subject subject, Span span, String ending) {
+        return subject.name().replaceAll("[^A-Za-z0-9-]+", "-") + "_"
+                + WireTimes.shown(span.from()).toString().replaceAll("[^0-9TZ]", "") + "." + ending;
     }
 
     private List<TelemetryPoint> points(DroneId drone, Span span) {

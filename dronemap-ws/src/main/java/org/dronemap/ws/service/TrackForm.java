@@ -53,7 +53,8 @@ enum TrackForm {
                 .findFirst()
                 .orElseThrow(() -> InvalidInput.outside(
                         "form",
-                        Arrays.stream(values()).map(TrackForm::ending).collect(Collectors.joining(", ")),
+                        Arrays.stream(values()).map(TrackForm::ending).collect(Collectors.joining(", ")) + ", "
+                                + TlogCut.FORM,
                         "\"" + form + "\""));
     }
 

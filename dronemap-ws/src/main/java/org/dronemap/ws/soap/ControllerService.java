@@ -13,6 +13,7 @@ import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.FlightSearch;
 import org.dronemap.ws.service.MissionItemView;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.Problem;
@@ -38,6 +39,7 @@ public class ControllerService implements MAVLinkController {
     private final ParameterService parameters;
     private final SoapPlans plans;
     private final SoapVirtualDrones virtuals;
+    private final SoapFlights flights;
 
     public ControllerService(
             SoapCaller caller,
@@ -53,6 +55,7 @@ public class ControllerService implements MAVLinkController {
         this.parameters = parameters;
         this.plans = missions.plans();
         this.virtuals = missions.virtuals();
+        this.flights = missions.flights();
     }
 
     @Override
@@ -299,6 +302,23 @@ public class ControllerService implements MAVLinkController {
             virtuals.remove(virtualDroneId);
             return virtualDroneId;
         });
+    }
+
+    @Override
+    public List<SoapFlight> getFlightsList(
+            @Nullable String droneId,
+            @Nullable String user,
+            @Nullable String from,
+            @Nullable String until,
+            @Nullable String words,
+            @Nullable String before)
+            throws DronemapFault {
+        return answer(() -> flights.some(new FlightSearch(droneId, user, from, until, words), before));
+    }
+
+    @Override
+    public SoapFlight getFlight(String flightId) throws DronemapFault {
+        return answer(() -> flights.one(flightId));
     }
 
     @Override

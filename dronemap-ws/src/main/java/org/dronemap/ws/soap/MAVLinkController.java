@@ -17,6 +17,7 @@ public interface MAVLinkController {
     String PLAN_ID = "planId";
     String VIRTUAL = "virtualDrone";
     String VIRTUAL_ID = "virtualDroneId";
+    String FLIGHT = "flight";
 
     @WebMethod
     @WebResult(name = "drone")
@@ -244,6 +245,22 @@ public interface MAVLinkController {
 
     @WebMethod
     void removeVirtualDrone(@WebParam(name = VIRTUAL_ID) String virtualDroneId) throws DronemapFault;
+
+    /** Newest first, 50 at most; {@code before}: the id of the last flight of the answer before. Times as in REST. */
+    @WebMethod
+    @WebResult(name = FLIGHT)
+    List<SoapFlight> getFlightsList(
+            @WebParam(name = DRONE) @Nullable String droneId,
+            @WebParam(name = "user") @Nullable String user,
+            @WebParam(name = "from") @Nullable String from,
+            @WebParam(name = "until") @Nullable String until,
+            @WebParam(name = "words") @Nullable String words,
+            @WebParam(name = "before") @Nullable String before)
+            throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = FLIGHT)
+    SoapFlight getFlight(@WebParam(name = "flightId") String flightId) throws DronemapFault;
 
     @WebMethod
     @WebResult(name = OUTCOME)

@@ -52,6 +52,7 @@ import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.security.RefusedByTomcat;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.stream.StreamCrowd;
 import org.springframework.beans.factory.ObjectProvider;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
@@ -111,6 +112,11 @@ public class RestConfiguration {
     @Bean
     JsonMapperBuilderCustomizer strictJson() {
         return builder -> builder.enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES);
+    }
+
+    @Bean
+    Outages outages() {
+        return new StoreOutages();
     }
 
     @Bean

@@ -27,6 +27,7 @@ import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.FlightService;
 import org.dronemap.ws.service.GrantChanges;
+import org.dronemap.ws.service.HistoryService;
 import org.dronemap.ws.service.InvitationService;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.LinkSecurityService;
@@ -45,6 +46,7 @@ import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
 import org.dronemap.ws.service.TelemetryService;
+import org.dronemap.ws.service.TlogCut;
 import org.dronemap.ws.service.UserService;
 import org.dronemap.ws.service.WaitingService;
 import org.dronemap.ws.service.ZoneService;
@@ -261,7 +263,18 @@ public class ServiceConfiguration {
     @Bean
     TelemetryService telemetryService(
             House house, DroneService drones, FlightService flights, Settings settings, Clock clock) {
-        return new TelemetryService(house.history().telemetry(), drones, flights, settings.dataDirectory(), clock);
+        return new TelemetryService(
+                house.history().telemetry(),
+                drones,
+                flights,
+                new TlogCut(house.archive()),
+                settings.dataDirectory(),
+                clock);
+    }
+
+    @Bean
+    HistoryService historyService(House house) {
+        return new HistoryService(house.history());
     }
 
     @Bean

@@ -10,6 +10,8 @@ import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.FlightService;
+import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.service.VirtualDroneService;
@@ -17,6 +19,7 @@ import org.dronemap.ws.soap.ControllerService;
 import org.dronemap.ws.soap.KnownServices;
 import org.dronemap.ws.soap.SoapCaller;
 import org.dronemap.ws.soap.SoapEndpoint;
+import org.dronemap.ws.soap.SoapFlights;
 import org.dronemap.ws.soap.SoapMissions;
 import org.dronemap.ws.soap.SoapPlans;
 import org.dronemap.ws.soap.SoapVirtualDrones;
@@ -51,8 +54,16 @@ public class SoapConfiguration {
     }
 
     @Bean
-    SoapMissions soapMissions(SoapCaller caller, PlanService plans, VirtualDroneService virtuals) {
-        return new SoapMissions(new SoapPlans(caller, plans), new SoapVirtualDrones(caller, virtuals));
+    SoapMissions soapMissions(
+            SoapCaller caller,
+            PlanService plans,
+            VirtualDroneService virtuals,
+            FlightService flights,
+            Outages outages) {
+        return new SoapMissions(
+                new SoapPlans(caller, plans),
+                new SoapVirtualDrones(caller, virtuals),
+                new SoapFlights(caller, flights, outages));
     }
 
     @Bean(destroyMethod = "stop")

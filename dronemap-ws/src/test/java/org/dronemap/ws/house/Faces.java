@@ -81,6 +81,7 @@ public final class Faces {
         return switch (operation) {
             case "getCommand" -> "commandId";
             case "getPlan", "acceptPlan", "stopPlan", "cancelPlan" -> "planId";
+            case "getFlight" -> "flightId";
             case "createVirtualDrone" -> "name";
             case "getVirtualDrone",
                     "startVirtualDrone",
@@ -101,6 +102,7 @@ public final class Faces {
         return switch (elementOf(operation)) {
             case "commandId" -> "commands";
             case "planId" -> "plans";
+            case "flightId" -> "flights";
             case "name" -> "nothing";
             // Not what an organisation has: they are their owner's alone.
             case "virtualDroneId" -> "virtual drones of one's own";

@@ -30,10 +30,12 @@ import org.dronemap.core.conduct.AuditedBindings;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.history.FlightLog;
+import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.History;
 import org.dronemap.core.history.HistoryKeeper;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.history.Retention;
+import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
@@ -96,9 +98,12 @@ public final class TestHouse implements AutoCloseable {
     private final VirtualDrones virtuals;
     private final Path data;
     private final Recorder recorder;
-    private final MemoryTelemetryStore telemetryStore = new MemoryTelemetryStore();
+    private final StoreSwitch historyStores = new StoreSwitch();
+    private final TelemetryStore telemetryStore =
+            historyStores.before(TelemetryStore.class, new MemoryTelemetryStore());
     private final TelemetryWriter telemetry = new TelemetryWriter(telemetryStore, EAGER);
-    private final FlightLog flights = new FlightLog(new MemoryFlightStore(), Duration.ofMillis(10));
+    private final FlightLog flights =
+            new FlightLog(historyStores.before(FlightStore.class, new MemoryFlightStore()), Duration.ofMillis(10));
     private final History history;
 
     public TestHouse(Path data, boolean publicMode) {
@@ -234,6 +239,11 @@ public final class TestHouse implements AutoCloseable {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** Of what is remembered of drones. */
+    public StoreSwitch historyStores() {
+        return historyStores;
     }
 
     public Recorder recorder() {
