@@ -84,7 +84,7 @@ export interface FlightEvent {
   reason: string | null;
 }
 
-export type TrackForm = 'csv' | 'geojson' | 'kml' | 'gpx';
+export type TrackForm = 'csv' | 'geojson' | 'kml' | 'gpx' | 'tlog';
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
@@ -120,6 +120,17 @@ export class FlightCalls {
   ): Promise<Series> {
     const wanted = new URLSearchParams({ fields: fields.join(','), slots: String(slots), ...span });
     return this.#call('GET', `/flights/${encodeURIComponent(id)}/telemetry?${wanted}`);
+  }
+
+  /** Of the last hour, unless `span` says otherwise. */
+  seriesOf(
+    drone: string,
+    fields: readonly string[],
+    slots: number,
+    span: { from: string; until: string } | null,
+  ): Promise<Series> {
+    const wanted = new URLSearchParams({ fields: fields.join(','), slots: String(slots), ...span });
+    return this.#call('GET', `/drones/${encodeURIComponent(drone)}/telemetry?${wanted}`);
   }
 
   async points(id: string): Promise<TrackPoint[]> {

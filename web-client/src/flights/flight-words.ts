@@ -1,4 +1,4 @@
-import type { Flight, FlightEvent } from '../api/flights';
+import type { Flight, FlightEvent, TrackForm } from '../api/flights';
 import { distance, fixed, span, UNKNOWN } from '../ui/format';
 
 /** When it began and how long it took. */
@@ -37,6 +37,11 @@ export function facts(flight: Flight): [string, string][] {
     ['Commanded by', flight.users.length === 0 ? 'nobody here' : flight.users.join(', ')],
     ['Conducted by', flight.operation ?? UNKNOWN],
   ];
+}
+
+/** What the flight can be taken along as; what was on the wire only where it was recorded. */
+export function trackForms(flight: Flight): TrackForm[] {
+  return ['csv', 'geojson', 'kml', 'gpx', ...(flight.recordings.length > 0 ? (['tlog'] as const) : [])];
 }
 
 export function eventLine(event: FlightEvent): string {
