@@ -125,7 +125,12 @@ final class StreamClient {
      * Hands waiting messages to the socket as soon as it has sent all that it had: its own queue has no bound. False
      * when something still waits.
      */
-    boolean pump(long nowNanos) {
+    boolean pump(long nowNanos, WriteReminder reminder) {
+        reminder.remind(socket);
+        return pump(nowNanos);
+    }
+
+    private boolean pump(long nowNanos) {
         if (closingSinceNanos != 0) {
             if (nowNanos - closingSinceNanos > 2_000_000_000L) {
                 // it does not even take the farewell

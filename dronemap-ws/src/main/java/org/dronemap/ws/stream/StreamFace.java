@@ -267,7 +267,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
                 Rejection late = Rejection.notSignedIn("No ticket, key or authenticate message came within 5 s.");
                 requests.say(client, new StreamMessage.Failure(Problem.of(late), null));
-                client.pump(now);
+                client.pump(now, server.reminder());
                 client.close(CloseFrame.POLICY_VALIDATION, late.sentence());
             }
         } else if (caller.until() != null && pingDue && !caller.until().isAfter(clock.instant())) {
@@ -275,7 +275,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         } else if (pingDue) {
             requests.say(client, new StreamMessage.Ping(clock.instant()));
         }
-        return client.pump(now);
+        return client.pump(now, server.reminder());
     }
 
     /** How many clients are connected. */

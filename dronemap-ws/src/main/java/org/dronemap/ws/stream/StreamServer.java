@@ -39,6 +39,7 @@ final class StreamServer extends WebSocketServer {
     private final Authentication authentication;
     private final StreamTickets tickets;
     private final Runnable onNews;
+    private final WriteReminder reminder = new WriteReminder(this::onWriteDemand);
     private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
     StreamServer(
@@ -65,6 +66,10 @@ final class StreamServer extends WebSocketServer {
         return listening;
     }
 
+    WriteReminder reminder() {
+        return reminder;
+    }
+
     Collection<StreamClient> clients() {
         return crowd.clients();
     }
@@ -80,7 +85,7 @@ final class StreamServer extends WebSocketServer {
         } catch (Rejection rejection) {
             requests.refused(rejection);
             requests.say(client, new StreamMessage.Failure(Problem.of(rejection), null));
-            client.pump(System.nanoTime());
+            client.pump(System.nanoTime(), reminder);
             client.close(CloseFrame.POLICY_VALIDATION, rejection.sentence());
         }
         onNews.run();
