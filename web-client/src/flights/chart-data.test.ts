@@ -21,6 +21,19 @@ describe('the data of a chart', () => {
     expect(data.times).toEqual([0, 1, 2]);
   });
 
+  it('draws a steady descent as one', () => {
+    const data = chartData(series([0, 2, 4], [9, 6, 3], [9, 8, 5]), 'groundSpeed');
+
+    expect(data.values).toEqual([9, 8, 6, 5, 3]);
+  });
+
+  it('draws shares in percent', () => {
+    const { fields, ...rest } = series([0], [0.25], [0.5]);
+    const lost = fields.map((field) => ({ ...field, name: 'lossShort' }));
+
+    expect(chartData({ ...rest, fields: lost }, 'lossShort').values).toEqual([25, 50]);
+  });
+
   it('leaves a gap where nothing was measured', () => {
     const data = chartData(series([0, 60], [1, 2], [1, 2]), 'groundSpeed');
 
@@ -41,5 +54,6 @@ describe('the data of a chart', () => {
   it('says what is drawn, with the unit', () => {
     expect(chartTitle('groundSpeed', 'm/s')).toBe('Ground speed, m/s');
     expect(chartTitle('satellites', '')).toBe('Satellites');
+    expect(chartTitle('lossShort', '')).toBe('Messages lost (5 s), %');
   });
 });

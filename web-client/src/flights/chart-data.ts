@@ -23,14 +23,31 @@ export function chartData(series: Series, name: string): ChartData {
     if (last !== undefined && at - last > longest) {
       put(data, last + 0.001, null);
     }
-    const least = field?.least[index] ?? null;
-    const most = field?.most[index] ?? null;
-    put(data, at, least);
-    if (most !== least) {
-      put(data, at + series.slotSeconds / 2, most);
+    const least = shown(name, field?.least[index] ?? null);
+    const most = shown(name, field?.most[index] ?? null);
+    const [first, second] = inOrder(data.values.at(-1) ?? null, least, most);
+    put(data, at, first);
+    if (second !== first) {
+      put(data, at + series.slotSeconds / 2, second);
     }
   });
   return data;
+}
+
+/** Shares are drawn in percent. */
+function shown(name: string, value: number | null): number | null {
+  return value !== null && SHARES.has(name) ? value * 100 : value;
+}
+
+/** What lies nearer to where the line comes from is drawn first, so that a steady descent is no saw. */
+function inOrder(
+  before: number | null,
+  least: number | null,
+  most: number | null,
+): [number | null, number | null] {
+  const falling =
+    before !== null && least !== null && most !== null && Math.abs(most - before) < Math.abs(least - before);
+  return falling ? [most, least] : [least, most];
 }
 
 function put(data: ChartData, time: number, value: number | null): void {
@@ -39,6 +56,8 @@ function put(data: ChartData, time: number, value: number | null): void {
   data.times.push(Math.max(time, last + 1e-6));
   data.values.push(value);
 }
+
+const SHARES = new Set(['lossShort', 'lossLong']);
 
 const TITLES: Record<string, string> = {
   altitudeAboveHome: 'Altitude above home',
@@ -69,5 +88,6 @@ export const USUAL_FIELDS = ['altitudeAboveHome', 'groundSpeed', 'batteryPercent
 
 export function chartTitle(name: string, unit: string): string {
   const title = TITLES[name] ?? name;
-  return unit === '' ? title : `${title}, ${unit}`;
+  const shownUnit = SHARES.has(name) ? '%' : unit;
+  return shownUnit === '' ? title : `${title}, ${shownUnit}`;
 }
