@@ -31,6 +31,7 @@ import org.dronemap.core.history.TelemetryStore;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
 
 /** What every {@link TelemetryStore} keeps to. */
 public abstract class TelemetryStoreContract {
@@ -59,7 +60,9 @@ public abstract class TelemetryStoreContract {
     }
 
     @Test
-    void saysWhatItIs() {
+    void saysWhatItIs(TestReporter report) {
+        report.publishEntry("server", store.server());
+
         assertThat(store.server()).isNotBlank();
     }
 
