@@ -1,0 +1,17 @@
+package org.dronemap.archive;
+
+import java.io.IOException;
+import java.time.LocalDate;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Where the rows of a day come from: the same ones in the same order each time, for they are asked for twice. */
+public interface Rows {
+    /** The values in the order of the columns, null: not known. Each moment of a drone once, by drone and time. */
+    void of(LocalDate day, Taker taker) throws IOException;
+
+    /** Takes one row after the other. */
+    interface Taker {
+        void row(List<@Nullable Object> values) throws IOException;
+    }
+}
