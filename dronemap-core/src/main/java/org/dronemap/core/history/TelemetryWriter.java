@@ -23,6 +23,9 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     /** So often a batch is tried that a store which answers does not take. */
     private static final int MOST_TRIES = 10;
 
+    /** So often in a row it must answer and refuse the batch after that. */
+    private static final int REFUSALS = 2;
+
     /** So long after a drop the store counts as too slow. */
     private static final long SLOW_NANOS = 60_000_000_000L;
 
@@ -137,9 +140,12 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private void write(Batch batch) {
         underWay = batch.size();
         boolean done = tried(batch);
-        for (int tries = 1; !done && !closed && !(tries >= MOST_TRIES && answers()); tries++) {
+        int refusals = 0;
+        for (int tries = 1; !done && !closed && refusals < REFUSALS; tries++) {
             rest(rhythm.pause());
             done = tried(batch);
+            // One that answers just after may have come back in between.
+            refusals = !done && tries >= MOST_TRIES && answers() ? refusals + 1 : 0;
         }
         if (!done) {
             drop(batch.size());

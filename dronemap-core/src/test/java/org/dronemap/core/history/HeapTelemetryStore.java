@@ -13,6 +13,8 @@ final class HeapTelemetryStore implements TelemetryStore {
     final List<HistoryEvent> events = new CopyOnWriteArrayList<>();
     final List<Integer> batches = new CopyOnWriteArrayList<>();
     volatile boolean broken;
+    /** It comes back just when it is asked what it is. */
+    volatile boolean backWhenAsked;
     /** It answers, but never takes an event with this text. */
     volatile String poison = "";
 
@@ -62,6 +64,7 @@ final class HeapTelemetryStore implements TelemetryStore {
 
     @Override
     public String server() {
+        broken = broken && !backWhenAsked;
         if (broken) {
             throw new IllegalStateException("the disk is full");
         }

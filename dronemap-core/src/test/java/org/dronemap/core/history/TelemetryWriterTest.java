@@ -81,6 +81,17 @@ class TelemetryWriterTest {
     }
 
     @Test
+    void doesNotGiveUpWhatWasTriedJustBeforeTheStoreCameBack() {
+        store.broken = true;
+        store.backWhenAsked = true;
+        writer.start();
+        bring(20);
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.points.size() == 20);
+        assertThat(writer.health().dropped()).isZero();
+    }
+
+    @Test
     void writesWhatWaitsWhenItIsClosed() {
         store.disk = new CountDownLatch(1);
         writer.start();
