@@ -1,3 +1,5 @@
+import type { AccessKey } from './access-keys';
+
 export type Role = 'reporter' | 'viewer' | 'planner' | 'operator' | 'supervisor' | 'administrator';
 
 /** Least first; each may do all that the ones before it may. */
@@ -109,6 +111,15 @@ export class AccountCalls {
 
   signOut(name: string): Promise<void> {
     return this.#call('POST', `/users/${encodeURIComponent(name)}/sign-out`);
+  }
+
+  async keysOf(name: string): Promise<AccessKey[]> {
+    const path = `/users/${encodeURIComponent(name)}/access-keys`;
+    return (await this.#call<{ accessKeys: AccessKey[] }>('GET', path)).accessKeys;
+  }
+
+  revokeKeyOf(name: string, id: string): Promise<void> {
+    return this.#call('DELETE', `/users/${encodeURIComponent(name)}/access-keys/${encodeURIComponent(id)}`);
   }
 
   remove(name: string): Promise<void> {

@@ -46,6 +46,10 @@ export class ZoneCalls {
     return this.#call('POST', '/zones', zone);
   }
 
+  replace(id: string, zone: NewZone): Promise<Zone> {
+    return this.#call('PUT', `/zones/${encodeURIComponent(id)}`, zone);
+  }
+
   /** All zones of a GeoJSON file, or none. */
   async take(file: Blob): Promise<Zone[]> {
     return (await this.#call<{ features: Zone[] }>('POST', '/zones/import', file)).features;

@@ -47,7 +47,8 @@ export class Zones {
     const { draft } = this;
     if (draft !== null) {
       await this.#attempt(async () => {
-        this.hear(await this.#calls.add(featureOf(draft)));
+        const zone = featureOf(draft);
+        this.hear(await (draft.id === null ? this.#calls.add(zone) : this.#calls.replace(draft.id, zone)));
         this.draft = null;
       });
     }

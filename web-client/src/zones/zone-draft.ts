@@ -1,8 +1,10 @@
-import type { BreachAction, NewZone } from '../api/zones';
+import type { BreachAction, NewZone, Zone, ZoneProperties } from '../api/zones';
 import type { Coordinates } from '../geo/coordinates';
 
-/** A zone that is being drawn: corners of an area, or the middle of a circle. */
+/** A zone that is being drawn or changed: corners of an area, or the middle of a circle. */
 export interface ZoneDraft {
+  /** Of the zone that is changed; null: a new one. */
+  id: string | null;
   shape: 'polygon' | 'circle';
   points: readonly Coordinates[];
   name: string;
@@ -10,15 +12,22 @@ export interface ZoneDraft {
   radius: number | null;
   floor: number | null;
   ceiling: number | null;
+  altitudeReference: ZoneProperties['altitudeReference'];
   onBreach: BreachAction;
-  /** Binds this drone alone; null: all of them. */
+  binds: 'everybody' | 'drone' | 'user';
+  /** Only these are bound, where it binds a drone, or a user. */
   drone: string | null;
+  user: string;
+  /** As an input for date and time has them, in the time of the place; empty: from now on, without end. */
+  from: string;
+  until: string;
 }
 
 export const MOST_CORNERS = 100;
 
 export function newZone(shape: ZoneDraft['shape']): ZoneDraft {
   return {
+    id: null,
     shape,
     points: [],
     name: '',
@@ -26,9 +35,50 @@ export function newZone(shape: ZoneDraft['shape']): ZoneDraft {
     radius: 100,
     floor: null,
     ceiling: null,
+    altitudeReference: 'home',
     onBreach: 'hold',
+    binds: 'everybody',
     drone: null,
+    user: '',
+    from: '',
+    until: '',
   };
+}
+
+/** A zone as it is, to be changed. */
+export function draftOf({ id, geometry, properties }: Zone): ZoneDraft {
+  const circle = geometry.type === 'Point';
+  const positions =
+    geometry.type === 'Point' ? [geometry.coordinates] : (geometry.coordinates[0] ?? []).slice(0, -1);
+  return {
+    id,
+    shape: circle ? 'circle' : 'polygon',
+    points: positions.map(([longitude = 0, latitude = 0]) => ({ latitude, longitude })),
+    name: properties.name,
+    kind: properties.kind,
+    radius: properties.radius,
+    floor: properties.floor,
+    ceiling: properties.ceiling,
+    altitudeReference: properties.altitudeReference,
+    onBreach: properties.onBreach,
+    binds: properties.drone !== null ? 'drone' : properties.user !== null ? 'user' : 'everybody',
+    drone: properties.drone,
+    user: properties.user ?? '',
+    from: local(properties.from),
+    until: local(properties.until),
+  };
+}
+
+function local(iso: string | null): string {
+  if (iso === null) {
+    return '';
+  }
+  const moment = new Date(iso);
+  return new Date(moment.getTime() - moment.getTimezoneOffset() * 60_000).toISOString().slice(0, 19);
+}
+
+function instant(local: string): string | null {
+  return local === '' ? null : new Date(local).toISOString();
 }
 
 /** The next corner, or another middle. */
@@ -45,16 +95,32 @@ export function withoutLastPoint(draft: ZoneDraft): ZoneDraft {
 
 /** What is still missing, as a sentence; null when it can be sent. */
 export function missing(draft: ZoneDraft): string | null {
-  if (draft.shape === 'circle' && draft.points.length === 0) {
+  return (
+    missingOfShape(draft) ?? missingOfTerms(draft) ?? (draft.name.trim() === '' ? 'Give it a name.' : null)
+  );
+}
+
+function missingOfShape(draft: ZoneDraft): string | null {
+  if (draft.shape === 'polygon') {
+    return draft.points.length < 3
+      ? `Click on the map to set the corners: ${draft.points.length} of at least 3.`
+      : null;
+  }
+  if (draft.points.length === 0) {
     return 'Click on the map where the middle is.';
   }
-  if (draft.shape === 'polygon' && draft.points.length < 3) {
-    return `Click on the map to set the corners: ${draft.points.length} of at least 3.`;
+  return draft.radius !== null && draft.radius >= 1 ? null : 'Give the radius, at least 1 m.';
+}
+
+function missingOfTerms(draft: ZoneDraft): string | null {
+  if (draft.binds === 'drone' && draft.drone === null) {
+    return 'Choose the drone that it binds.';
   }
-  if (draft.shape === 'circle' && !(draft.radius !== null && draft.radius >= 1)) {
-    return 'Give the radius, at least 1 m.';
+  if (draft.binds === 'user' && draft.user.trim() === '') {
+    return 'Name the user whom it binds.';
   }
-  return draft.name.trim() === '' ? 'Give it a name.' : null;
+  const over = draft.from !== '' && draft.until !== '' && draft.from >= draft.until;
+  return over ? 'It must end after it begins.' : null;
 }
 
 export function featureOf(draft: ZoneDraft): NewZone {
@@ -71,8 +137,12 @@ export function featureOf(draft: ZoneDraft): NewZone {
       radius: draft.shape === 'circle' ? draft.radius : null,
       floor: draft.floor,
       ceiling: draft.ceiling,
+      altitudeReference: draft.altitudeReference,
       onBreach: draft.onBreach,
-      drone: draft.drone,
+      drone: draft.binds === 'drone' ? draft.drone : null,
+      user: draft.binds === 'user' ? draft.user.trim() : null,
+      from: instant(draft.from),
+      until: instant(draft.until),
     },
   };
 }

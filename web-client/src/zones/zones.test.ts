@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { ZoneCalls, type Zone } from '../api/zones';
 import { Zones } from '../state/zones.svelte';
-import { featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
+import { draftOf, featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
 import { ringOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
 import { zoneLine } from './zone-line';
 
@@ -56,6 +56,46 @@ describe('a zone that is drawn', () => {
         [8, 47],
       ],
     ]);
+  });
+
+  it('says whom it binds and when', () => {
+    const named = { ...withPoint(newZone('circle'), HERE), name: 'Park' };
+    expect(missing({ ...named, binds: 'drone' })).toBe('Choose the drone that it binds.');
+    expect(missing({ ...named, binds: 'user', user: ' ' })).toBe('Name the user whom it binds.');
+    expect(missing({ ...named, from: '2026-05-04T12:00', until: '2026-05-04T11:00' })).toContain('end after');
+    const timed = featureOf({ ...named, binds: 'user', user: ' bob ', from: '2026-05-04T12:00' }).properties;
+    expect(timed).toMatchObject({ user: 'bob', drone: null, until: null });
+    expect(timed.from).toBe(new Date('2026-05-04T12:00').toISOString());
+  });
+
+  it('is changed from what it is', () => {
+    const area: Zone = {
+      ...aZone({
+        name: 'Airport',
+        radius: null,
+        ceiling: 600,
+        altitudeReference: 'amsl',
+        drone: 'drone-1',
+        until: '2026-05-04T10:00:30.000Z',
+        onBreach: 'land',
+      }),
+      geometry: {
+        type: 'Polygon',
+        coordinates: [
+          [
+            [8, 47],
+            [8, 47.1],
+            [8.1, 47],
+            [8, 47],
+          ],
+        ],
+      },
+    };
+    for (const zone of [area, aZone({ user: 'bob' })]) {
+      const draft = draftOf(zone);
+      expect(draft.id).toBe('z1');
+      expect({ id: 'z1', ...featureOf(draft) }).toEqual(zone);
+    }
   });
 
   it('moves the middle of a circle with each click', () => {

@@ -206,23 +206,6 @@ class GrantsTest {
     }
 
     @Test
-    void reachThroughGroupsAndFleetsAsTheyAreNow() {
-        String crew = root.http()
-                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"ann\"]}")
-                .text("id");
-        String fleet = root.http()
-                .post("/api/v1/fleets", "{\"name\":\"Trucks\",\"drones\":[\"" + one.id() + "\"]}")
-                .text("id");
-        onlyGranted("groups/" + crew, true);
-        grant("\"group\":\"" + crew + "\",\"fleet\":\"" + fleet + "\"", "plan");
-        assertThat(drones(ann)).containsExactly(one.id());
-        put("/api/v1/fleets/" + fleet, "{\"name\":\"Trucks\",\"drones\":[\"" + two.id() + "\"]}");
-        assertThat(drones(ann)).containsExactly(two.id());
-        put("/api/v1/groups/" + crew, "{\"name\":\"Crew\",\"members\":[]}");
-        assertThat(drones(ann)).containsExactlyInAnyOrder(one.id(), two.id());
-    }
-
-    @Test
     void goWithTheUser() {
         onlyGranted("users/ann", true);
         grant("\"user\":\"ann\",\"all\":true", "view");

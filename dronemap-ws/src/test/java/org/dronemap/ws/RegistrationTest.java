@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** How people whom nobody knows yet come to an account. */
 class RegistrationTest {
@@ -97,7 +99,8 @@ class RegistrationTest {
         Http.Answer taken = register("carol", invitation.text("code"));
 
         assertThat(taken.status()).isEqualTo(409);
-        assertThat(taken.text("detail")).isEqualTo("The name carol is taken; choose another one.");
+        assertThat(taken.text("detail"))
+                .isEqualTo("The name carol is taken, or looks like one that is; choose another one.");
         assertThat(administrator
                         .send("/api/v1/invitations/" + invitation.text("id"), HttpRequest.Builder::DELETE)
                         .status())
@@ -125,6 +128,53 @@ class RegistrationTest {
         assertThat(one.status()).isEqualTo(429);
         assertThat(one.text("detail"))
                 .matches("Too many registrations from this address; wait \\d+ s and try again\\.");
+    }
+
+    @Test
+    void letsWhoIsInvitedInWhileOthersFromTheSameAddressHaveToWait() {
+        open(Registration.APPROVAL);
+        Http.Answer invitation = invite("{\"label\":\"Dave\",\"role\":\"viewer\"}");
+        for (int i = 0; i < 10; i++) {
+            register("carol" + i, null);
+        }
+        assertThat(register("carol10", "no code of ours").status()).isEqualTo(429);
+
+        assertThat(register("dave", invitation.text("code")).status()).isEqualTo(201);
+    }
+
+    @Test
+    void slowsDownWhoTriesNamesWithAnInvitation() {
+        open(Registration.APPROVAL);
+        Http.Answer invitation = invite("{\"label\":\"Dave\",\"role\":\"viewer\"}");
+        for (int i = 0; i < 10; i++) {
+            assertThat(register("a name", invitation.text("code")).status()).isEqualTo(422);
+        }
+
+        assertThat(register("dave", invitation.text("code")).text("detail"))
+                .startsWith("Too many tries with this invitation");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"CAROL", "caro1", "\u0441arol", "\u0441\u0430\u0433ol", "\uff43arol"})
+    void takesNoNameThatCannotBeToldFromAnother(String name) {
+        open(Registration.APPROVAL);
+        register("carol", null);
+
+        assertThat(register(name, null).status()).isIn(409, 422);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "Zo\u00eb",
+                "\u0419\u043e\u0433\u0430\u043d",
+                "\u7530\u4e2d\u3055\u304f\u3089",
+                "anna.maria-2@home"
+            })
+    void takesNamesOfAnyScript(String name) {
+        open(Registration.APPROVAL);
+
+        assertThat(register(name, null).status()).isEqualTo(202);
     }
 
     @Test

@@ -2,14 +2,17 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.lang.reflect.Method;
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.soap.MAVLinkController;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -124,6 +127,39 @@ class SoapFaultsTest {
         assertThat(fault("<w:fly><droneId>x</droneId></w:fly>"))
                 .containsPattern(OF_THE_CALLER)
                 .doesNotContain("Exception");
+    }
+
+    static Stream<String> operations() {
+        return Arrays.stream(MAVLinkController.class.getMethods()).map(Method::getName);
+    }
+
+    @ParameterizedTest
+    @MethodSource("operations")
+    void isNeverTheServersForACallWithoutElements(String operation) {
+        Http.Answer answer = call(operator, "<w:" + operation + "/>");
+        if (answer.status() == 500) {
+            assertThat(answer.raw().body()).containsPattern(OF_THE_CALLER).doesNotContain("Exception");
+        }
+    }
+
+    @Test
+    void namesAnElementThatIsMissing() {
+        assertThat(fault("<w:land/>"))
+                .containsPattern(OF_THE_CALLER)
+                .contains("<field>droneId</field>", "\"droneId\" is missing");
+    }
+
+    @Test
+    void passesOverNoElementThatIsInANamespace() {
+        String id = vehicle.id();
+
+        assertThat(fault("<w:getDrone><w:droneId>" + id + "</w:droneId></w:getDrone>"))
+                .containsPattern(OF_THE_CALLER)
+                .contains("\"droneId\" must be an element without a namespace");
+        assertThat(fault("<w:takeoff><droneId>" + id + "</droneId><w:altitude>5</w:altitude><altitude>9</altitude>"
+                        + "</w:takeoff>"))
+                .contains("<field>altitude</field>");
+        assertThat(vehicle.performed()).isEmpty();
     }
 
     @Test

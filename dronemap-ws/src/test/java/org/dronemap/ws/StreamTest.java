@@ -90,6 +90,16 @@ class StreamTest {
     }
 
     @Test
+    void refusesToFollowADroneThatIsNone() {
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> isType(message, "drones"));
+            stream.send("{\"type\":\"subscribe\",\"drones\":[null],\"requestId\":\"r\"}");
+            JsonNode answer = stream.await(message -> isType(message, "error"));
+            assertThat(answer.path("problem").path("field").asString()).startsWith("drones");
+        }
+    }
+
+    @Test
     void takesATicketOnce() {
         String ticket = new Http(house, key).post("/api/v1/stream-tickets", "").text("ticket");
 

@@ -167,6 +167,31 @@ class UsersTest {
     }
 
     @Test
+    void letsAnAdministratorSeeAndRemoveTheKeysOfAUser() {
+        String cookie = join("bob", "operator");
+        Http.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
+        String path = "/api/v1/users/bob/access-keys";
+
+        String listed = administrator.get(path).raw().body();
+        assertThat(listed).contains("\"label\":\"script\"").doesNotContain(made.text("key"));
+        assertThat(new Http(house, house.key(Role.SUPERVISOR)).get(path).status())
+                .isEqualTo(403);
+        assertThat(administrator
+                        .send(path + "/" + made.text("id"), HttpRequest.Builder::DELETE)
+                        .status())
+                .isEqualTo(204);
+
+        assertThat(new Http(house, made.text("key")).get("/api/v1/drones").status())
+                .isEqualTo(401);
+        assertThat(administrator
+                        .send(path + "/" + made.text("id"), HttpRequest.Builder::DELETE)
+                        .status())
+                .isEqualTo(404);
+        assertThat(administrator.get("/api/v1/users/carol/access-keys").status())
+                .isEqualTo(404);
+    }
+
+    @Test
     void showsReportersNoDroneThroughAnyFace() {
         String key = house.key(Role.REPORTER);
         String sentence = "Your role may send reports, not see drones; ask an administrator for the viewer role.";

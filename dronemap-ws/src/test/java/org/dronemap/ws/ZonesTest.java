@@ -86,7 +86,7 @@ class ZonesTest {
                 .startsWith("No zone without floor and ceiling binds this drone now");
         supervisor.post(ZONES, feature(NORTH, "\"name\":\"School\""));
         supervisor.post(ZONES, feature(NORTH, "\"name\":\"Low\",\"ceiling\":80"));
-        supervisor.post(ZONES, feature(NORTH, "\"name\":\"Over\",\"until\":\"2020-01-01T00:00:00Z\""));
+        supervisor.post(ZONES, feature(NORTH, "\"name\":\"Later\",\"from\":\"2098-01-01T00:00:00Z\""));
 
         Http.Answer sent = planner.send(path, request -> request.PUT(nothing));
 
@@ -126,6 +126,11 @@ class ZonesTest {
         assertWrong(feature(NORTH, "\"name\":\"A\",\"user\":\"nobody\""), "properties.user", "the name of a user");
         assertWrong(feature(NORTH, "\"name\":\"A\",\"drone\":\"nobody-1\""), "properties.drone", "the id of a drone");
         assertWrong(feature(NORTH, "\"name\":\"A\",\"from\":\"noon\""), "properties.from", "a time such as");
+        assertWrong(
+                feature(NORTH, "\"name\":\"A\",\"until\":\"2020-01-01T00:00:00Z\""),
+                "properties.until",
+                "later than now");
+        assertWrong(feature("[]", "\"name\":\"A\""), "geometry.coordinates", "one ring of positions, not none");
         assertWrong(feature(NORTH, "\"name\":\"A\",\"onBreach\":\"explode\""), "properties.onBreach", "hold");
         assertWrong(
                 "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[8.5,47]},"

@@ -59,7 +59,8 @@ final class ControlWatch implements Lane.Ticker {
         for (ControlChange change : changes) {
             listener.controlChanged(drone.id(), now, change);
             String sentence = ControlWords.of(change);
-            if (sentence != null) {
+            boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || isLeftAlone();
+            if (sentence != null && concerns) {
                 drone.say(change.kind() == ControlChange.Kind.LOST ? Severity.WARNING : Severity.NOTICE, sentence);
             }
             act(change.kind());

@@ -18,7 +18,7 @@ final class ControlWords {
                 other == null ? null : by + " took control over from " + other.words() + ": " + change.reason();
             case LOST -> "Contact with " + by + ", who had control, was lost.";
             case EXPELLED -> by + ", who had control, may not command any more.";
-            case RETURN_DUE -> "Nobody took control after " + by + " was lost.";
+            case RETURN_DUE -> "Nobody took control after " + by + " had it.";
             case PILOT_ACTED ->
                 by + " changed the mode to " + change.reason() + " and has control now"
                         + (other == null ? "." : ", not " + other.words() + ".");

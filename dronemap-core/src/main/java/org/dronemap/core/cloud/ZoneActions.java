@@ -76,6 +76,25 @@ final class ZoneActions {
         thread.execute(() -> act(state.id(), command, TRIES));
     }
 
+    /**
+     * Whoever took it out of what it was told answers for it, as long as it waits for orders or a pilot steers; what flies its
+     * own way or a mission is told once more.
+     */
+    void stillBreached(DroneState state, Zone zone) {
+        Optional<Steering> steering = state.capabilities().steering(state.mode());
+        if (steering.equals(Optional.of(Steering.SAFETY))) {
+            return;
+        }
+        String where = (zone.shape().inside() ? "It is still outside of " : "It is still in ") + zone.words();
+        if (steering.filter(Steering::waitsForSomebody).isPresent()) {
+            say(state.id(), Severity.CRITICAL, where + "; fly it out, or call it home.");
+            return;
+        }
+        Command command = command(state, zone.onBreach());
+        say(state.id(), Severity.CRITICAL, where + " and is told again: " + command.summary() + ".");
+        thread.execute(() -> act(state.id(), command, TRIES));
+    }
+
     /** What is asked for, or else the next best thing that the vehicle can do. */
     private static Command command(DroneState state, BreachAction wanted) {
         Command first = command(wanted);

@@ -76,6 +76,8 @@ final class ZoneGuard implements CloudListener {
         for (Lookout.Finding finding : lookout.look(zones, state, nanos)) {
             if (finding instanceof Lookout.Finding.Breach breach) {
                 actions.breached(state, breach.zone());
+            } else if (finding instanceof Lookout.Finding.Still still) {
+                actions.stillBreached(state, still.zone());
             } else if (finding instanceof Lookout.Finding.Ahead ahead) {
                 String does = ahead.zone().shape().inside() ? "leaves " : "enters ";
                 actions.say(

@@ -13,7 +13,8 @@ import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches one drone in the air: says once that a zone will be breached if it goes on like this, and once that it is.
+ * Watches one drone in the air: says once that a zone will be breached if it goes on like this, once that it is, and now and
+ * then that it still is.
  * Owned by one thread; times in ns of a monotonic clock.
  */
 public final class Lookout {
@@ -25,6 +26,8 @@ public final class Lookout {
     private static final long CALM_NANOS = 3_000_000_000L;
     /** Who was out of a zone for so long breaches it anew; less is the trembling of a position. */
     private static final long OUTSIDE_NANOS = 1_500_000_000L;
+    /** Who stays in a breach is told again. */
+    private static final long REMINDER_NANOS = 10_000_000_000L;
 
     private final Course course = new Course();
     private final Map<String, Alert> alerts = new HashMap<>();
@@ -38,10 +41,16 @@ public final class Lookout {
 
         /** It breaches the zone. */
         record Breach(Zone zone) implements Finding {}
+
+        /** It has not left the breach. */
+        record Still(Zone zone) implements Finding {}
     }
 
-    /** When there was danger last, and when a breach; null: not yet. */
-    private record Alert(long lastNanos, @Nullable Long breachNanos) {}
+    /** When there was danger last, when a breach, and when that was said; null: not yet. */
+    private record Alert(
+            long lastNanos,
+            @Nullable Long breachNanos,
+            @Nullable Long saidNanos) {}
 
     /** Looks at a drone in the air. */
     public List<Finding> look(List<Zone> zones, DroneState drone, long nanos) {
@@ -65,16 +74,26 @@ public final class Lookout {
     }
 
     private void breached(Zone zone, long nanos, List<Finding> findings) {
-        Alert before = alerts.put(zone.id(), new Alert(nanos, nanos));
+        Alert before = alerts.get(zone.id());
         Long last = before == null ? null : before.breachNanos();
-        if (last == null || nanos - last > OUTSIDE_NANOS) {
+        Long said = before == null ? null : before.saidNanos();
+        if (last == null || said == null || nanos - last > OUTSIDE_NANOS) {
             findings.add(new Finding.Breach(zone));
+            said = nanos;
+        } else if (nanos - said >= REMINDER_NANOS) {
+            findings.add(new Finding.Still(zone));
+            said = nanos;
         }
+        alerts.put(zone.id(), new Alert(nanos, nanos, said));
     }
 
     private void danger(Zone zone, double seconds, long nanos, List<Finding> findings) {
         Alert before = alerts.get(zone.id());
-        alerts.put(zone.id(), new Alert(nanos, before == null ? null : before.breachNanos()));
+        alerts.put(
+                zone.id(),
+                before == null
+                        ? new Alert(nanos, null, null)
+                        : new Alert(nanos, before.breachNanos(), before.saidNanos()));
         if (before == null) {
             findings.add(new Finding.Ahead(zone, seconds));
         }

@@ -33,11 +33,12 @@ public final class ZoneRules {
         if (bounds.isEmpty()) {
             return Optional.empty();
         }
-        return whyNot(
+        return Loopholes.whyNot(bounds, words, drone, command)
+                .or(() -> whyNot(
                         Routes.of(drone, command),
                         drone,
                         check -> firstOf(bounds, one -> check.whyNot(one, words)),
-                        words)
+                        words))
                 .or(() -> whyNot(
                         Routes.refuges(command),
                         drone,

@@ -109,6 +109,22 @@ class ZoneGuardTest {
     }
 
     @Test
+    void tellsADroneAgainThatFliesOnInside() {
+        hear(new DroneEvent.ModeHeard("AUTO", true));
+        cloud.zones().put(List.of(around(HERE, BreachAction.LAND, Binding.EVERYBODY)));
+        await().atMost(LONG).until(() -> vehicle.performed.size() == 1);
+        vehicle.reports.values().forEach(report -> report.ended(new Outcome.Succeeded()));
+
+        await().atMost(LONG).until(() -> {
+            hear(new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0)));
+            return vehicle.performed.size() == 2;
+        });
+
+        assertThat(vehicle.performed).containsExactly(new Command.Land(), new Command.Land());
+        assertThat(said()).contains("It is still in the no-fly zone “Accident” and is told again: land.");
+    }
+
+    @Test
     void bindsWhatAUserFliesOnceHeFliesIt() {
         cloud.zones().put(List.of(around(HERE, BreachAction.HOLD, new Binding.OfUser("bob"))));
         cloud.gate().submit(BOB, link.id(), new CommandId("turn-0001"), new Command.Turn(90));

@@ -12,6 +12,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.core.parameter.ParameterValue;
 import org.junit.jupiter.api.Test;
 
 class BoundsTest {
@@ -70,14 +71,40 @@ class BoundsTest {
 
         assertThat(why(NEAR, new Command.SetHome(ZoneFixtures.at(0.01, 0), high)))
                 .startsWith("The new home begins outside the bounds");
-        assertThat(why(new Bounds(NEAR.area(), LOW), new Command.SetHome(ZoneFixtures.HOME, high)))
-                .isEqualTo("nothing");
+        assertThat(why(NEAR, new Command.SetHome(ZoneFixtures.HOME, high))).isEqualTo("nothing");
         assertThat(why(NEAR, new Command.SetHome(null, null))).isEqualTo("nothing");
         assertThat(why(
                         NEAR,
                         new Command.SetRallyPoints(List.of(
                                 new RallyPoint(ZoneFixtures.HOME, 30), new RallyPoint(ZoneFixtures.at(0.01, 0), 30)))))
                 .startsWith("Rally point 2 begins outside the bounds");
+    }
+
+    @Test
+    void keepTheHomeWhereItIsThatTheirHeightsAreMeasuredFrom() {
+        AltitudeBand aboveSea = new AltitudeBand(null, 600.0, Altitude.Reference.AMSL);
+        Command here = new Command.SetHome(null, null);
+        Command higher = new Command.SetHome(ZoneFixtures.HOME, Altitude.aboveHome(100));
+
+        assertThat(why(new Bounds(NEAR.area(), LOW), higher))
+                .isEqualTo("The heights of the bounds are measured from home; so home cannot be moved.");
+        assertThat(why(new Bounds(null, LOW), here)).contains("home cannot be moved");
+        assertThat(why(new Bounds(null, aboveSea), higher)).isEqualTo("nothing");
+    }
+
+    @Test
+    void letNobodyWriteParametersThatSayHowHighItComesHome() {
+        Command climbs = new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 12_000)));
+
+        assertThat(why(NEAR, climbs)).startsWith("Parameters say where a drone flies by itself");
+        assertThat(ZoneRules.whyNot(List.of(), "the bounds", FLYING, climbs)).isEmpty();
+    }
+
+    @Test
+    void letADroneFlyNoWayOfItsOwnThatNobodyKnows() {
+        assertThat(why(NEAR, new Command.SetMode("CIRCLE")))
+                .isEqualTo("Where it flies in CIRCLE is not known; so it cannot be checked against the bounds.");
+        assertThat(why(NEAR, new Command.SetMode("GUIDED"))).isEqualTo("nothing");
     }
 
     @Test

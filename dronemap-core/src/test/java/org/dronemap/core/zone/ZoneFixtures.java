@@ -78,8 +78,8 @@ final class ZoneFixtures {
                 Standing.UNPROVED,
                 new Capabilities(
                         Set.of(Capability.values()),
-                        List.of("GUIDED", "AUTO"),
-                        Map.of("AUTO", Steering.MISSION, "RTL", Steering.SAFETY)),
+                        List.of("GUIDED", "AUTO", "CIRCLE"),
+                        Map.of("GUIDED", Steering.ORDERS, "AUTO", Steering.MISSION, "RTL", Steering.SAFETY)),
                 "GUIDED",
                 phase != FlightPhase.ON_GROUND,
                 true,

@@ -4,6 +4,7 @@ import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.AccessKeyService;
 import org.dronemap.ws.service.UserService;
 import org.dronemap.ws.service.UserView;
 import org.springframework.http.HttpStatus;
@@ -27,13 +28,15 @@ import org.springframework.web.bind.annotation.RestController;
                 + " on open streams as well.")
 public class UserController {
     private final UserService users;
+    private final AccessKeyService keys;
     private final CurrentPrincipal current;
 
     /** All users. */
     public record Users(List<UserView> users) {}
 
-    public UserController(UserService users, CurrentPrincipal current) {
+    public UserController(UserService users, AccessKeyService keys, CurrentPrincipal current) {
         this.users = users;
+        this.keys = keys;
         this.current = current;
     }
 
@@ -70,9 +73,22 @@ public class UserController {
 
     @PostMapping("/{name}/sign-out")
     @ResponseStatus(HttpStatus.NO_CONTENT)
-    @Operation(summary = "End all sessions of a user", description = "Access keys stay.")
+    @Operation(summary = "End all sessions of a user", description = "Access keys stay; see those.")
     public void signOut(@PathVariable String name) {
         users.signOut(current.principal(), name);
+    }
+
+    @GetMapping("/{name}/access-keys")
+    @Operation(summary = "List a user's access keys", description = "What they may do and when they were last used.")
+    public AccessKeyController.Keys accessKeys(@PathVariable String name) {
+        return new AccessKeyController.Keys(keys.keysOf(current.principal(), name));
+    }
+
+    @DeleteMapping("/{name}/access-keys/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Remove an access key of a user, with those made from it")
+    public void deleteAccessKey(@PathVariable String name, @PathVariable String id) {
+        keys.deleteKeyOf(current.principal(), name, id);
     }
 
     @DeleteMapping("/{name}")

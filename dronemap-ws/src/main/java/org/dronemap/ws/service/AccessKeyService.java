@@ -13,6 +13,7 @@ import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.KeyRights;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.Bounds;
@@ -43,6 +44,20 @@ public final class AccessKeyService {
                 .filter(key -> within.contains(key.id()))
                 .map(key -> KeyView.of(key, null))
                 .toList();
+    }
+
+    /** Those of a user, for an administrator. */
+    public List<KeyView> keysOf(Principal principal, String user) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        return store.accessKeys(accounts.find(principal, user).name()).stream()
+                .map(key -> KeyView.of(key, null))
+                .toList();
+    }
+
+    /** A user's, by an administrator, with all keys that were made from it. */
+    public void deleteKeyOf(Principal principal, String user, String id) {
+        Roles.requireForAll(principal, Role.ADMINISTRATOR);
+        remove(accounts.find(principal, user).name(), id);
     }
 
     /** A key made with a key stays within it, and goes with it. */
@@ -86,11 +101,14 @@ public final class AccessKeyService {
 
     /** With all keys that were made from it. */
     public void deleteKey(Principal principal, String id) {
-        find(principal, id);
-        if (!store.deleteAccessKey(principal.name(), id)) {
+        remove(principal.name(), find(principal, id).id());
+    }
+
+    private void remove(String owner, String id) {
+        if (!store.deleteAccessKey(owner, id)) {
             throw Rejection.unknown("access key", id);
         }
-        accounts.tell(principal.name());
+        accounts.tell(owner);
     }
 
     private AccessKey find(Principal principal, String id) {

@@ -3,6 +3,7 @@ package org.dronemap.ws.service;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Principal;
@@ -24,6 +25,16 @@ public final class Accounts {
     /** Is told the name of each user whose rights may have changed, when the change is durable. */
     public void onChange(Consumer<String> listener) {
         listeners.add(listener);
+    }
+
+    /**
+     * A new user, unless the name is one's already, or cannot be told from it.
+     *
+     * @param keeps keeps the user; false when the name is taken
+     */
+    synchronized boolean add(User user, Predicate<User> keeps) {
+        boolean taken = store.users().stream().anyMatch(known -> UserNames.lookAlike(known.name(), user.name()));
+        return !taken && keeps.test(user);
     }
 
     /** What nobody may do to themself, so that an administrator is left. */

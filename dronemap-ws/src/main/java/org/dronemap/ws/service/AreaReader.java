@@ -46,6 +46,9 @@ final class AreaReader {
     private List<Geodetic> corners(ZoneFeature.ZoneGeometry geometry) {
         String field = at + ".coordinates";
         List<?> rings = list(field, "one ring of positions", geometry.coordinates());
+        if (rings.isEmpty()) {
+            throw InvalidInput.outside(field, "one ring of positions", "none");
+        }
         if (rings.size() != 1) {
             throw new InvalidInput(
                     field, "one ring", "An area with holes cannot be guarded as one; draw it in parts without holes.");

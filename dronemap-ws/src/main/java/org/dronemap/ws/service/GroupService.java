@@ -7,6 +7,7 @@ import java.util.UUID;
 import java.util.stream.Stream;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Fleet;
+import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.Subject;
@@ -68,11 +69,14 @@ public final class GroupService {
         return save(principal, group(principal, id).id(), request);
     }
 
-    /** With what was granted to it; its members see by their role again, unless something else binds them. */
+    /** With what was granted to it; whoever saw nothing else sees nothing then. */
     public void deleteGroup(Principal principal, String id) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
-        String going = group(principal, id).id();
-        grants.make(store -> store.deleteGroup(going));
+        UserGroup going = group(principal, id);
+        grants.make(store -> {
+            keepBound(store, going, Set.of());
+            store.deleteGroup(going.id());
+        });
     }
 
     public List<FleetView> fleets(Principal principal) {
@@ -122,8 +126,22 @@ public final class GroupService {
             throw Rejection.conflict(
                     "The members of this group see only what they were granted; you cannot do this" + " to yourself.");
         }
-        grants.make(store -> store.save(group));
+        grants.make(store -> {
+            grants.holdings().groups().stream()
+                    .filter(before -> before.id().equals(id))
+                    .forEach(before -> keepBound(store, before, group.members()));
+            store.save(group);
+        });
         return view(group);
+    }
+
+    /** Who leaves a group whose members see only what was granted sees no more for that, until somebody says so. */
+    private void keepBound(GrantStore store, UserGroup group, Set<String> staying) {
+        if (isOnlyGranted(group.id())) {
+            group.members().stream()
+                    .filter(member -> !staying.contains(member))
+                    .forEach(leaving -> store.setOnlyGranted(new Subject.OfUser(leaving), true));
+        }
     }
 
     private FleetView save(Principal principal, String id, FleetRequest request) {

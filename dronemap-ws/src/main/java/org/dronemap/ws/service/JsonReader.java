@@ -1,6 +1,8 @@
 package org.dronemap.ws.service;
 
+import com.fasterxml.jackson.annotation.Nulls;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import tools.jackson.core.JacksonException;
@@ -17,6 +19,8 @@ public final class JsonReader {
     /** What the parser tells programmers about itself. */
     private static final Pattern INTERNALS = Pattern.compile("( \\(start marker|: enable `).*");
 
+    private static final Set<Class<?>> WHOLE = Set.of(int.class, Integer.class, long.class, Long.class);
+
     private final JsonMapper mapper;
 
     /** What a client wrote where no quotes are may be a password. */
@@ -26,6 +30,9 @@ public final class JsonReader {
         this(JsonMapper.builder()
                 // a misspelt optional member must not be silently left out of a flight
                 .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+                // nor half a day be dropped
+                .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+                .changeDefaultNullHandling(usual -> usual.withContentNulls(Nulls.FAIL))
                 .build());
     }
 
@@ -101,6 +108,9 @@ public final class JsonReader {
     private static String wanted(Class<?> type) {
         if (type == null) {
             return "of another type";
+        }
+        if (WHOLE.contains(type)) {
+            return "a whole number";
         }
         if (Number.class.isAssignableFrom(type) || (type.isPrimitive() && type != boolean.class)) {
             return "a number";

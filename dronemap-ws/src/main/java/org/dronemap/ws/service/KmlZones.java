@@ -91,7 +91,8 @@ final class KmlZones {
             builder.setErrorHandler(new Silent());
             return builder.parse(new InputSource(new StringReader(text)));
         } catch (SAXParseException e) {
-            throw Rejection.malformed("This is not KML: line " + e.getLineNumber() + ": " + e.getMessage());
+            throw Rejection.malformed("This is not KML that can be read: it goes wrong in line " + e.getLineNumber()
+                    + ", column " + e.getColumnNumber() + "; a DOCTYPE is not taken.");
         } catch (SAXException | IOException e) {
             throw Rejection.malformed("This is not KML.");
         } catch (ParserConfigurationException e) {

@@ -21,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 public final class OrganisationService {
     private static final int LONGEST_NAME = 60;
     private static final int MOST = 200;
+    private static final String HOME_NAME = "Home";
     private static final String ID_FORM = "the id of an organisation";
 
     private final GrantChanges grants;
@@ -62,7 +63,7 @@ public final class OrganisationService {
         Roles.requireServer(principal, Role.ADMINISTRATOR);
         List<User> users = access.users();
         List<OrganisationView> all = new ArrayList<>();
-        all.add(view(OrganisationId.HOME, "Home", null, users));
+        all.add(view(OrganisationId.HOME, HOME_NAME, null, users));
         grants.holdings().organisations().forEach(each -> all.add(view(each.id(), each.name(), each.madeAt(), users)));
         return List.copyOf(all);
     }
@@ -79,7 +80,7 @@ public final class OrganisationService {
                         .substring(0, 10);
         Organisation made = new Organisation(
                 new OrganisationId(id),
-                Names.checked("name", request.name(), LONGEST_NAME),
+                free(request.name(), null),
                 clock.instant().truncatedTo(ChronoUnit.MILLIS));
         grants.make(store -> store.save(made));
         return view(made.id(), made.name(), made.madeAt(), List.of());
@@ -88,8 +89,7 @@ public final class OrganisationService {
     public OrganisationView rename(Principal principal, String id, NameRequest request) {
         Roles.requireServer(principal, Role.ADMINISTRATOR);
         Organisation before = find(id);
-        Organisation renamed =
-                new Organisation(before.id(), Names.checked("name", request.name(), LONGEST_NAME), before.madeAt());
+        Organisation renamed = new Organisation(before.id(), free(request.name(), before.id()), before.madeAt());
         grants.make(store -> store.save(renamed));
         return view(renamed.id(), renamed.name(), renamed.madeAt(), access.users());
     }
@@ -137,6 +137,19 @@ public final class OrganisationService {
         if (!grants.book().owner(drone).equals(owner)) {
             grants.make(store -> store.assign(drone, owner));
         }
+    }
+
+    /** A name that no other one has, whichever case it is written in. */
+    private String free(@Nullable String name, @Nullable OrganisationId own) {
+        String checked = Names.checked("name", name, LONGEST_NAME);
+        boolean taken = HOME_NAME.equalsIgnoreCase(checked)
+                || grants.holdings().organisations().stream()
+                        .anyMatch(each -> each.name().equalsIgnoreCase(checked)
+                                && !each.id().equals(own));
+        if (taken) {
+            throw Rejection.conflict("There is an organisation " + checked + " already.");
+        }
+        return checked;
     }
 
     private Organisation find(String id) {

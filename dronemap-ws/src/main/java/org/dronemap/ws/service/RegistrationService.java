@@ -2,6 +2,7 @@ package org.dronemap.ws.service;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.Optional;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Invitation;
@@ -17,6 +18,7 @@ public final class RegistrationService {
     private static final Duration WITHIN = Duration.ofMinutes(10);
 
     private final AccessStore store;
+    private final Accounts accounts;
     private final PasswordHashing passwords;
     private final FirstPassword firstPassword;
     private final Registration policy;
@@ -34,11 +36,13 @@ public final class RegistrationService {
 
     public RegistrationService(
             AccessStore store,
+            Accounts accounts,
             PasswordHashing passwords,
             FirstPassword firstPassword,
             Registration policy,
             Clock clock) {
         this.store = store;
+        this.accounts = accounts;
         this.passwords = passwords;
         this.firstPassword = firstPassword;
         this.policy = policy;
@@ -58,12 +62,18 @@ public final class RegistrationService {
         firstPassword.closed().ifPresent(why -> {
             throw Rejection.forbidden(why);
         });
-        throttle.take(address, "registrations from this address");
+        String code = request.invitation();
+        // Who was invited waits for nobody else who comes from the same address.
+        Optional<Invitation> invitation = code == null || code.isBlank()
+                ? Optional.empty()
+                : store.invitation(Secrets.hash(code.strip()), clock.instant());
+        throttle.take(
+                invitation.map(Invitation::id).orElse(address),
+                invitation.isPresent() ? "tries with this invitation" : "registrations from this address");
         String name = UserNames.checked(request.name());
         String password = PasswordRule.acceptable("password", request.password());
-        String code = request.invitation();
         if (code != null && !code.isBlank()) {
-            return accept(invitation(code.strip()), name, password);
+            return accept(invitation.orElseThrow(RegistrationService::notValid), name, password);
         }
         if (policy == Registration.INVITATION) {
             throw Rejection.forbidden("Only those who were invited can make an account here; open the link of your"
@@ -81,7 +91,7 @@ public final class RegistrationService {
                 false,
                 invitation.organisation());
         noted(user, "invitation=" + invitation.id());
-        if (!store.acceptInvitation(invitation.id(), user)) {
+        if (!accounts.add(user, one -> store.acceptInvitation(invitation.id(), one))) {
             throw taken(name);
         }
         return answer(user);
@@ -99,7 +109,7 @@ public final class RegistrationService {
         // The administrator who lets them in may give another role.
         User user = new User(name, Role.VIEWER, AccountState.WAITING, passwords.hash(password), false);
         noted(user, "to be let in");
-        if (!store.addUser(user)) {
+        if (!accounts.add(user, store::addUser)) {
             throw taken(name);
         }
         return answer(user);
@@ -109,16 +119,15 @@ public final class RegistrationService {
         Activity.current().ifPresent(call -> call.parameters("name=" + user.name() + ", " + how));
     }
 
-    private Invitation invitation(String code) {
-        return store.invitation(Secrets.hash(code), clock.instant())
-                .orElseThrow(() -> new InvalidInput(
-                        "invitation",
-                        "the code of an invitation",
-                        "This invitation was used already, has expired or was withdrawn; ask for a new one."));
+    private static InvalidInput notValid() {
+        return new InvalidInput(
+                "invitation",
+                "the code of an invitation",
+                "This invitation was used already, has expired or was withdrawn; ask for a new one.");
     }
 
     private static Rejection taken(String name) {
-        return Rejection.conflict("The name " + name + " is taken; choose another one.");
+        return Rejection.conflict("The name " + name + " is taken, or looks like one that is; choose another one.");
     }
 
     private static Answer answer(User user) {

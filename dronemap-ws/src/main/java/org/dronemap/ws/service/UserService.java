@@ -53,8 +53,8 @@ public final class UserService {
         Role role = Roles.named(request.role());
         String password = PasswordRule.acceptable("password", request.password());
         User user = new User(name, role, AccountState.ACTIVE, passwords.hash(password), true, principal.organisation());
-        if (!store.addUser(user)) {
-            throw Rejection.conflict("There is a user " + name + " already.");
+        if (!accounts.add(user, store::addUser)) {
+            throw Rejection.conflict("There is a user " + name + " already, or one whose name looks like it.");
         }
         return UserView.of(user, false);
     }
@@ -76,7 +76,7 @@ public final class UserService {
         return UserView.of(accounts.find(principal, name), grants.isOnlyGranted(name));
     }
 
-    /** Also ends the user's sessions; access keys stay, remove them or disable the user for that. */
+    /** Also ends the user's sessions; access keys stay, and can be removed one by one. */
     public OneTimePassword resetPassword(Principal principal, String name) {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         String password = secrets.password();

@@ -75,11 +75,15 @@ final class ZoneReader {
         }
     }
 
-    Validity validity() {
+    /** One that is over already would guard nothing. */
+    Validity validity(Instant now) {
         Instant from = moment("from", properties.from());
         Instant until = moment("until", properties.until());
         if (from != null && until != null && !from.isBefore(until)) {
             throw InvalidInput.outside(at + "properties.until", "after " + from, until);
+        }
+        if (until != null && !until.isAfter(now)) {
+            throw InvalidInput.outside(at + "properties.until", "later than now", until);
         }
         return new Validity(from, until);
     }

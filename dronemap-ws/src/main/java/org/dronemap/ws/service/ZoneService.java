@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import java.time.Clock;
+import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.UUID;
@@ -101,16 +102,17 @@ public final class ZoneService {
 
     private Zone read(String at, String id, ZoneFeature feature, Principal principal) {
         ZoneReader reader = new ZoneReader(at, feature);
+        Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
         return new Zone(
                 id,
                 reader.name(),
                 reader.shape(),
                 reader.band(),
                 known(at, reader.binding(), principal),
-                reader.validity(),
+                reader.validity(now),
                 reader.onBreach(),
                 principal.name(),
-                clock.instant().truncatedTo(ChronoUnit.MILLIS),
+                now,
                 principal.organisation());
     }
 

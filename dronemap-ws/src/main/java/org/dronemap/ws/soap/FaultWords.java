@@ -12,9 +12,13 @@ import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** Says in each fault whose mistake it was, and what is wrong with XML that cannot be read, as the other faces say it. */
 final class FaultWords extends AbstractPhaseInterceptor<Message> {
+    private static final Logger LOG = LoggerFactory.getLogger(FaultWords.class);
+
     FaultWords() {
         super(Phase.PRE_LOGICAL);
     }
@@ -72,6 +76,10 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
             if (cause instanceof Rejection rejection) {
                 return fault(Problem.of(rejection));
             }
+        }
+        if (fault.getCause() instanceof RuntimeException && Fault.FAULT_CODE_SERVER.equals(fault.getFaultCode())) {
+            LOG.error("A call could not be carried out", fault);
+            return fault(Problem.internal());
         }
         fault.setMessage(Problem.shortened(String.valueOf(fault.getMessage())));
         return fault;

@@ -34,7 +34,8 @@ public final class SoapEndpoint {
                         new NoDoctype(),
                         new ReadingXml(),
                         new StrictElements(),
-                        new NamedCalls()));
+                        new NamedCalls(),
+                        new RequiredElements()));
         endpoint.getOutFaultInterceptors().add(new FaultWords());
         endpoint.publish(PATH);
         return endpoint;

@@ -2,6 +2,7 @@ package org.dronemap.ws.soap;
 
 import java.lang.reflect.Field;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.apache.cxf.interceptor.Fault;
@@ -43,6 +44,9 @@ final class StrictElements extends AbstractPhaseInterceptor<Message> {
             if (type == null) {
                 throw unknown(kind, seen.path(), known.keySet());
             }
+            if (!seen.namespace().isEmpty()) {
+                throw inNamespace(seen);
+            }
             if (type == Boolean.class
                     && !TRUTH_VALUES.contains(seen.text().toString().strip())) {
                 throw wrong(seen.path(), "true or false");
@@ -50,12 +54,17 @@ final class StrictElements extends AbstractPhaseInterceptor<Message> {
         });
     }
 
-    private static Map<String, Class<?>> elementsOf(BindingOperationInfo operation) {
+    /** One for each parameter, in order. */
+    static List<MessagePartInfo> partsOf(BindingOperationInfo operation) {
         BindingOperationInfo unwrapped = operation.isUnwrapped() || !operation.isUnwrappedCapable()
                 ? operation
                 : operation.getUnwrappedOperation();
+        return unwrapped.getInput().getMessageParts();
+    }
+
+    private static Map<String, Class<?>> elementsOf(BindingOperationInfo operation) {
         Map<String, Class<?>> known = new LinkedHashMap<>();
-        for (MessagePartInfo part : unwrapped.getInput().getMessageParts()) {
+        for (MessagePartInfo part : partsOf(operation)) {
             String name = part.getConcreteName().getLocalPart();
             known.put(name, part.getTypeClass());
             Class<?> compound = COMPOUND.get(name);
@@ -78,6 +87,14 @@ final class StrictElements extends AbstractPhaseInterceptor<Message> {
                 .orElse("none");
         return FaultWords.fault(Problem.of(new InvalidInput(
                 field, allowed, "There is no element \"" + field + "\" here; there are: " + allowed + ".")));
+    }
+
+    private static Fault inNamespace(Whereabouts.Value seen) {
+        String allowed = "an element without a namespace";
+        return FaultWords.fault(Problem.of(new InvalidInput(
+                seen.path(),
+                allowed,
+                "\"" + seen.path() + "\" must be " + allowed + "; it is in " + seen.namespace() + ".")));
     }
 
     private static Fault wrong(String field, String allowed) {

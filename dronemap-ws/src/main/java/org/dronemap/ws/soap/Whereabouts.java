@@ -33,8 +33,8 @@ final class Whereabouts extends StreamReaderDelegate {
         }
     }
 
-    /** Where something stood, and its text. */
-    record Value(String path, CharSequence text) {}
+    /** Where something stood, its text, and its namespace, empty for none. */
+    record Value(String path, CharSequence text, String namespace) {}
 
     /** The reader stands at the start of the outermost element. */
     Whereabouts(XMLStreamReader reader) {
@@ -95,6 +95,16 @@ final class Whereabouts extends StreamReaderDelegate {
         }
     }
 
+    private String namespace() {
+        String uri = getNamespaceURI();
+        return uri == null ? "" : uri;
+    }
+
+    /** One of a foreign namespace is not made good by another one. */
+    private static Value laterOrForeign(Value before, Value later) {
+        return before.namespace().isEmpty() ? later : before;
+    }
+
     private void enter() {
         if (getAttributeCount() > MOST_ATTRIBUTES) {
             throw FaultWords.unreadable("An element may have at most " + MOST_ATTRIBUTES + " attributes.");
@@ -113,7 +123,7 @@ final class Whereabouts extends StreamReaderDelegate {
         Element element = new Element(before + numbered, kind);
         open.push(element);
         if (inBody) {
-            seen.put(kind, new Value(element.path(), element.text()));
+            seen.merge(kind, new Value(element.path(), element.text(), namespace()), Whereabouts::laterOrForeign);
         }
     }
 }

@@ -1,5 +1,6 @@
 package org.dronemap.ws.wiring;
 
+import com.fasterxml.jackson.annotation.Nulls;
 import io.swagger.v3.oas.models.OpenAPI;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
@@ -111,7 +112,9 @@ public class RestConfiguration {
 
     @Bean
     JsonMapperBuilderCustomizer strictJson() {
-        return builder -> builder.enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES);
+        return builder -> builder.enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+                .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+                .changeDefaultNullHandling(usual -> usual.withContentNulls(Nulls.FAIL));
     }
 
     @Bean

@@ -118,8 +118,14 @@ public class ServiceConfiguration {
 
     @Bean
     RegistrationService registrationService(
-            House house, PasswordHashing passwords, FirstPassword firstPassword, Settings settings, Clock clock) {
-        return new RegistrationService(house.access(), passwords, firstPassword, settings.registration(), clock);
+            House house,
+            Accounts accounts,
+            PasswordHashing passwords,
+            FirstPassword firstPassword,
+            Settings settings,
+            Clock clock) {
+        return new RegistrationService(
+                house.access(), accounts, passwords, firstPassword, settings.registration(), clock);
     }
 
     /** Null: no provider is configured, which is an empty Optional to those who ask for one. */

@@ -9,10 +9,12 @@ public final class OfficeDeeds extends Deeds {
     private static final String PASSWORD = "a long enough one";
 
     private final StandInProvider provider;
+    private final String owner;
 
     public OfficeDeeds(TestHouse house, Member root, StandInProvider provider) {
         super(house, root);
         this.provider = provider;
+        owner = root.name();
         sessions();
         keys();
         users();
@@ -95,6 +97,9 @@ public final class OfficeDeeds extends Deeds {
         can("PATCH /api/v1/users/{name}", () -> deed("PATCH", "users/" + user(), "{\"role\":\"viewer\"}"));
         can("DELETE /api/v1/users/{name}", () -> deed("DELETE", "users/" + user(), ""));
         can("POST /api/v1/users/{name}/password", () -> deed("POST", "users/" + user() + "/password", ""));
+        can(
+                "DELETE /api/v1/users/{name}/access-keys/{id}",
+                () -> deed("DELETE", "users/" + owner + "/access-keys/" + key(), ""));
         can("POST /api/v1/users/{name}/sign-out", () -> deed("POST", "users/" + user() + "/sign-out", ""));
         can(
                 "PUT /api/v1/users/{name}/only-granted",

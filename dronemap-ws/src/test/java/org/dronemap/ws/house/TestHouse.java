@@ -75,8 +75,9 @@ import org.springframework.context.ConfigurableApplicationContext;
 
 /** All faces on free ports over stores in memory. */
 public final class TestHouse implements AutoCloseable {
+    /** Scripted vehicles speak only when a test says so. */
     private static final Watchdog PATIENT =
-            new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10));
+            new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10));
 
     private static final TelemetryWriter.Rhythm EAGER =
             new TelemetryWriter.Rhythm(Duration.ofMillis(10), 1_000, 10_000, Duration.ofMillis(10));
