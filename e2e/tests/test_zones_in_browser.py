@@ -67,8 +67,9 @@ def test_a_supervisor_draws_imports_and_deletes_zones(
         page.mouse.click(east + dx, south + dy)
         page.wait_for_timeout(400)
     page.get_by_label("Name", exact=True).fill(drawn)
-    page.get_by_label("Ceiling, m above home").fill("80")
-    page.get_by_label(f"Binds only {copter['name']}").check()
+    page.get_by_label("Ceiling, m", exact=True).fill("80")
+    page.get_by_label("Binds").select_option("one drone")
+    expect(page.get_by_role("combobox", name="Drone", exact=True)).to_have_value(copter["id"])
     picture(page, "zones-1-drawing")
     station.press("Save the zone")
     station.shows(f"keep out · up to 80 m above home · only {copter['name']} · on breach hold")
@@ -76,6 +77,17 @@ def test_a_supervisor_draws_imports_and_deletes_zones(
     zone = wait_for("it is kept", lambda: named(api, drawn), 30)
     assert len(zone["geometry"]["coordinates"][0]) == 5
     assert zone["properties"]["drone"] == copter["id"]
+
+    station.press(f"Change {drawn}")
+    page.get_by_label("Binds").select_option("everybody")
+    page.get_by_label("Floor and ceiling are").select_option("above sea level")
+    page.get_by_label("Until (empty: no end)").fill("2099-05-04T10:00")
+    picture(page, "zones-3-changing")
+    station.press("Save the zone")
+    station.shows("keep out · up to 80 m above sea level · until")
+    changed = wait_for("it is changed", lambda: named(api, drawn), 30)
+    assert changed["id"] == zone["id"] and changed["geometry"] == zone["geometry"]
+    assert changed["properties"]["until"] and changed["properties"]["drone"] is None
 
     imported = f"Lake {secrets.token_hex(3)}"
     file = tmp_path / "lake.geojson"
