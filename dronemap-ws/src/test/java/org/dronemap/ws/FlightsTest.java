@@ -240,8 +240,10 @@ class FlightsTest {
 
     @Test
     void givesWhatWasOnTheWireWhereItWasRecorded() {
-        Http.Answer one = viewer.get(PATH + "/" + id + "/telemetry/file?form=tlog");
-        assertThat(one.status()).isEqualTo(200);
+        Http.Answer one = Waiting.until(
+                "it is recorded",
+                () -> Optional.of(viewer.get(PATH + "/" + id + "/telemetry/file?form=tlog"))
+                        .filter(answer -> answer.status() == 200));
         assertThat(one.raw().headers().firstValue("Content-Length")).contains("" + RECORD_BYTES);
         assertThat(one.raw().headers().firstValue("Content-Disposition"))
                 .hasValueSatisfying(value -> assertThat(value).endsWith(".tlog\""));

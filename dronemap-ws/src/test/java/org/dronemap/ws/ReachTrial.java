@@ -112,7 +112,10 @@ abstract class ReachTrial {
     Http.Answer rest(Member caller, String operation, String thing) {
         Map<String, String> values = operation.equals(GIVE_AWAY)
                 ? Map.of("id", foreignId, "drone", thing)
-                : Map.of(operation.contains("/users/") ? "name" : "id", thing, "identity", thing);
+                : operation.contains("/users/")
+                        // What is of a user: the key that each member has.
+                        ? Map.of("name", thing, "id", "key-" + thing)
+                        : Map.of("id", thing, "identity", thing);
         return faces.rest(caller.http(), operation, values);
     }
 

@@ -80,7 +80,7 @@ public class ControllerService implements MAVLinkController {
     }
 
     @Override
-    public SoapOutcome setMode(String droneId, String mode) throws DronemapFault {
+    public SoapOutcome setMode(String droneId, @Nullable String mode) throws DronemapFault {
         return act(droneId, CommandRequest.setMode(mode));
     }
 

@@ -39,7 +39,7 @@ public interface MAVLinkController {
 
     @WebMethod
     @WebResult(name = OUTCOME)
-    SoapOutcome setMode(@WebParam(name = DRONE) String droneId, @WebParam(name = "mode") String mode)
+    SoapOutcome setMode(@WebParam(name = DRONE) String droneId, @WebParam(name = "mode") @Nullable String mode)
             throws DronemapFault;
 
     @WebMethod

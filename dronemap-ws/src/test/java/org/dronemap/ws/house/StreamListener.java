@@ -73,8 +73,14 @@ public final class StreamListener implements AutoCloseable {
     }
 
     public JsonNode await(Predicate<JsonNode> wanted) {
-        return Waiting.until(
-                "a message of the stream", () -> heard.stream().filter(wanted).findFirst());
+        return Waiting.until("a message of the stream", () -> {
+            boolean over = closed.isDone();
+            Optional<JsonNode> found = heard.stream().filter(wanted).findFirst();
+            if (over && found.isEmpty()) {
+                throw new IllegalStateException("the stream was closed before such a message came");
+            }
+            return found;
+        });
     }
 
     /** The reason that the server gave. */

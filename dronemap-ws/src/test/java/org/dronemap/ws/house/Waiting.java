@@ -11,7 +11,7 @@ public final class Waiting {
 
     public static <T> T until(String what, Supplier<Optional<T>> condition) {
         return Awaitility.await(what)
-                .atMost(Duration.ofSeconds(15))
+                .atMost(Duration.ofSeconds(30))
                 .pollInterval(Duration.ofMillis(20))
                 .until(condition::get, Optional::isPresent)
                 .orElseThrow();
