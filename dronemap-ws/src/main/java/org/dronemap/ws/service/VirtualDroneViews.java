@@ -54,7 +54,7 @@ public final class VirtualDroneViews {
         Assignment assignment = run.assignment();
         return new VirtualDroneView.RunView(
                 WireNames.camel(run.stage()),
-                run.note(),
+                note(run),
                 virtuals.place(drone.id())
                         .map(place -> new VirtualDroneView.PlaceView(place.position(), place.length()))
                         .orElse(null),
@@ -69,6 +69,12 @@ public final class VirtualDroneViews {
                         .map(unfit -> new VirtualDroneView.UnfitView(name(unfit.drone()), unfit.why()))
                         .toList(),
                 run.changedAt().truncatedTo(ChronoUnit.MILLIS));
+    }
+
+    private String note(Run run) {
+        return run.stage() == Stage.QUEUED && virtuals.warehouse().isEmpty()
+                ? run.note() + " There is none in the warehouse; a supervisor puts drones in."
+                : run.note();
     }
 
     private String why(Choice choice, Principal principal) {

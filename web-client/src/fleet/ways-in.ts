@@ -1,0 +1,23 @@
+import type { Endpoint } from '../api/endpoints';
+
+/** Ports that vehicles may come in by; null: none of that kind. */
+export interface WaysIn {
+  udp: string | null;
+  tcp: string | null;
+}
+
+/** The first open port of each kind that listens. */
+export function waysIn(endpoints: readonly Endpoint[]): WaysIn {
+  return { udp: portOf(endpoints, 'udpserver'), tcp: portOf(endpoints, 'tcpserver') };
+}
+
+function portOf(endpoints: readonly Endpoint[], scheme: string): string | null {
+  const open = endpoints.find(({ url, state }) => state === 'open' && url.startsWith(`${scheme}://`));
+  return open === undefined ? null : (/:(\d+)(?:[/?]|$)/.exec(open.url)?.[1] ?? null);
+}
+
+/** Where to send MAVLink, in words. */
+export function whereTo({ udp, tcp }: WaysIn): string {
+  const ports = [udp === null ? null : `UDP port ${udp}`, tcp === null ? null : `TCP port ${tcp}`];
+  return ports.filter((port) => port !== null).join(' or ') || 'one of the links of this cloud';
+}
