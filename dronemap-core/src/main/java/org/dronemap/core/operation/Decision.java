@@ -1,0 +1,20 @@
+package org.dronemap.core.operation;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What follows from an input.
+ *
+ * @param actions in this order, after the decision was written down
+ * @param why for people, as one or more sentences; null: nothing that they would want to read
+ */
+public record Decision<S, I>(S next, List<Action<I>> actions, @Nullable String why) {
+    public Decision {
+        actions = List.copyOf(actions);
+    }
+
+    public static <S, I> Decision<S, I> stay(S state) {
+        return new Decision<>(state, List.of(), null);
+    }
+}

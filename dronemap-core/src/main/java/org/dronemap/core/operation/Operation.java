@@ -1,0 +1,46 @@
+package org.dronemap.core.operation;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+
+/**
+ * Something that the cloud conducts with drones over time, as a pure state machine: the same state and input give the same
+ * decision, and it touches nothing itself. Who conducts it takes control of its drones, writes each decision down before
+ * anything of it happens, carries it out, and goes on after a restart.
+ *
+ * @param <S> what it remembers; immutable, written down
+ * @param <I> what befalls it, reduced to what matters to it; immutable, written down
+ */
+public interface Operation<S, I> {
+    /** So often it looks at its drones. */
+    Duration rhythm();
+
+    /** The drones whose control it needs now; what is no longer among them is given back. */
+    Set<DroneId> drones(S state);
+
+    /** Nothing will happen any more. */
+    boolean isOver(S state);
+
+    /** What matters of what is seen now. */
+    I looked(S state, Scene scene);
+
+    /** A command that it gave has ended. */
+    I ended(DroneId drone, CommandId command, Outcome outcome, Instant at);
+
+    /** The process was started again; what it had asked to be computed is lost. */
+    I resumed(Instant at);
+
+    /** What follows. An input that changes nothing and asks for nothing is not written down. */
+    Decision<S, I> decide(S state, I input);
+
+    /** A drone's holder as people read it: the beginning of a sentence. */
+    String words(S state);
+
+    /** Why this input cannot be taken now, as a sentence; asked for what users want, before it is decided on. */
+    Optional<String> refusal(S state, I input);
+}
