@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
  * @param actions in this order, after the decision was written down
  * @param why for people, as one or more sentences; null: nothing that they would want to read
  */
-public record Decision<S, I>(S next, List<Action<I>> actions, @Nullable String why) {
+public record Decision<S, I>(
+        S next, List<Action<I>> actions, @Nullable String why) {
     public Decision {
         actions = List.copyOf(actions);
     }

@@ -25,6 +25,5 @@ public record Scene(Instant now, List<Seen> drones) {
      * @param silence for how long nothing was heard, zero while its link is live
      * @param still for how long it has not moved from its place
      */
-    public record Seen(
-            DroneState state, @Nullable String takenBy, Duration silence, Duration still) {}
+    public record Seen(DroneState state, @Nullable String takenBy, Duration silence, Duration still) {}
 }
