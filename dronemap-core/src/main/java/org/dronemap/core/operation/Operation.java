@@ -23,6 +23,11 @@ public interface Operation<S, I> {
     /** The drones whose control it needs now; what is no longer among them is given back. */
     Set<DroneId> drones(S state);
 
+    /** The drones that it looks at, such as those it was parted from: a scene shows these and those that it controls. */
+    default Set<DroneId> watched(S state) {
+        return drones(state);
+    }
+
     /** Nothing will happen any more. */
     boolean isOver(S state);
 
