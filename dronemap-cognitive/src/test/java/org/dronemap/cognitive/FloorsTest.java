@@ -33,16 +33,20 @@ class FloorsTest {
             .definedBy(ROOM + "replan..")
             .layer("engine")
             .definedBy(ROOM + "engine..")
-            .whereLayer("engine")
+            .layer("operation")
+            .definedBy(ROOM + "operation..")
+            .whereLayer("operation")
             .mayNotBeAccessedByAnyLayer()
+            .whereLayer("engine")
+            .mayOnlyBeAccessedByLayers("operation")
             .whereLayer("replan")
-            .mayOnlyBeAccessedByLayers("engine")
+            .mayOnlyBeAccessedByLayers("engine", "operation")
             .whereLayer("allocate")
-            .mayOnlyBeAccessedByLayers("replan", "engine")
+            .mayOnlyBeAccessedByLayers("replan", "engine", "operation")
             .whereLayer("cost")
-            .mayOnlyBeAccessedByLayers("allocate", "replan", "engine")
+            .mayOnlyBeAccessedByLayers("allocate", "replan", "engine", "operation")
             .whereLayer("plan")
-            .mayOnlyBeAccessedByLayers("cost", "allocate", "replan", "engine");
+            .mayOnlyBeAccessedByLayers("cost", "allocate", "replan", "engine", "operation");
 
     private static final ArchRule CORE_ONLY = classes()
             .that()
@@ -64,6 +68,6 @@ class FloorsTest {
                 .map(type -> type.getPackageName().replace(ROOM, ""))
                 .distinct()
                 .toList();
-        assertThat(rooms).contains("problem", "plan", "cost");
+        assertThat(rooms).contains("problem", "plan", "cost", "operation.run");
     }
 }

@@ -1,0 +1,31 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.cognitive.replan.Figures;
+import org.dronemap.cognitive.replan.Moved;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One decision as people read it.
+ *
+ * @param number from 1
+ * @param drone whom it began with; null: nobody in particular
+ * @param moved which waypoint is another drone's now
+ * @param before what the plan came to, the waypoints without a drone left out; null: nothing was planned anew
+ * @param words one or more sentences
+ */
+public record Explanation(
+        int number,
+        Instant at,
+        Trigger trigger,
+        @Nullable DroneId drone,
+        List<Moved> moved,
+        @Nullable Figures before,
+        @Nullable Figures after,
+        String words) {
+    public Explanation {
+        moved = List.copyOf(moved);
+    }
+}

@@ -1,0 +1,50 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.LinkState;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What matters of one drone at one moment; what is not known is null.
+ *
+ * @param takenBy why the run has no control of it, as a sentence; null: it has
+ * @param silence for how long nothing was heard
+ * @param still for how long it has not moved
+ * @param ordersMode the mode to put it into before it is armed; null: it is in such a one, or has none
+ * @param steering what it goes by
+ * @param climb m/s, positive upwards
+ * @param tiltDegrees how far it leans
+ * @param canReturn whether it knows a way home of its own, else it is told to land
+ */
+public record Look(
+        DroneId drone,
+        @Nullable String takenBy,
+        LinkState link,
+        Duration silence,
+        Duration still,
+        boolean ready,
+        @Nullable String mode,
+        @Nullable String ordersMode,
+        @Nullable Steering steering,
+        @Nullable Boolean armed,
+        boolean airborne,
+        @Nullable Place place,
+        @Nullable Double aboveHomeMeters,
+        @Nullable Double climb,
+        @Nullable Double speed,
+        @Nullable Double tiltDegrees,
+        @Nullable Integer batteryPercent,
+        boolean canReturn,
+        Progress progress) {
+    /**
+     * How far it is with its mission.
+     *
+     * @param carries whether it has on board what it was given last; null: not known
+     * @param passed how many items of that are behind it
+     * @param complete flown to the end
+     */
+    public record Progress(@Nullable Boolean carries, int passed, boolean complete) {}
+}

@@ -1,0 +1,18 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.cognitive.replan.Replanned;
+
+/**
+ * A plan that waits for somebody's word.
+ *
+ * @param number of all of this run, from 1
+ * @param at zero of the plan's clock
+ * @param words what it would change and why
+ */
+public record Proposal(int number, Instant at, List<Cause> causes, Replanned plan, String words) {
+    public Proposal {
+        causes = List.copyOf(causes);
+    }
+}

@@ -1,0 +1,33 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
+import org.dronemap.cognitive.allocate.Budget;
+import org.dronemap.cognitive.replan.Replanned;
+import org.dronemap.cognitive.replan.Replanning;
+import org.dronemap.cognitive.replan.Situation;
+import org.dronemap.core.operation.Computation;
+
+/**
+ * A plan for a situation.
+ *
+ * @param request the number that its result comes back with
+ * @param limit how long a better one is looked for; zero: the one at once
+ */
+public record Replan(int request, Situation situation, long seed, Duration limit) implements Computation<RunInput> {
+    @Override
+    public RunInput run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled) {
+        Replanning replanning = new Replanning(situation);
+        Replanned result = limit.isZero()
+                ? replanning.atOnce()
+                : replanning.improve(seed, Budget.time(limit, nanoTime).orWhen(cancelled));
+        return new RunInput.Replanned(clock.instant(), request, result, null);
+    }
+
+    @Override
+    public RunInput failed(String why, Clock clock) {
+        return new RunInput.Replanned(clock.instant(), request, null, why);
+    }
+}

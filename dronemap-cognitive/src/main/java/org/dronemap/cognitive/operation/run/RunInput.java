@@ -1,0 +1,75 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.VehicleKind;
+import org.jspecify.annotations.Nullable;
+
+/** What befalls a run. */
+public sealed interface RunInput {
+    Instant at();
+
+    /** All that are left of its drones, in the order of the state's. */
+    record Looked(Instant at, List<Look> drones) implements RunInput {
+        public Looked {
+            drones = List.copyOf(drones);
+        }
+    }
+
+    record CommandEnded(Instant at, DroneId drone, CommandId command, Outcome outcome) implements RunInput {}
+
+    /**
+     * What the computation with that number came to.
+     *
+     * @param result null: it failed
+     * @param why it failed, as a sentence
+     */
+    record Replanned(
+            Instant at,
+            int request,
+            org.dronemap.cognitive.replan.@Nullable Replanned result,
+            @Nullable String why) implements RunInput {}
+
+    /** The process was started again. */
+    record Resumed(Instant at) implements RunInput {}
+
+    /** What somebody wants of it. */
+    sealed interface Wish extends RunInput {
+        /** The user's name. */
+        String by();
+    }
+
+    record AddWaypoints(Instant at, String by, List<Waypoint> waypoints) implements Wish {
+        public AddWaypoints {
+            waypoints = List.copyOf(waypoints);
+        }
+    }
+
+    record MoveWaypoint(Instant at, String by, String waypoint, Place to) implements Wish {}
+
+    record CancelWaypoint(Instant at, String by, String waypoint) implements Wish {}
+
+    /** A new zone that drones keep to from now on. */
+    record AddBarrier(Instant at, String by, Barrier barrier) implements Wish {}
+
+    /** A further drone, on the ground where {@code craft} says. */
+    record JoinDrone(Instant at, String by, Craft craft, String name, VehicleKind kind) implements Wish {}
+
+    /** The only way back for a drone that somebody took. */
+    record ResumeDrone(Instant at, String by, DroneId drone) implements Wish {}
+
+    /** It is called home, and others do the rest. */
+    record GiveUpDrone(Instant at, String by, DroneId drone) implements Wish {}
+
+    record Answer(Instant at, String by, int proposal, boolean accepted) implements Wish {}
+
+    /** All come home. */
+    record Stop(Instant at, String by) implements Wish {}
+}

@@ -1,0 +1,83 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.OperationId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * All that a run remembers.
+ *
+ * @param begun zero of the clock that waypoints' windows go by
+ * @param counts of what it has done so far
+ * @param request the plan that is being computed
+ * @param causes what a plan has to be asked for yet
+ * @param proposal the plan that waits for an answer
+ * @param explanations the newest {@value #MOST_EXPLANATIONS}, oldest first
+ * @param stopping all are called home
+ * @param end how it ended, as a sentence; null: it goes on
+ */
+public record RunState(
+        OperationId id,
+        Instant begun,
+        Setting setting,
+        List<Target> targets,
+        List<RunDrone> drones,
+        Counts counts,
+        @Nullable Request request,
+        List<Cause> causes,
+        @Nullable Proposal proposal,
+        List<Explanation> explanations,
+        boolean stopping,
+        @Nullable String end) {
+    public static final int MOST_EXPLANATIONS = 50;
+
+    /** How many there were; {@code doubles}: visits of waypoints that were visited already. */
+    public record Counts(int commands, int requests, int replans, int proposals, int explanations, int doubles) {
+        public static final Counts NONE = new Counts(0, 0, 0, 0, 0, 0);
+    }
+
+    public RunState {
+        targets = List.copyOf(targets);
+        drones = List.copyOf(drones);
+        causes = List.copyOf(causes);
+        explanations = List.copyOf(explanations);
+    }
+
+    public static RunState begin(RunOrder order) {
+        return Beginning.of(order);
+    }
+
+    public boolean isOver() {
+        return end != null;
+    }
+
+    public Optional<RunDrone> drone(DroneId id) {
+        return drones.stream().filter(drone -> drone.id().equals(id)).findFirst();
+    }
+
+    public Optional<Target> target(String id) {
+        return targets.stream().filter(target -> target.id().equals(id)).findFirst();
+    }
+
+    public long count(Target.State state) {
+        return targets.stream().filter(target -> target.state() == state).count();
+    }
+
+    /** When a drone is to be at its end, by the plan that it flies; empty: it flies none. */
+    public Optional<Instant> due(DroneId id) {
+        return drone(id)
+                .filter(drone -> drone.stage().takesOrders() && drone.stage() != DroneStage.LANDED)
+                .map(RunDrone::latest)
+                .map(sortie -> sortie.moment(sortie.tour().endsSeconds()));
+    }
+
+    /** When a waypoint is to be visited; empty: nobody is on the way. */
+    public Optional<Instant> due(Target target) {
+        return target.state() != Target.State.ASSIGNED || target.drone() == null
+                ? Optional.empty()
+                : drone(target.drone()).map(RunDrone::latest).flatMap(sortie -> sortie.due(target.id()));
+    }
+}

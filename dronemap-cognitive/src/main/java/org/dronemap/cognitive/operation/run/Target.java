@@ -1,0 +1,76 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A waypoint of the run.
+ *
+ * @param drone whose it is, while it is {@link State#ASSIGNED} or {@link State#RESERVED}
+ * @param visits the first is the one that counts; a further one only by a drone that was out of contact
+ * @param reason why nobody visits it, as a sentence; null: somebody will, or did
+ */
+public record Target(
+        Waypoint waypoint,
+        State state,
+        @Nullable DroneId drone,
+        List<Visit> visits,
+        @Nullable String reason) {
+    /** How it stands with a waypoint. */
+    public enum State {
+        /** Nobody's yet. */
+        WAITING,
+        ASSIGNED,
+        /** Of a drone that is not heard and may still fly there. */
+        RESERVED,
+        VISITED,
+        UNSERVED,
+        CANCELLED;
+
+        /** Nothing will become of it any more. */
+        public boolean isSettled() {
+            return compareTo(VISITED) >= 0;
+        }
+    }
+
+    /** {@code at}: when that was learned. */
+    public record Visit(DroneId drone, Instant at) {}
+
+    public Target {
+        visits = List.copyOf(visits);
+    }
+
+    static Target waiting(Waypoint waypoint) {
+        return new Target(waypoint, State.WAITING, null, List.of(), null);
+    }
+
+    public String id() {
+        return waypoint.id();
+    }
+
+    public boolean isTwice() {
+        return visits.size() > 1;
+    }
+
+    Target to(State next, @Nullable DroneId whose, @Nullable String why) {
+        return new Target(waypoint, next, whose, visits, why);
+    }
+
+    Target with(Waypoint other) {
+        return new Target(other, state, drone, visits, reason);
+    }
+
+    /** Whoever it is: the same drone does not count twice. */
+    Target visited(DroneId by, Instant at) {
+        if (visits.stream().anyMatch(visit -> visit.drone().equals(by))) {
+            return this;
+        }
+        List<Visit> all = new ArrayList<>(visits);
+        all.add(new Visit(by, at));
+        return new Target(waypoint, State.VISITED, null, all, null);
+    }
+}

@@ -1,0 +1,36 @@
+package org.dronemap.cognitive.operation.run;
+
+/** Why something was decided. */
+public enum Trigger {
+    START,
+    /** Somebody who goes first steers a drone. */
+    TAKEN_OVER,
+    LOST,
+    HEARD_AGAIN,
+    /** It was silent for so long that it must be down. */
+    GONE,
+    CRASHED,
+    LOW_BATTERY,
+    /** Its own fail-safe brings it home or down. */
+    WENT_HOME,
+    /** It came down before its end. */
+    CAME_DOWN,
+    REMOVED,
+    OFF_PATH,
+    LATE,
+    COMMAND_FAILED,
+    WAYPOINTS_ADDED,
+    WAYPOINT_MOVED,
+    WAYPOINT_CANCELLED,
+    FENCE_ADDED,
+    JOINED,
+    RESUMED,
+    GIVEN_UP,
+    /** Two drones would come too near to each other. */
+    TOO_NEAR,
+    BETTER_PLAN,
+    ANSWERED,
+    RESTARTED,
+    STOPPED,
+    ENDED
+}
