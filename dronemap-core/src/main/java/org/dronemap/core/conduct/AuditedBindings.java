@@ -78,7 +78,7 @@ public final class AuditedBindings implements VirtualListener {
                 SERVER,
                 drone.organisation().value(),
                 null,
-                DroneCrew.FACE,
+                VirtualDrones.FACE,
                 operation,
                 served.value(),
                 null,

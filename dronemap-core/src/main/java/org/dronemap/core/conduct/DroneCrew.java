@@ -15,44 +15,41 @@ import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
-import org.dronemap.core.virtual.VirtualDrone;
 import org.jspecify.annotations.Nullable;
 
-/** Takes control of drones for virtual ones, commands them through the gate, and gives control back. */
+/** Takes control of drones for what is conducted, commands them through the gate, and gives control back. Any thread. */
 final class DroneCrew {
-    /** The way in that commands of virtual drones come by. */
-    static final String FACE = "virtual";
-
     private final CloudManager cloud;
+    private final String face;
 
-    DroneCrew(CloudManager cloud) {
+    /** {@code face}: the way in that its commands come by. */
+    DroneCrew(CloudManager cloud, String face) {
         this.cloud = cloud;
+        this.face = face;
     }
 
     /** Why control cannot be had, as a sentence; empty when it is there. */
-    Optional<String> engage(VirtualDrone by, DroneId drone) {
+    Optional<String> engage(Holder.Operation by, DroneId drone) {
         try {
-            LeaseAnswer answer = cloud.controls()
-                    .apply(drone, new LeaseEvent.Engage(operation(by)))
-                    .answer();
+            LeaseAnswer answer =
+                    cloud.controls().apply(drone, new LeaseEvent.Engage(by)).answer();
             return answer instanceof LeaseAnswer.Denied denied ? Optional.of(denied.why()) : Optional.empty();
         } catch (UnknownDroneException removed) {
             return Optional.of("There is no such drone any more.");
         }
     }
 
-    void release(VirtualDrone by, DroneId drone) {
+    void release(Holder.Operation by, DroneId drone) {
         if (cloud.drone(drone).isPresent()) {
-            cloud.controls().apply(drone, new LeaseEvent.Disengage(by.id().value()));
+            cloud.controls().apply(drone, new LeaseEvent.Disengage(by.id()));
         }
     }
 
     /** Why this one does not have control, as a sentence; null: it has. */
     @Nullable
-    String takenBy(VirtualDrone by, DroneId drone) {
+    String takenBy(Holder.Operation by, DroneId drone) {
         Control control = cloud.controls().control(drone);
-        boolean has = control.tenure() != null
-                && control.tenure().holder().isOperation(by.id().value());
+        boolean has = control.tenure() != null && control.tenure().holder().isOperation(by.id());
         return has ? null : control.sentence();
     }
 
@@ -63,24 +60,19 @@ final class DroneCrew {
     }
 
     /** What the gate would say. */
-    Optional<String> refusal(VirtualDrone by, DroneState drone, Command command) {
+    Optional<String> refusal(Holder.Operation by, DroneState drone, Command command) {
         return cloud.gate().whyNot(principal(by), drone, command);
     }
 
-    void command(VirtualDrone by, DroneId drone, CommandId id, Command command) {
-        cloud.gate().submit(new CommandGate.Source(principal(by), FACE, null, operation(by)), drone, id, command);
+    void command(Holder.Operation by, DroneId drone, CommandId id, Command command) {
+        cloud.gate().submit(new CommandGate.Source(principal(by), face, null, by), drone, id, command);
     }
 
     Optional<CommandRecord> record(CommandId id) {
         return cloud.gate().find(id);
     }
 
-    private static Principal principal(VirtualDrone by) {
-        return new Principal(by.owner(), Role.OPERATOR);
-    }
-
-    private static Holder.Operation operation(VirtualDrone by) {
-        return new Holder.Operation(
-                by.id().value(), by.owner(), "The virtual drone “" + by.name() + "” of " + by.owner());
+    private static Principal principal(Holder.Operation by) {
+        return new Principal(by.user(), Role.OPERATOR);
     }
 }

@@ -37,7 +37,7 @@ final class Recalls {
     void goOn(VirtualDrone drone) {
         for (DroneId id : drone.recalled()) {
             Optional<DroneState> state = cloud.drone(id);
-            if (state.isEmpty() || crew.takenBy(drone, id) != null) {
+            if (state.isEmpty() || crew.takenBy(VirtualHolder.of(drone), id) != null) {
                 over(drone, id);
             } else if (state.get().link().state() == LinkState.LIVE
                     && state.get().capabilities().known()) {
@@ -50,7 +50,7 @@ final class Recalls {
         boolean onItsWay = state.capabilities().steering(state.mode()).equals(Optional.of(Steering.SAFETY));
         if (Boolean.FALSE.equals(state.armed()) || onItsWay) {
             over(drone, state.id());
-            crew.release(drone, state.id());
+            crew.release(VirtualHolder.of(drone), state.id());
             return;
         }
         long now = nanoTime.getAsLong();
@@ -58,7 +58,7 @@ final class Recalls {
         if (called == null || now - called > BETWEEN_CALLS_NANOS) {
             calledNanos.put(state.id(), now);
             crew.command(
-                    drone,
+                    VirtualHolder.of(drone),
                     state.id(),
                     new CommandId(UUID.randomUUID().toString()),
                     state.airborne() ? new Command.ReturnToLaunch() : new Command.Disarm(false));

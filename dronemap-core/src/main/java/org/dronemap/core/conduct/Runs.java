@@ -2,9 +2,7 @@ package org.dronemap.core.conduct;
 
 import java.time.Clock;
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
@@ -16,7 +14,6 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.Candidate;
 import org.dronemap.core.virtual.Choice;
@@ -40,9 +37,8 @@ final class Runs {
     private final RunMachine machine;
     private final VirtualRights rights;
     private final Clock clock;
-    private final LongSupplier nanoTime;
     private final Stillness stillness;
-    private final Map<DroneId, Long> silentSince = new HashMap<>();
+    private final Silence silence;
     private final ConcurrentHashMap<VirtualDroneId, List<Choice.Unfit>> waitingFor = new ConcurrentHashMap<>();
 
     /** What runs are driven by. */
@@ -55,8 +51,8 @@ final class Runs {
         this.machine = means.machine();
         this.rights = means.rights();
         this.clock = means.clock();
-        this.nanoTime = means.nanoTime();
-        this.stillness = new Stillness(nanoTime);
+        this.stillness = new Stillness(means.nanoTime());
+        this.silence = new Silence(means.nanoTime());
     }
 
     /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. Any thread. */
@@ -69,9 +65,9 @@ final class Runs {
         for (VirtualDrone drone : book.all()) {
             DroneId bound = drone.boundTo();
             if (bound != null) {
-                crew.engage(drone, bound);
+                crew.engage(VirtualHolder.of(drone), bound);
             }
-            drone.recalled().forEach(recalled -> crew.engage(drone, recalled));
+            drone.recalled().forEach(recalled -> crew.engage(VirtualHolder.of(drone), recalled));
         }
     }
 
@@ -98,7 +94,7 @@ final class Runs {
         if (command != null) {
             CommandId id = new CommandId(UUID.randomUUID().toString());
             book.put(now.with(step.run().given(id, clock.instant())));
-            crew.command(now, assignment.drone(), id, command);
+            crew.command(VirtualHolder.of(now), assignment.drone(), id, command);
             return Optional.empty();
         }
         if (step.run().equals(run)) {
@@ -112,7 +108,7 @@ final class Runs {
     private void leave(VirtualDrone next, Assignment assignment, Step step) {
         book.put(next);
         if (step.release() == Step.Release.FREE) {
-            crew.release(next, assignment.drone());
+            crew.release(VirtualHolder.of(next), assignment.drone());
         }
     }
 
@@ -134,22 +130,13 @@ final class Runs {
         Outcome outcome = record.map(CommandRecord::outcome).orElse(null);
         return new Sight(
                 drone,
-                crew.takenBy(by, assignment.drone()),
+                crew.takenBy(VirtualHolder.of(by), assignment.drone()),
                 outcome,
                 record.isPresent() && outcome == null,
-                drone == null ? Duration.ZERO : silence(drone),
+                drone == null ? Duration.ZERO : silence.of(drone),
                 drone == null ? Duration.ZERO : stillness.of(drone),
                 rights.mayFly(by.owner()),
                 clock.instant());
-    }
-
-    private Duration silence(DroneState drone) {
-        if (drone.link().state() != LinkState.LOST) {
-            silentSince.remove(drone.id());
-            return Duration.ZERO;
-        }
-        long since = silentSince.computeIfAbsent(drone.id(), id -> nanoTime.getAsLong());
-        return Duration.ofNanos(nanoTime.getAsLong() - since);
     }
 
     /** Each takes the best of what is free; what one cannot use is left to the ones behind it. */
@@ -184,11 +171,12 @@ final class Runs {
         if (RunMachine.avoids(run, state, clock.instant())) {
             return Optional.of("It could not go on with this mission a while ago.");
         }
-        return crew.busy(state.id()).or(() -> crew.refusal(drone, state, new Command.UploadMission(share.mission())));
+        return crew.busy(state.id())
+                .or(() -> crew.refusal(VirtualHolder.of(drone), state, new Command.UploadMission(share.mission())));
     }
 
     private void bind(VirtualDrone drone, Run run, Choice choice, Selection selection) {
-        if (crew.engage(drone, choice.chosen()).isPresent()) {
+        if (crew.engage(VirtualHolder.of(drone), choice.chosen()).isPresent()) {
             // Somebody was quicker.
             return;
         }
@@ -200,7 +188,7 @@ final class Runs {
         try {
             book.put(drone.with(run.bound(choice, takeOff, clock.instant())));
         } catch (RuntimeException e) {
-            crew.release(drone, choice.chosen());
+            crew.release(VirtualHolder.of(drone), choice.chosen());
             throw e;
         }
         waitingFor.remove(drone.id());

@@ -38,6 +38,9 @@ import org.slf4j.LoggerFactory;
  */
 public final class VirtualDrones implements CloudListener, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(VirtualDrones.class);
+    /** The way in that commands of virtual drones come by. */
+    static final String FACE = "virtual";
+
     private static final long RHYTHM_MILLIS = 200;
     /** Of these turns one looks for drones for those that wait. */
     private static final int TURNS_PER_SEARCH = 5;
@@ -88,7 +91,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         this.book = new VirtualBook(store);
         this.machine = machine;
         this.clock = clock;
-        DroneCrew crew = new DroneCrew(cloud);
+        DroneCrew crew = new DroneCrew(cloud, FACE);
         this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, clock, System::nanoTime));
         this.recalls = new Recalls(cloud, book, crew, System::nanoTime);
     }
@@ -220,7 +223,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     @Override
     public void commandChanged(CommandRecord command) {
-        boolean others = !command.face().equals(DroneCrew.FACE)
+        boolean others = !command.face().equals(FACE)
                 && command.phase() == CommandPhase.SENT
                 && INTERRUPTING.contains(command.type());
         if (others) {

@@ -28,16 +28,16 @@ import org.dronemap.core.lease.SavedLease;
 import org.jspecify.annotations.Nullable;
 
 /** A vehicle and stores that remember what was asked of them. */
-final class Fixtures {
-    static final Capabilities ALL = new Capabilities(Set.of(Capability.values()), List.of("GUIDED", "LOITER"));
+public final class Fixtures {
+    public static final Capabilities ALL = new Capabilities(Set.of(Capability.values()), List.of("GUIDED", "LOITER"));
 
     private Fixtures() {}
 
-    static Identification copter(@Nullable String uid) {
+    public static Identification copter(@Nullable String uid) {
         return new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", uid);
     }
 
-    static DroneLink bound(Admission admission) {
+    public static DroneLink bound(Admission admission) {
         if (admission instanceof Admission.Bound bound) {
             return bound.link();
         }
@@ -45,11 +45,11 @@ final class Fixtures {
     }
 
     /** Takes commands and lets the test say how they end. */
-    static final class RecordingChannel implements VehicleChannel {
-        final List<Command> performed = new CopyOnWriteArrayList<>();
-        final List<CommandId> cancelled = new CopyOnWriteArrayList<>();
-        final ConcurrentHashMap<CommandId, Report> reports = new ConcurrentHashMap<>();
-        final ConcurrentHashMap<Report, Fence> fences = new ConcurrentHashMap<>();
+    public static final class RecordingChannel implements VehicleChannel {
+        public final List<Command> performed = new CopyOnWriteArrayList<>();
+        public final List<CommandId> cancelled = new CopyOnWriteArrayList<>();
+        public final ConcurrentHashMap<CommandId, Report> reports = new ConcurrentHashMap<>();
+        public final ConcurrentHashMap<Report, Fence> fences = new ConcurrentHashMap<>();
 
         @Override
         public void perform(Mandate mandate, Command command, Report report) {
@@ -67,11 +67,11 @@ final class Fixtures {
         public void probe() {}
     }
 
-    static final class HeapCommandStore implements CommandStore {
-        final ConcurrentHashMap<CommandId, CommandRecord> records = new ConcurrentHashMap<>();
-        volatile boolean broken;
+    public static final class HeapCommandStore implements CommandStore {
+        public final ConcurrentHashMap<CommandId, CommandRecord> records = new ConcurrentHashMap<>();
+        public volatile boolean broken;
         /** Outcomes wait for it before they are written. */
-        volatile CountDownLatch disk = new CountDownLatch(0);
+        public volatile CountDownLatch disk = new CountDownLatch(0);
 
         @Override
         public boolean begin(CommandRecord command) {
@@ -113,9 +113,9 @@ final class Fixtures {
         }
     }
 
-    static final class HeapDroneStore implements DroneStore {
-        final ConcurrentHashMap<DroneId, DroneRecord> records = new ConcurrentHashMap<>();
-        final ConcurrentHashMap<DroneId, KnownMission> missions = new ConcurrentHashMap<>();
+    public static final class HeapDroneStore implements DroneStore {
+        public final ConcurrentHashMap<DroneId, DroneRecord> records = new ConcurrentHashMap<>();
+        public final ConcurrentHashMap<DroneId, KnownMission> missions = new ConcurrentHashMap<>();
 
         @Override
         public List<DroneRecord> drones() {
@@ -143,8 +143,8 @@ final class Fixtures {
         }
     }
 
-    static final class HeapLeaseStore implements LeaseStore {
-        final ConcurrentHashMap<DroneId, SavedLease> leases = new ConcurrentHashMap<>();
+    public static final class HeapLeaseStore implements LeaseStore {
+        public final ConcurrentHashMap<DroneId, SavedLease> leases = new ConcurrentHashMap<>();
         private final AtomicLong reserved = new AtomicLong();
 
         @Override

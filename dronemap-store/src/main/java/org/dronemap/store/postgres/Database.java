@@ -21,6 +21,7 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
+import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.zone.ZoneStore;
@@ -131,6 +132,10 @@ public final class Database implements AutoCloseable {
 
     public VirtualDroneStore virtualDrones() {
         return new PostgresVirtualDroneStore(sql);
+    }
+
+    public OperationStore operations() {
+        return new PostgresOperationStore(sql);
     }
 
     public TelemetryStore telemetry() {

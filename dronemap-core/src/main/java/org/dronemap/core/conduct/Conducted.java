@@ -1,0 +1,289 @@
+package org.dronemap.core.conduct;
+
+import java.time.Clock;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.Set;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.LongSupplier;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.operation.Action;
+import org.dronemap.core.operation.Decision;
+import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.operation.SavedOperation;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One operation as it is conducted: each decision is durable before anything of it happens. When it cannot be told whether
+ * one is, the operation is taken up again from what is stored. Owned by the conductor's thread, but for {@link #now}.
+ */
+final class Conducted<S, I> {
+    private final OperationKind<S, I> kind;
+    private final Means means;
+    private final Holder.Operation holder;
+    private final Reins reins;
+    private final Hands hands;
+    private final List<Computations.Underway> computations = new ArrayList<>();
+    /** What came to be known and was not decided on yet. */
+    private final Deque<I> inbox = new ArrayDeque<>();
+    /** Bounded by what may be worked out at once. */
+    private final Queue<Result<I>> results = new ConcurrentLinkedQueue<>();
+
+    private volatile Now<S> now;
+    private @Nullable SavedOperation inDoubt;
+    private @Nullable I deciding;
+    private long lookedNanos;
+
+    /** What operations are conducted with; {@code wake} asks for a turn soon. */
+    record Means(
+            OperationStore store,
+            DroneCrew crew,
+            Scenery scenery,
+            Computations computations,
+            Clock clock,
+            LongSupplier nanoTime,
+            Runnable wake,
+            OperationListener listener) {}
+
+    /** As it is and as it is stored. */
+    record Now<S>(SavedOperation saved, S state) {}
+
+    private record Result<I>(Object run, I input) {}
+
+    /** What was asked to be computed belongs to one of these, and is lost with it. */
+    private Object run = new Object();
+
+    Conducted(OperationKind<S, I> kind, Means means, SavedOperation saved, S state) {
+        this.kind = kind;
+        this.means = means;
+        this.now = new Now<>(saved, state);
+        this.holder = new Holder.Operation(
+                saved.id().value(), saved.owner(), kind.machine().words(state));
+        this.reins = new Reins(means.crew(), holder);
+        this.hands = new Hands(means.crew(), holder, means.nanoTime());
+        this.lookedNanos =
+                means.nanoTime().getAsLong() - kind.machine().rhythm().toNanos();
+    }
+
+    OperationKind<S, I> kind() {
+        return kind;
+    }
+
+    /** Any thread. */
+    Now<S> now() {
+        return now;
+    }
+
+    boolean isOver() {
+        return now.saved().endedAt() != null;
+    }
+
+    /** Control of all of its drones, or of none, and why. */
+    Optional<String> takeReins() {
+        return reins.takeAll(kind.machine().drones(now.state()));
+    }
+
+    void dropReins() {
+        reins.keepOnly(Set.of());
+    }
+
+    /** After a restart: what is held by somebody else is seen. */
+    void takeUp() {
+        reins.reachFor(wanted());
+        inbox.addFirst(kind.machine().resumed(means.clock().instant()));
+    }
+
+    void interrupted(DroneId drone, String why) {
+        if (reins.lose(drone, why)) {
+            lookedNanos -= kind.machine().rhythm().toNanos();
+        }
+    }
+
+    /** Everything that is due; fails when something cannot be written down, and goes on there the next time. */
+    void turn() {
+        settle();
+        empty();
+        hearEnds();
+        for (Result<I> result = results.poll(); result != null; result = results.poll()) {
+            if (result.run() == run) {
+                inbox.add(result.input());
+            }
+        }
+        empty();
+        long time = means.nanoTime().getAsLong();
+        if (!isOver() && time - lookedNanos >= kind.machine().rhythm().toNanos()) {
+            lookedNanos = time;
+            look();
+        }
+    }
+
+    private void empty() {
+        while (!isOver() && !inbox.isEmpty()) {
+            deciding = inbox.element();
+            take(deciding);
+            inbox.remove();
+            deciding = null;
+        }
+    }
+
+    private void look() {
+        S state = now.state();
+        Set<DroneId> drones = new HashSet<>(kind.machine().drones(state));
+        drones.addAll(kind.machine().watched(state));
+        take(kind.machine().looked(state, means.scenery().of(now.saved().owner(), reins, drones)));
+    }
+
+    private void hearEnds() {
+        for (SavedOperation.Given given : now.saved().given()) {
+            if (isOver() || !now.saved().given().contains(given)) {
+                continue;
+            }
+            Optional<Outcome> end = hands.end(given);
+            if (end.isPresent()) {
+                take(
+                        kind.machine()
+                                .ended(
+                                        given.drone(),
+                                        given.command(),
+                                        end.get(),
+                                        means.clock().instant()),
+                        given);
+                hands.told(given);
+            }
+        }
+    }
+
+    /** A user's wish; why it is not taken, as a sentence. */
+    Optional<String> wish(I input) {
+        settle();
+        if (isOver()) {
+            return Optional.of("It is over.");
+        }
+        Optional<String> why = kind.machine().refusal(now.state(), input);
+        if (why.isEmpty()) {
+            take(input);
+        }
+        return why;
+    }
+
+    private void take(I input) {
+        take(input, null);
+    }
+
+    private void take(I input, SavedOperation.@Nullable Given ended) {
+        S before = now.state();
+        Decision<S, I> decision = kind.machine().decide(before, input);
+        if (decision.next().equals(before) && decision.actions().isEmpty()) {
+            forget(ended);
+            return;
+        }
+        JournalEntry entry = new JournalEntry(
+                now.saved().last() + 1,
+                means.clock().instant(),
+                kind.codec().input(input),
+                kind.codec().decision(decision));
+        SavedOperation next = next(decision, ended);
+        inDoubt = next;
+        means.store().append(next, entry);
+        inDoubt = null;
+        carryOut(new Now<>(next, decision.next()), decision);
+    }
+
+    /** It is not written down that its end was heard: after a restart it is heard again, and changes as little. */
+    private void forget(SavedOperation.@Nullable Given ended) {
+        if (ended != null) {
+            SavedOperation saved = now.saved();
+            List<SavedOperation.Given> open = new ArrayList<>(saved.given());
+            open.remove(ended);
+            now = new Now<>(saved.with(open), now.state());
+        }
+    }
+
+    private SavedOperation next(Decision<S, I> decision, SavedOperation.@Nullable Given ended) {
+        List<SavedOperation.Given> open = new ArrayList<>(now.saved().given());
+        open.remove(ended);
+        for (Action<I> action : decision.actions()) {
+            if (action instanceof Action.Give<I> give) {
+                open.add(new SavedOperation.Given(give.drone(), give.id()));
+            }
+        }
+        boolean over = kind.machine().isOver(decision.next());
+        return now.saved()
+                .next(
+                        kind.codec().state(decision.next()),
+                        over ? List.of() : open,
+                        over ? means.clock().instant() : null);
+    }
+
+    private void carryOut(Now<S> next, Decision<S, I> decision) {
+        now = next;
+        reins.reachFor(wanted());
+        for (Action<I> action : decision.actions()) {
+            if (action instanceof Action.Give<I> give) {
+                hands.give(give);
+            } else if (action instanceof Action.Compute<I> compute) {
+                compute(compute);
+            }
+        }
+        reins.keepOnly(wanted());
+        if (isOver()) {
+            callOff();
+        }
+        means.listener().changed(next.saved(), decision.why() == null ? "" : decision.why());
+    }
+
+    private void compute(Action.Compute<I> compute) {
+        Object asked = run;
+        computations.add(means.computations().run(compute.what(), input -> {
+            results.add(new Result<>(asked, input));
+            means.wake().run();
+        }));
+    }
+
+    /** Nobody waits for what is being worked out any more. */
+    void callOff() {
+        computations.forEach(Computations.Underway::callOff);
+        computations.clear();
+        run = new Object();
+    }
+
+    private Set<DroneId> wanted() {
+        return isOver() ? Set.of() : kind.machine().drones(now.state());
+    }
+
+    /** Finds out whether the last decision is stored although that seemed to fail. */
+    private void settle() {
+        SavedOperation tried = inDoubt;
+        I decided = deciding;
+        deciding = null;
+        if (tried == null) {
+            return;
+        }
+        SavedOperation stored = means.store()
+                .find(tried.id())
+                .orElseThrow(() -> new IllegalStateException("The operation " + tried.id() + " is gone."));
+        inDoubt = null;
+        if (stored.last() == now.saved().last()) {
+            return;
+        }
+        if (decided != null && stored.state().equals(tried.state())) {
+            inbox.remove();
+        }
+        // Nobody carried it out: its commands end as never sent, and what it wanted computed is lost.
+        callOff();
+        now = new Now<>(stored, kind.codec().state(stored.state()));
+        reins.reachFor(wanted());
+        reins.keepOnly(wanted());
+        inbox.addFirst(kind.machine().resumed(means.clock().instant()));
+        means.listener().changed(stored, "");
+    }
+}

@@ -1,0 +1,71 @@
+package org.dronemap.core.conduct;
+
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.UnknownDroneException;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.operation.Action;
+import org.dronemap.core.operation.SavedOperation;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Gives the commands of one operation, and finds out how they ended. Owned by the conductor's thread. */
+final class Hands {
+    private static final Logger LOG = LoggerFactory.getLogger(Hands.class);
+    /** The gate gives up after 90 s. */
+    private static final Duration LONGEST = Duration.ofMinutes(3);
+
+    private static final Outcome NEVER_SENT =
+            new Outcome.Refused("gate", "It was not sent: the server stopped, or could not write it down, before.");
+
+    private final DroneCrew crew;
+    private final Holder.Operation holder;
+    private final LongSupplier nanoTime;
+    private final Map<CommandId, Long> sinceNanos = new HashMap<>();
+
+    Hands(DroneCrew crew, Holder.Operation holder, LongSupplier nanoTime) {
+        this.crew = crew;
+        this.holder = holder;
+        this.nanoTime = nanoTime;
+    }
+
+    void give(Action.Give<?> what) {
+        try {
+            crew.command(holder, what.drone(), what.id(), what.command());
+        } catch (UnknownDroneException removed) {
+            LOG.info(
+                    "{} is not told to {}: it was removed",
+                    what.drone(),
+                    what.command().summary());
+        } catch (RuntimeException e) {
+            LOG.error("{} was not told to {}", what.drone(), what.command().summary(), e);
+        }
+    }
+
+    /** Empty while it is under way; what nobody knows of was never sent. */
+    Optional<Outcome> end(SavedOperation.Given given) {
+        Optional<CommandRecord> record = crew.record(given.command());
+        if (record.isEmpty()) {
+            return Optional.of(NEVER_SENT);
+        }
+        Outcome outcome = record.get().outcome();
+        if (outcome != null) {
+            return Optional.of(outcome);
+        }
+        long now = nanoTime.getAsLong();
+        long since = sinceNanos.computeIfAbsent(given.command(), id -> now);
+        return now - since > LONGEST.toNanos()
+                ? Optional.of(new Outcome.Unknown("Nothing was heard of it; look at the drone."))
+                : Optional.empty();
+    }
+
+    void told(SavedOperation.Given given) {
+        sinceNanos.remove(given.command());
+    }
+}

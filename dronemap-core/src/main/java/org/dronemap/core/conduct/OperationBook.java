@@ -1,0 +1,153 @@
+package org.dronemap.core.conduct;
+
+import java.time.Instant;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.LongAdder;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.SavedOperation;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** All operations that are under way. Read by any thread, changed by the conductor's. */
+final class OperationBook {
+    private static final Logger LOG = LoggerFactory.getLogger(OperationBook.class);
+
+    private final Conducted.Means means;
+    private final Map<String, OperationKind<?, ?>> kinds = new HashMap<>();
+    private final ConcurrentHashMap<OperationId, Conducted<?, ?>> conducted = new ConcurrentHashMap<>();
+    private final ConcurrentHashMap<OperationId, String> troubles = new ConcurrentHashMap<>();
+    /** Whoever asked was told that these did not begin; they may be stored all the same. Owned by the thread. */
+    private final Set<OperationId> neverBegun = new HashSet<>();
+
+    private final LongAdder failed = new LongAdder();
+
+    OperationBook(Conducted.Means means, Collection<OperationKind<?, ?>> kinds) {
+        this.means = means;
+        kinds.forEach(kind -> this.kinds.put(kind.name(), kind));
+    }
+
+    /** One that cannot be read must not keep the server, and so all other drones, from being conducted. */
+    void takeUp() {
+        for (SavedOperation saved : means.store().underWay()) {
+            OperationKind<?, ?> kind = kinds.get(saved.kind());
+            try {
+                if (kind == null) {
+                    throw new IllegalArgumentException("nobody conducts operations of the kind " + saved.kind());
+                }
+                Conducted<?, ?> one = read(kind, saved);
+                conducted.put(saved.id(), one);
+                one.takeUp();
+            } catch (IllegalArgumentException unreadable) {
+                failed.increment();
+                troubles.put(
+                        saved.id(),
+                        "“" + saved.name() + "” of " + saved.owner() + " cannot be taken up again: "
+                                + unreadable.getMessage());
+                LOG.error("The operation {} cannot be taken up again", saved.id(), unreadable);
+            }
+        }
+    }
+
+    private <S, I> Conducted<S, I> read(OperationKind<S, I> kind, SavedOperation saved) {
+        return new Conducted<>(kind, means, saved, kind.codec().state(saved.state()));
+    }
+
+    <S, I> Conducted<S, I> begin(OperationKind<S, I> kind, SavedOperation begun, JournalEntry first, S state) {
+        SavedOperation saved = begun.beginning(first.input());
+        Conducted<S, I> one = new Conducted<>(kind, means, saved, state);
+        one.takeReins().ifPresent(why -> {
+            throw new Operations.Refused(why);
+        });
+        try {
+            means.store().begin(saved, first);
+        } catch (RuntimeException e) {
+            one.dropReins();
+            neverBegun.add(saved.id());
+            throw e;
+        }
+        conducted.put(saved.id(), one);
+        means.listener().changed(saved, "");
+        return one;
+    }
+
+    <S, I> Optional<Conducted<S, I>> find(OperationKind<S, I> kind, OperationId id) {
+        return Optional.ofNullable(conducted.get(id)).flatMap(one -> ofKind(kind, one));
+    }
+
+    /** The oldest first. */
+    <S, I> List<Conducted<S, I>> all(OperationKind<S, I> kind) {
+        return inOrder().stream().flatMap(one -> ofKind(kind, one).stream()).toList();
+    }
+
+    /** Kinds are as good as their names: there is one of each. */
+    @SuppressWarnings("unchecked")
+    private static <S, I> Optional<Conducted<S, I>> ofKind(OperationKind<S, I> kind, Conducted<?, ?> one) {
+        return one.kind().name().equals(kind.name()) ? Optional.of((Conducted<S, I>) one) : Optional.empty();
+    }
+
+    private List<Conducted<?, ?>> inOrder() {
+        return conducted.values().stream()
+                .sorted(Comparator.<Conducted<?, ?>, Instant>comparing(
+                                one -> one.now().saved().beganAt())
+                        .thenComparing(one -> one.now().saved().id().value()))
+                .toList();
+    }
+
+    /** One that cannot be conducted must not keep the others from it. */
+    void turn() {
+        forgetNeverBegun();
+        for (Conducted<?, ?> one : inOrder()) {
+            OperationId id = one.now().saved().id();
+            try {
+                one.turn();
+                troubles.remove(id);
+            } catch (RuntimeException e) {
+                failed.increment();
+                String trouble = "“" + one.now().saved().name() + "” does not go on: " + e.getMessage();
+                if (!trouble.equals(troubles.put(id, trouble))) {
+                    LOG.error("Conducting {} failed; it is tried again", id, e);
+                }
+            }
+        }
+        tidy();
+    }
+
+    private void forgetNeverBegun() {
+        for (OperationId id : List.copyOf(neverBegun)) {
+            try {
+                means.store().forget(id);
+                neverBegun.remove(id);
+            } catch (RuntimeException e) {
+                LOG.debug("Whether {} is stored is not known yet", id, e);
+            }
+        }
+    }
+
+    /** What is over is found in the store. */
+    void tidy() {
+        conducted.values().removeIf(Conducted::isOver);
+    }
+
+    void interrupted(DroneId drone, String why) {
+        conducted.values().forEach(one -> one.interrupted(drone, why));
+    }
+
+    long failedCount() {
+        return failed.sum();
+    }
+
+    List<String> troubles() {
+        return List.copyOf(troubles.values());
+    }
+}

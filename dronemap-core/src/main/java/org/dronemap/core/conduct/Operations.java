@@ -1,0 +1,261 @@
+package org.dronemap.core.conduct;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.LongSupplier;
+import org.dronemap.core.audit.Activity;
+import org.dronemap.core.cloud.CloudListener;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.organisation.OrganisationId;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The operations that are under way and the one thread that conducts them all. Looked at by any thread; changes wait for the
+ * conductor, which writes each decision down before anything of it happens.
+ */
+public final class Operations implements CloudListener, AutoCloseable {
+    /** The way in that commands of operations come by. */
+    public static final String FACE = "operation";
+
+    /** So long an operation that has ended is kept, with its journal. */
+    public static final Duration KEPT = Duration.ofDays(90);
+
+    private static final Logger LOG = LoggerFactory.getLogger(Operations.class);
+    private static final long RHYTHM_MILLIS = 100;
+    private static final long TIDYING_HOURS = 6;
+    private static final int LONGEST_WAIT_SECONDS = 15;
+    private static final int COMPUTING_THREADS = 2;
+    private static final int MOST_WAITING = 16;
+
+    /** What supervisors and safety rules may command without control. */
+    private static final Set<String> INTERRUPTING = Set.of(
+            Command.Land.class.getSimpleName(),
+            Command.ReturnToLaunch.class.getSimpleName(),
+            Command.Hold.class.getSimpleName(),
+            Command.PauseMission.class.getSimpleName());
+
+    private final CloudManager cloud;
+    private final OperationStore store;
+    private final Clock clock;
+    private final Computations computations;
+    private final OperationBook book;
+    private final CopyOnWriteArrayList<OperationListener> listeners = new CopyOnWriteArrayList<>();
+    private final AtomicBoolean woken = new AtomicBoolean();
+    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread created = new Thread(task, "operations");
+        created.setDaemon(true);
+        return created;
+    });
+
+    /** A change that cannot be made, with the sentence why. */
+    public static final class Refused extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        public Refused(String why) {
+            super(why, null, false, false);
+        }
+
+        public String why() {
+            return String.valueOf(getMessage());
+        }
+    }
+
+    /** An operation with its state, as they are at one moment. */
+    public record Picture<S>(SavedOperation saved, S state) {}
+
+    /** {@code kinds}: all that can be stored, so that they are known after a restart. */
+    public Operations(
+            CloudManager cloud,
+            OperationStore store,
+            OperationRights rights,
+            Clock clock,
+            Collection<OperationKind<?, ?>> kinds) {
+        this.cloud = cloud;
+        this.store = store;
+        this.clock = clock;
+        LongSupplier nanoTime = System::nanoTime;
+        this.computations = new Computations(COMPUTING_THREADS, MOST_WAITING, nanoTime, clock);
+        Conducted.Means means = new Conducted.Means(
+                store,
+                new DroneCrew(cloud, FACE),
+                new Scenery(cloud, rights, clock, nanoTime),
+                computations,
+                clock,
+                nanoTime,
+                this::wake,
+                (saved, why) -> listeners.forEach(listener -> listener.changed(saved, why)));
+        this.book = new OperationBook(means, kinds);
+    }
+
+    /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
+    public void start() {
+        book.takeUp();
+        cloud.addListener(this);
+        ScheduledFuture<?> turns = thread.scheduleWithFixedDelay(this::turn, 0, RHYTHM_MILLIS, TimeUnit.MILLISECONDS);
+        ScheduledFuture<?> tidying = thread.scheduleWithFixedDelay(this::tidy, 0, TIDYING_HOURS, TimeUnit.HOURS);
+        LOG.debug("The conductor begins: {} {}", turns, tidying);
+    }
+
+    public void addListener(OperationListener listener) {
+        listeners.add(listener);
+    }
+
+    /**
+     * Takes control of all of its drones, writes it down, and goes on with it.
+     *
+     * @param begun without entries and without text of a state
+     * @throws Refused when control of a drone cannot be had
+     */
+    public <S, I> Picture<S> begin(OperationKind<S, I> kind, SavedOperation begun, S state) {
+        return ask(() -> {
+            JournalEntry first =
+                    new JournalEntry(0, begun.beganAt(), kind.codec().state(state), "");
+            return picture(book.begin(kind, begun, first, state));
+        });
+    }
+
+    /**
+     * Tells an operation what a user wants.
+     *
+     * @throws Refused when that cannot be taken now
+     */
+    public <S, I> Picture<S> wish(OperationKind<S, I> kind, OperationId id, I input) {
+        return ask(() -> {
+            Conducted<S, I> conducted =
+                    book.find(kind, id).orElseThrow(() -> new Refused("It is over, or there is no such operation."));
+            Optional<String> why = conducted.wish(input);
+            if (why.isPresent()) {
+                throw new Refused(why.get());
+            }
+            book.tidy();
+            return picture(conducted);
+        });
+    }
+
+    /** Under way or over. */
+    public <S, I> Optional<Picture<S>> find(OperationKind<S, I> kind, OperationId id) {
+        Optional<Picture<S>> underWay = book.find(kind, id).map(Operations::picture);
+        return underWay.isPresent()
+                ? underWay
+                : store.find(id)
+                        .filter(saved -> saved.kind().equals(kind.name()))
+                        .map(saved -> new Picture<>(saved, kind.codec().state(saved.state())));
+    }
+
+    /** Those of a kind that are under way, the oldest first. */
+    public <S, I> List<Picture<S>> underWay(OperationKind<S, I> kind) {
+        return book.all(kind).stream().map(Operations::picture).toList();
+    }
+
+    /** The newest of an organisation, under way or over, the newest first. */
+    public List<SavedOperation> latest(OrganisationId organisation, int limit) {
+        return store.latest(organisation, limit);
+    }
+
+    /** Entries of a journal from that number on, in order. */
+    public List<JournalEntry> journal(OperationId id, long from, int limit) {
+        return store.journal(id, from, limit);
+    }
+
+    private static <S, I> Picture<S> picture(Conducted<S, I> conducted) {
+        Conducted.Now<S> now = conducted.now();
+        return new Picture<>(now.saved(), now.state());
+    }
+
+    /** Turns that failed since the start. */
+    public long failedCount() {
+        return book.failedCount();
+    }
+
+    /** What keeps operations from going on now, as sentences. */
+    public List<String> troubles() {
+        return book.troubles();
+    }
+
+    @Override
+    public void commandChanged(CommandRecord command) {
+        if (command.face().equals(FACE)) {
+            if (command.outcome() != null) {
+                wake();
+            }
+        } else if (command.phase() == CommandPhase.SENT && INTERRUPTING.contains(command.type())) {
+            soon(() -> book.interrupted(command.drone(), command.by() + " told the drone: " + command.summary() + "."));
+        }
+    }
+
+    private void turn() {
+        woken.set(false);
+        book.turn();
+    }
+
+    private void tidy() {
+        try {
+            int forgotten = store.forgetEndedBefore(clock.instant().minus(KEPT));
+            if (forgotten > 0) {
+                LOG.info("{} operations that ended more than {} days ago were forgotten", forgotten, KEPT.toDays());
+            }
+        } catch (RuntimeException e) {
+            LOG.warn("Old operations cannot be forgotten now; it is tried again", e);
+        }
+    }
+
+    private void wake() {
+        if (woken.compareAndSet(false, true)) {
+            soon(this::turn);
+        }
+    }
+
+    private void soon(Runnable work) {
+        try {
+            thread.execute(work);
+        } catch (RejectedExecutionException e) {
+            LOG.debug("The conductor has stopped");
+        }
+    }
+
+    private <T> T ask(Callable<T> work) {
+        try {
+            return thread.submit(Activity.carried(work)).get(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof RuntimeException cause) {
+                throw cause;
+            }
+            throw new IllegalStateException(e.getCause());
+        } catch (TimeoutException e) {
+            throw new IllegalStateException("The conductor does not answer; look again whether this was taken.", e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("Interrupted while waiting for the conductor.", e);
+        }
+    }
+
+    @Override
+    public void close() {
+        cloud.removeListener(this);
+        thread.shutdownNow();
+        computations.close();
+    }
+}

@@ -1,0 +1,82 @@
+package org.dronemap.core.conduct;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.Holder;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The drones that one operation wanted control of so far. Control is asked for once, when a drone comes: whoever takes it
+ * afterwards keeps it. Owned by the conductor's thread.
+ */
+final class Reins {
+    private final DroneCrew crew;
+    private final Holder.Operation holder;
+    private final Map<DroneId, String> lost = new HashMap<>();
+    private Set<DroneId> wanted = Set.of();
+
+    Reins(DroneCrew crew, Holder.Operation holder) {
+        this.crew = crew;
+        this.holder = holder;
+    }
+
+    /** All of them or none; why not, as a sentence that names the drone by its id. */
+    Optional<String> takeAll(Set<DroneId> drones) {
+        for (DroneId drone : drones) {
+            Optional<String> why = crew.engage(holder, drone);
+            if (why.isPresent()) {
+                letGo(List.copyOf(drones));
+                return Optional.of("The drone " + drone + ": " + why.get());
+            }
+        }
+        wanted = Set.copyOf(drones);
+        return Optional.empty();
+    }
+
+    /** Asks for those that were not wanted before; nothing is given back yet. */
+    void reachFor(Set<DroneId> drones) {
+        Set<DroneId> all = new HashSet<>(wanted);
+        for (DroneId drone : drones) {
+            if (all.add(drone)) {
+                lost.remove(drone);
+                // Whoever has it is seen in the next scene.
+                Optional<String> unused = crew.engage(holder, drone);
+            }
+        }
+        wanted = Set.copyOf(all);
+    }
+
+    /** Gives back all others. */
+    void keepOnly(Set<DroneId> drones) {
+        List<DroneId> others =
+                wanted.stream().filter(drone -> !drones.contains(drone)).toList();
+        wanted = Set.copyOf(drones);
+        letGo(others);
+    }
+
+    /** Somebody who goes first commands it: control is given back. False when it had none to lose. */
+    boolean lose(DroneId drone, String why) {
+        if (!wanted.contains(drone) || crew.takenBy(holder, drone) != null) {
+            return false;
+        }
+        lost.put(drone, why);
+        crew.release(holder, drone);
+        return true;
+    }
+
+    /** Why there is no control of it, as a sentence; null: there is. */
+    @Nullable
+    String takenBy(DroneId drone) {
+        String why = lost.get(drone);
+        return why != null ? why : crew.takenBy(holder, drone);
+    }
+
+    private void letGo(List<DroneId> drones) {
+        drones.forEach(drone -> crew.release(holder, drone));
+    }
+}

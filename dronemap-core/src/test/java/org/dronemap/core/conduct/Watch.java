@@ -1,0 +1,185 @@
+package org.dronemap.core.conduct;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.Action;
+import org.dronemap.core.operation.Computation;
+import org.dronemap.core.operation.Decision;
+import org.dronemap.core.operation.Operation;
+import org.dronemap.core.operation.OperationCodec;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.Scene;
+
+/** A tiny operation: arms its drones, notes what it hears, lets go of drones that somebody takes. */
+final class Watch implements Operation<Watch.State, String> {
+    /** What it heard, in order; {@code given}: how many commands. */
+    record State(Set<String> drones, List<String> heard, int given, boolean over) {
+        State heard(String what) {
+            List<String> all = new ArrayList<>(heard);
+            all.add(what);
+            return new State(drones, List.copyOf(all), given, over);
+        }
+    }
+
+    /** Ends with its word; that of which it is told to wait waits until it may. */
+    record Work(String word) implements Computation<String> {
+        static volatile CountDownLatch mayEnd = new CountDownLatch(0);
+
+        @Override
+        public String run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled) {
+            try {
+                if (!mayEnd.await(10, TimeUnit.SECONDS)) {
+                    return "note slow";
+                }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            return "note " + word;
+        }
+
+        @Override
+        public String failed(String why, Clock clock) {
+            return "note failed: " + why;
+        }
+    }
+
+    static final OperationKind<State, String> KIND = new OperationKind<>("watch", new Watch(1), new Codec());
+
+    private final int step;
+
+    /** {@code step}: by how much commands are counted. */
+    Watch(int step) {
+        this.step = step;
+    }
+
+    static State of(DroneId... drones) {
+        Set<String> ids = new LinkedHashSet<>();
+        for (DroneId drone : drones) {
+            ids.add(drone.value());
+        }
+        return new State(ids, List.of(), 0, false);
+    }
+
+    @Override
+    public Duration rhythm() {
+        return Duration.ofMillis(50);
+    }
+
+    @Override
+    public Set<DroneId> drones(State state) {
+        Set<DroneId> drones = new LinkedHashSet<>();
+        state.drones().forEach(drone -> drones.add(new DroneId(drone)));
+        return drones;
+    }
+
+    @Override
+    public boolean isOver(State state) {
+        return state.over();
+    }
+
+    @Override
+    public String looked(State state, Scene scene) {
+        return scene.drones().stream()
+                .filter(seen -> seen.takenBy() != null)
+                .map(seen -> "taken " + seen.state().id() + " " + seen.takenBy())
+                .findFirst()
+                .orElse("looked");
+    }
+
+    @Override
+    public String ended(DroneId drone, CommandId command, Outcome outcome, Instant at) {
+        return "note ended " + command + " " + outcome.getClass().getSimpleName();
+    }
+
+    @Override
+    public String resumed(Instant at) {
+        return "note resumed";
+    }
+
+    @Override
+    public Decision<State, String> decide(State state, String input) {
+        String[] words = input.split(" ", 3);
+        return switch (words[0]) {
+            case "note" -> new Decision<>(state.heard(input.substring(5)), List.of(), "It heard " + input.substring(5));
+            case "arm" -> arm(state);
+            case "compute" ->
+                new Decision<>(state.heard("asked"), List.of(new Action.Compute<>(new Work(words[1]))), null);
+            case "taken" -> taken(state, words[1], words[2]);
+            case "stop" ->
+                new Decision<>(
+                        new State(state.drones(), state.heard(), state.given(), true), List.of(), "It was stopped.");
+            default -> Decision.stay(state);
+        };
+    }
+
+    private Decision<State, String> arm(State state) {
+        List<Action<String>> actions = new ArrayList<>();
+        int given = state.given();
+        for (String drone : state.drones()) {
+            given += step;
+            actions.add(new Action.Give<>(new DroneId(drone), new CommandId("command-" + given), new Command.Arm()));
+        }
+        return new Decision<>(new State(state.drones(), state.heard(), given, false), actions, null);
+    }
+
+    private static Decision<State, String> taken(State state, String drone, String by) {
+        Set<String> rest = new LinkedHashSet<>(state.drones());
+        rest.remove(drone);
+        return new Decision<>(
+                new State(rest, state.heard("taken " + by).heard(), state.given(), false), List.of(), null);
+    }
+
+    @Override
+    public String words(State state) {
+        return "A watch";
+    }
+
+    @Override
+    public Optional<String> refusal(State state, String input) {
+        return input.equals("no") ? Optional.of("Not that.") : Optional.empty();
+    }
+
+    /** One line each. */
+    private static final class Codec implements OperationCodec<State, String> {
+        @Override
+        public String state(State state) {
+            return String.join(",", state.drones()) + "|" + String.join(";", state.heard()) + "|" + state.given() + "|"
+                    + state.over();
+        }
+
+        @Override
+        public State state(String text) {
+            String[] parts = text.split("\\|", -1);
+            if (parts.length != 4) {
+                throw new IllegalArgumentException("no state of a watch: " + text);
+            }
+            Set<String> drones = parts[0].isEmpty() ? Set.of() : new LinkedHashSet<>(List.of(parts[0].split(",")));
+            List<String> heard = parts[1].isEmpty() ? List.of() : List.of(parts[1].split(";"));
+            return new State(drones, heard, Integer.parseInt(parts[2]), Boolean.parseBoolean(parts[3]));
+        }
+
+        @Override
+        public String input(String input) {
+            return input;
+        }
+
+        @Override
+        public String decision(Decision<State, String> decision) {
+            return decision.actions().size() + " actions, to " + state(decision.next());
+        }
+    }
+}
