@@ -19,6 +19,7 @@ import org.dronemap.ws.house.Estate;
 import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.OfficeDeeds;
+import org.dronemap.ws.house.RunDeeds;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.StandInProvider;
 import org.dronemap.ws.house.TestHouse;
@@ -31,7 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** A house in which somebody knows how to do, with success, all that the running server exposes. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 abstract class DeedTrial {
-    private static final Set<String> OWN_FACES = Set.of("rule", "safety", "virtual", "server");
+    private static final Set<String> OWN_FACES = Set.of("rule", "safety", "virtual", "operation", "server");
 
     private StandInProvider provider;
     TestHouse house;
@@ -58,7 +59,10 @@ abstract class DeedTrial {
         vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
         estate = new Estate(house, "our", OrganisationId.HOME, vehicle);
         other = estate.member("other", Role.OPERATOR);
-        deeds = List.of(new OfficeDeeds(house, estate.administrator(), provider), new DroneDeeds(house, estate, other));
+        deeds = List.of(
+                new OfficeDeeds(house, estate.administrator(), provider),
+                new DroneDeeds(house, estate, other),
+                new RunDeeds(house, estate));
     }
 
     @AfterAll

@@ -59,7 +59,8 @@ final class HouseRules {
                     "org.dronemap.core.lease..",
                     "org.dronemap.core.audit..",
                     "org.dronemap.core.zone..",
-                    "org.dronemap.core.virtual..")
+                    "org.dronemap.core.virtual..",
+                    "org.dronemap.core.operation..")
             .layer("cloud")
             .definedBy("org.dronemap.core.cloud..")
             .layer("conduct")

@@ -133,7 +133,7 @@ abstract class ReachTrial {
 
     /** Not what would take the caller's own key or the drone away, nor what is one user's alone. */
     boolean isTried(String operation) {
-        return !operation.equals(GIVE_AWAY) && !kind(operation).matches("access-keys|virtual-drones|plans");
+        return !operation.equals(GIVE_AWAY) && !kind(operation).matches("access-keys|virtual-drones|plans|runs");
     }
 
     String ownThing(String operation) {

@@ -54,7 +54,12 @@ public record PlanRequest(
             WindowRequest window,
 
             @Schema(description = "What a drone must be able to do for it, such as takePicture") @Nullable
-            List<@Nullable String> needs) {}
+            List<@Nullable String> needs) {
+        WaypointRequest called(String name) {
+            return new WaypointRequest(
+                    name, latitude, longitude, altitude, altitudeReference, holdSeconds, priority, window, needs);
+        }
+    }
 
     /** A span on the plan's clock. */
     @Schema(description = "Seconds after the start of the plan.")

@@ -103,6 +103,20 @@ public final class PlanService {
                 .thenApply(ended -> PlanViews.whole(job));
     }
 
+    /** A plan that may be flown now, with what it was made for. */
+    record Flyable(PlanOrder order, Planned planned) {}
+
+    /** For who flies it from now on; refused as if it were started. */
+    Flyable flyable(Principal principal, String id) {
+        PlanJob job = find(principal, id);
+        acceptable(principal, job, true);
+        Planned planned = job.status().result();
+        if (planned == null || job.status().busy()) {
+            throw Rejection.conflict("Its missions are on their way to the drones already.");
+        }
+        return new Flyable(job.order(), planned);
+    }
+
     /** Whoever of the plan has not been started yet will not be; who flies, flies on. */
     public PlanView stop(Principal principal, String id) {
         Roles.require(principal, Role.OPERATOR);

@@ -69,7 +69,7 @@ final class PlanWaypoints {
         Double hold = asked.holdSeconds();
         return new Waypoint(
                 id(at, asked.id(), number),
-                new Place(point, amslMeters(at, asked)),
+                new Place(point, amslMeters(at, asked.altitude(), asked.altitudeReference())),
                 new Task(hold == null ? 0 : Ranges.holdSeconds(at + "holdSeconds", hold), needs(at, asked.needs())),
                 priority(at, asked.priority()),
                 window(at + "window.", asked.window()));
@@ -85,8 +85,8 @@ final class PlanWaypoints {
         return given;
     }
 
-    private double amslMeters(String at, PlanRequest.WaypointRequest asked) {
-        Altitude altitude = MissionReader.altitude(at, asked.altitude(), asked.altitudeReference());
+    double amslMeters(String at, @Nullable Double asked, @Nullable String reference) {
+        Altitude altitude = MissionReader.altitude(at, asked, reference);
         double meters = altitude.reference() == Altitude.Reference.AMSL
                 ? altitude.meters()
                 : altitude.meters() + highestHomeMeters(at);

@@ -11,8 +11,7 @@ import org.jspecify.annotations.Nullable;
 /** What the server says of itself. Any thread. */
 public final class SystemService {
     private final CloudManager cloud;
-    private final BooleanSupplier databaseUp;
-    private final BooleanSupplier historyUp;
+    private final Checks checks;
     private final SettingsView settings;
     private final long startedNanos = System.nanoTime();
 
@@ -21,29 +20,42 @@ public final class SystemService {
 
     /** How the server is. */
     public record HealthView(
-            String status, String database, String history, DroneCounts drones, String version, long uptimeSeconds) {}
+            String status,
+            String database,
+            String history,
+            String runs,
+            DroneCounts drones,
+            String version,
+            long uptimeSeconds) {}
 
     /** What clients have to know. */
     public record SettingsView(int streamPort, @Nullable String tileAddress, String version, boolean publicMode) {}
 
-    /** {@code historyUp}: all that drones do is written down as it comes. */
-    public SystemService(
-            CloudManager cloud, BooleanSupplier databaseUp, BooleanSupplier historyUp, SettingsView settings) {
+    /**
+     * What has to work.
+     *
+     * @param history all that drones do is written down as it comes
+     * @param runs all that is conducted goes on
+     */
+    public record Checks(BooleanSupplier database, BooleanSupplier history, BooleanSupplier runs) {}
+
+    public SystemService(CloudManager cloud, Checks checks, SettingsView settings) {
         this.cloud = cloud;
-        this.databaseUp = databaseUp;
-        this.historyUp = historyUp;
+        this.checks = checks;
         this.settings = settings;
     }
 
     public HealthView health() {
         List<DroneState> drones =
                 cloud.drones().stream().filter(drone -> !drone.replay()).toList();
-        boolean up = databaseUp.getAsBoolean();
-        boolean remembers = historyUp.getAsBoolean();
+        boolean up = checks.database().getAsBoolean();
+        boolean remembers = checks.history().getAsBoolean();
+        boolean conducts = checks.runs().getAsBoolean();
         return new HealthView(
-                up && remembers ? "up" : "degraded",
+                up && remembers && conducts ? "up" : "degraded",
                 up ? "up" : "down",
                 remembers ? "up" : "down",
+                conducts ? "up" : "down",
                 new DroneCounts(
                         count(drones, LinkState.LIVE),
                         count(drones, LinkState.SUSPECT),

@@ -1,5 +1,6 @@
 package org.dronemap.ws.wiring;
 
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantBook;
@@ -8,19 +9,25 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
+import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.VirtualRights;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
+import org.jspecify.annotations.Nullable;
 
-/** Who may have virtual drones flown: active users from operators on, to whom nothing else or this was granted. Asked many times a second, looked up once. Any thread. */
-public final class AccountRights implements VirtualRights {
+/**
+ * Whom the cloud may fly for: active users from operators on, to whom nothing else or this was granted. Asked many times a
+ * second, looked up once. Any thread.
+ */
+public final class AccountRights implements VirtualRights, OperationRights {
     private static final long FRESH_NANOS = 1_000_000_000L;
 
     private final AccessStore store;
     private final GrantBook grants;
     private final ConcurrentHashMap<String, Known> known = new ConcurrentHashMap<>();
 
-    private record Known(boolean mayFly, long nanos) {}
+    /** Null: there is no such user who may do anything now. */
+    private record Known(@Nullable Principal principal, long nanos) {}
 
     public AccountRights(AccessStore store, GrantBook grants) {
         this.store = store;
@@ -29,17 +36,30 @@ public final class AccountRights implements VirtualRights {
 
     @Override
     public boolean mayFly(String owner) {
+        Principal principal = principal(owner);
+        return principal != null && principal.mayVirtually(Role.OPERATOR);
+    }
+
+    @Override
+    public Optional<String> whyNot(String owner, DroneId drone) {
+        Principal principal = principal(owner);
+        return principal != null && principal.may(Role.OPERATOR, drone)
+                ? Optional.empty()
+                : Optional.of(owner + " may not command it any more.");
+    }
+
+    private @Nullable Principal principal(String owner) {
         long now = System.nanoTime();
         Known last = known.get(owner);
         if (last == null || now - last.nanos() > FRESH_NANOS) {
-            boolean may = store.user(owner)
+            Principal principal = store.user(owner)
                     .filter(User::isActive)
-                    .filter(this::isGranted)
-                    .isPresent();
-            last = new Known(may, now);
+                    .map(this::principal)
+                    .orElse(null);
+            last = new Known(principal, now);
             known.put(owner, last);
         }
-        return last.mayFly();
+        return last.principal();
     }
 
     @Override
@@ -47,8 +67,8 @@ public final class AccountRights implements VirtualRights {
         return grants.owner(drone).equals(organisation);
     }
 
-    private boolean isGranted(User user) {
+    private Principal principal(User user) {
         Reach reach = grants.reach(user.organisation(), user.name());
-        return new Principal(user.name(), user.role(), KeyScope.ALL, null, reach).mayVirtually(Role.OPERATOR);
+        return new Principal(user.name(), user.role(), KeyScope.ALL, null, reach);
     }
 }

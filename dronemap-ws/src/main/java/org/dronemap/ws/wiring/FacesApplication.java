@@ -14,6 +14,7 @@ import org.springframework.context.annotation.Import;
     StreamConfiguration.class,
     SoapConfiguration.class,
     VirtualConfiguration.class,
-    PlanConfiguration.class
+    PlanConfiguration.class,
+    RunConfiguration.class
 })
 public class FacesApplication {}

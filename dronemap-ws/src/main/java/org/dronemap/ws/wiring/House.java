@@ -41,6 +41,7 @@ public record House(
         GrantStore grants,
         GrantBook grantBook,
         VirtualDrones virtuals,
+        RunSide runs,
         AuditSide audit) {
 
     /** Where it is kept what was done by whom, and what vouches for it beside the database. */

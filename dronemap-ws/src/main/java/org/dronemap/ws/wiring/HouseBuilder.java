@@ -76,7 +76,6 @@ final class HouseBuilder {
         CommandStore commands = commands(database, audit, clock);
         Journal journal = new Journal();
         closing.add("the journal", journal);
-        closing.add("the lanes", lanes);
         CloudManager cloud = cloud(database, commands, journal, clock);
         GrantBook grants = grants(database, cloud, clock);
         cloud.addListener(new AuditedControl(audit.store(), clock, grants::owner));
@@ -106,10 +105,12 @@ final class HouseBuilder {
                 database.grants(),
                 grants,
                 virtualDrones(cloud, database, grants, audit),
+                runs(cloud, database, grants),
                 audit);
     }
 
     private CloudManager cloud(Database database, CommandStore commands, Journal journal, Clock clock) {
+        closing.add("the lanes", lanes);
         return new CloudManager(
                 lanes,
                 new CloudManager.Rules(settings.watchdog(), settings.control()),
@@ -141,6 +142,15 @@ final class HouseBuilder {
         virtuals.start();
         closing.add("the virtual drones", virtuals);
         return virtuals;
+    }
+
+    /** As for virtual drones. */
+    private RunSide runs(CloudManager cloud, Database database, GrantBook grants) {
+        RunSide runs = RunSide.of(
+                cloud, database.operations(), new AccountRights(database.access(), grants), Clock.systemUTC());
+        runs.operations().start();
+        closing.add("the operations", runs.operations());
+        return runs;
     }
 
     private SecretBox box() {

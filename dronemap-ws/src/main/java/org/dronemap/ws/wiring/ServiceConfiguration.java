@@ -240,8 +240,10 @@ public class ServiceConfiguration {
     SystemService systemService(House house, Settings settings, StreamPort stream) {
         return new SystemService(
                 house.cloud(),
-                house.databaseUp(),
-                () -> house.history().health().isUp(),
+                new SystemService.Checks(
+                        house.databaseUp(),
+                        () -> house.history().health().isUp(),
+                        () -> house.runs().operations().troubles().isEmpty()),
                 new SystemService.SettingsView(
                         stream.number(), settings.tileAddress(), Version.current(), settings.publicMode()));
     }

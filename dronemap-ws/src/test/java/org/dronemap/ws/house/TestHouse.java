@@ -53,6 +53,7 @@ import org.dronemap.store.memory.MemoryGrantStore;
 import org.dronemap.store.memory.MemoryLeaseStore;
 import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
+import org.dronemap.store.memory.MemoryOperationStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
 import org.dronemap.store.memory.MemoryTelemetryStore;
 import org.dronemap.store.memory.MemoryVirtualDroneStore;
@@ -69,6 +70,7 @@ import org.dronemap.ws.wiring.AccountRights;
 import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
 import org.dronemap.ws.wiring.House;
+import org.dronemap.ws.wiring.RunSide;
 import org.dronemap.ws.wiring.Settings;
 import org.jspecify.annotations.Nullable;
 import org.springframework.context.ConfigurableApplicationContext;
@@ -97,6 +99,8 @@ public final class TestHouse implements AutoCloseable {
     private final House.AuditSide audit;
     private final ConfigurableApplicationContext faces;
     private final VirtualDrones virtuals;
+    private final MemoryOperationStore operationStore = new MemoryOperationStore();
+    private final RunSide runs;
     private final Path data;
     private final Recorder recorder;
     private final StoreSwitch historyStores = new StoreSwitch();
@@ -146,14 +150,9 @@ public final class TestHouse implements AutoCloseable {
                 Clock.systemUTC());
         startRecorder();
         history = history();
-        virtuals = new VirtualDrones(
-                cloud,
-                new MemoryVirtualDroneStore(),
-                new RunMachine(RunMachine.USUAL_SILENCE),
-                new AccountRights(access, grants),
-                Clock.systemUTC());
-        virtuals.addListener(new AuditedBindings(audit.store(), Clock.systemUTC(), virtuals.all()));
-        virtuals.start();
+        virtuals = virtuals();
+        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants), Clock.systemUTC());
+        runs.operations().start();
         House house = new House(
                 cloud,
                 access,
@@ -169,8 +168,21 @@ public final class TestHouse implements AutoCloseable {
                 new MemoryGrantStore(),
                 grants,
                 virtuals,
+                runs,
                 audit);
         faces = FacesServer.start(settings(choices), house);
+    }
+
+    private VirtualDrones virtuals() {
+        VirtualDrones made = new VirtualDrones(
+                cloud,
+                new MemoryVirtualDroneStore(),
+                new RunMachine(RunMachine.USUAL_SILENCE),
+                new AccountRights(access, grants),
+                Clock.systemUTC());
+        made.addListener(new AuditedBindings(audit.store(), Clock.systemUTC(), made.all()));
+        made.start();
+        return made;
     }
 
     private History history() {
@@ -336,6 +348,7 @@ public final class TestHouse implements AutoCloseable {
     @Override
     public void close() {
         faces.close();
+        runs.operations().close();
         virtuals.close();
         recorder.close();
         telemetry.close();

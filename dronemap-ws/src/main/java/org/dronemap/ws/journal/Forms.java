@@ -1,0 +1,86 @@
+package org.dronemap.ws.journal;
+
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.Type;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Finds the form of a type by what it is: records by their components, sealed interfaces by their records, and what both are
+ * made of. Any thread.
+ */
+final class Forms {
+    private final Map<Class<?>, List<Class<?>>> open;
+    private final ConcurrentHashMap<Type, Form> known = new ConcurrentHashMap<>();
+
+    /** {@code open}: of interfaces that are not sealed, the records that are written. */
+    Forms(Map<Class<?>, List<Class<?>>> open) {
+        this.open = Map.copyOf(open);
+    }
+
+    Form of(Type type) {
+        Form form = known.get(type);
+        if (form == null) {
+            form = make(type);
+            known.putIfAbsent(type, form);
+        }
+        return form;
+    }
+
+    private Form make(Type type) {
+        if (type instanceof ParameterizedType generic && generic.getRawType() instanceof Class<?> raw) {
+            Type[] arguments = generic.getActualTypeArguments();
+            return raw == List.class || raw == Set.class
+                    ? new SequenceForm(later(arguments[0]), raw == Set.class)
+                    : of(raw);
+        }
+        if (!(type instanceof Class<?> plain)) {
+            throw new IllegalStateException("nobody knows how to write a " + type);
+        }
+        return Scalars.of(plain).orElseGet(() -> composed(plain));
+    }
+
+    private Form composed(Class<?> type) {
+        if (type.isRecord()) {
+            return new RecordForm(type, this);
+        }
+        List<Class<?>> records = new ArrayList<>(open.getOrDefault(type, List.of()));
+        addRecords(type, records);
+        if (records.isEmpty()) {
+            throw new IllegalStateException("nobody knows how to write a " + type);
+        }
+        return new OneOfForm(type, records, this);
+    }
+
+    private static void addRecords(Class<?> type, List<Class<?>> records) {
+        if (!type.isSealed()) {
+            return;
+        }
+        for (Class<?> one : type.getPermittedSubclasses()) {
+            if (one.isRecord()) {
+                records.add(one);
+            } else {
+                addRecords(one, records);
+            }
+        }
+    }
+
+    /** Found when it is needed: types may contain each other. */
+    private Form later(Type type) {
+        return new Form() {
+            @Override
+            public JsonNode write(Object value) {
+                return of(type).write(value);
+            }
+
+            @Override
+            public Object read(JsonNode node) {
+                return of(type).read(node);
+            }
+        };
+    }
+}

@@ -1,0 +1,111 @@
+package org.dronemap.ws.journal;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/** A record: each component under its name, in their order; no more and no less. */
+final class RecordForm implements Form {
+    private final Class<?> type;
+    private final Constructor<?> constructor;
+    private final List<Member> members = new ArrayList<>();
+
+    private record Member(String name, Method accessor, Form form, boolean nullable) {}
+
+    RecordForm(Class<?> type, Forms forms) {
+        this.type = type;
+        RecordComponent[] components = type.getRecordComponents();
+        try {
+            constructor = type.getDeclaredConstructor(
+                    Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));
+        } catch (NoSuchMethodException e) {
+            throw new IllegalStateException(type + " is no record", e);
+        }
+        constructor.setAccessible(true);
+        for (RecordComponent component : components) {
+            Method accessor = component.getAccessor();
+            accessor.setAccessible(true);
+            members.add(new Member(
+                    component.getName(),
+                    accessor,
+                    forms.of(component.getGenericType()),
+                    component.getAnnotatedType().isAnnotationPresent(Nullable.class)));
+        }
+    }
+
+    boolean has(String member) {
+        return members.stream().anyMatch(one -> one.name().equals(member));
+    }
+
+    @Override
+    public JsonNode write(Object value) {
+        ObjectNode node = JsonNodeFactory.instance.objectNode();
+        fill(node, value);
+        return node;
+    }
+
+    void fill(ObjectNode node, Object value) {
+        for (Member member : members) {
+            Object part = part(member, value);
+            if (part == null && !member.nullable()) {
+                throw new IllegalArgumentException(at(member) + " is null");
+            }
+            node.set(
+                    member.name(),
+                    part == null
+                            ? JsonNodeFactory.instance.nullNode()
+                            : member.form().write(part));
+        }
+    }
+
+    private static @Nullable Object part(Member member, Object value) {
+        try {
+            return member.accessor().invoke(value);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Override
+    public Object read(JsonNode node) {
+        return read(node, 0);
+    }
+
+    /** {@code others}: how many members there are besides. */
+    Object read(JsonNode node, int others) {
+        if (!node.isObject() || node.size() != members.size() + others) {
+            throw new IllegalArgumentException("no " + type.getSimpleName() + ": " + node);
+        }
+        @Nullable Object[] parts = new @Nullable Object[members.size()];
+        for (int i = 0; i < parts.length; i++) {
+            parts[i] = part(members.get(i), node);
+        }
+        try {
+            return constructor.newInstance(parts);
+        } catch (InvocationTargetException e) {
+            throw new IllegalArgumentException("no " + type.getSimpleName() + ": " + e.getCause(), e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private @Nullable Object part(Member member, JsonNode node) {
+        JsonNode part = node.get(member.name());
+        if (part == null || (part.isNull() && !member.nullable())) {
+            throw new IllegalArgumentException(at(member) + " is missing");
+        }
+        return part.isNull() ? null : member.form().read(part);
+    }
+
+    private String at(Member member) {
+        return member.name() + " of " + type.getSimpleName();
+    }
+}

@@ -1,0 +1,170 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import java.net.URI;
+import java.util.List;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.RunJournalService;
+import org.dronemap.ws.service.RunRequest;
+import org.dronemap.ws.service.RunService;
+import org.dronemap.ws.service.RunView;
+import org.dronemap.ws.service.ZoneFeature;
+import org.jspecify.annotations.Nullable;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PatchMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.RequestParam;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Plans that drones fly, and that are changed when something happens to them. */
+@RestController
+@RequestMapping("/api/v1/runs")
+@Tag(
+        name = "Mission runs",
+        description =
+                "Plans that the cloud has drones fly: it watches them, shares out anew what a lost drone leaves, takes new"
+                        + " and moved waypoints, and explains each decision. A run survives its user's departure and restarts"
+                        + " of the server.")
+public class RunController {
+    private final RunService runs;
+    private final RunJournalService journals;
+    private final CurrentPrincipal current;
+
+    /** Mission runs, the newest first. */
+    public record RunList(List<RunView> runs) {}
+
+    public RunController(RunService runs, RunJournalService journals, CurrentPrincipal current) {
+        this.runs = runs;
+        this.journals = journals;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(
+            summary = "List mission runs",
+            description = "Those of your organisation all of whose drones you see: under way, and the newest that are"
+                    + " over. Forgotten 90 days after their end.")
+    public RunList all() {
+        return new RunList(runs.all(current.principal()));
+    }
+
+    @GetMapping("/{id}")
+    @Operation(
+            summary = "Look at one mission run",
+            description = "How it stands with each waypoint and drone, and what was decided why.")
+    public RunView one(@PathVariable String id) {
+        return runs.one(current.principal(), id);
+    }
+
+    @PostMapping
+    @Operation(
+            summary = "Fly a plan (operator)",
+            description =
+                    "Takes control of the plan's drones, brings them their missions, starts them and conducts them to the"
+                            + " end. 409 when the plan must not be flown, or somebody has control of one of its drones.")
+    public ResponseEntity<RunView> start(@RequestBody RunRequest.StartRequest request) {
+        RunView started = runs.start(current.principal(), request);
+        return ResponseEntity.created(URI.create("/api/v1/runs/" + started.id()))
+                .body(started);
+    }
+
+    @PostMapping("/{id}/waypoints")
+    @Operation(
+            summary = "Add waypoints to a mission run (operator)",
+            description = "Shared out among the drones that fly.")
+    public RunView add(@PathVariable String id, @RequestBody RunRequest.WaypointsRequest request) {
+        return runs.add(current.principal(), id, request);
+    }
+
+    @PatchMapping("/{id}/waypoints/{waypoint}")
+    @Operation(summary = "Move a waypoint of a mission run (operator)")
+    public RunView move(
+            @PathVariable String id, @PathVariable String waypoint, @RequestBody RunRequest.MoveRequest request) {
+        return runs.move(current.principal(), id, waypoint, request);
+    }
+
+    @DeleteMapping("/{id}/waypoints/{waypoint}")
+    @Operation(summary = "Cancel a waypoint of a mission run (operator)")
+    public RunView cancel(@PathVariable String id, @PathVariable String waypoint) {
+        return runs.cancel(current.principal(), id, waypoint);
+    }
+
+    @PostMapping("/{id}/barriers")
+    @Operation(
+            summary = "Add a zone to a mission run (operator)",
+            description =
+                    "A GeoJSON feature as of a zone of the cloud; binds all drones of the run at once, until it is over.")
+    public RunView bar(@PathVariable String id, @RequestBody ZoneFeature feature) {
+        return runs.bar(current.principal(), id, feature);
+    }
+
+    @PostMapping("/{id}/drones")
+    @Operation(
+            summary = "Have a further drone join a mission run (operator)",
+            description = "One that stands on the ground and that nobody else has control of.")
+    public RunView join(@PathVariable String id, @RequestBody RunRequest.JoinRequest request) {
+        return runs.join(current.principal(), id, request);
+    }
+
+    @PostMapping("/{id}/drones/{drone}/resume")
+    @Operation(
+            summary = "Give a drone back to its mission run (operator)",
+            description = "One that a pilot or somebody else took. Nothing else gives control back to the run.")
+    public RunView resume(@PathVariable String id, @PathVariable String drone) {
+        return runs.resume(current.principal(), id, drone);
+    }
+
+    @PostMapping("/{id}/drones/{drone}/give-up")
+    @Operation(
+            summary = "Take a drone out of a mission run (operator)",
+            description = "It is called home, and others fly its waypoints.")
+    public RunView giveUp(@PathVariable String id, @PathVariable String drone) {
+        return runs.giveUp(current.principal(), id, drone);
+    }
+
+    @PostMapping("/{id}/answers/{proposal}")
+    @Operation(
+            summary = "Answer a proposal of a mission run (operator)",
+            description = "By its number. 409 when another one waits by now, or none.")
+    public RunView answer(
+            @PathVariable String id, @PathVariable String proposal, @RequestBody RunRequest.AnswerRequest request) {
+        return runs.answer(current.principal(), id, proposal, request);
+    }
+
+    @PostMapping("/{id}/stop")
+    @Operation(
+            summary = "Stop a mission run (operator)",
+            description = "Its drones return; it is over when all are down.")
+    public RunView stop(@PathVariable String id) {
+        return runs.stop(current.principal(), id);
+    }
+
+    @GetMapping("/{id}/journal")
+    @Operation(
+            summary = "Read the journal of a mission run (operator)",
+            description = "All that befell it and what it decided, up to 200 entries at once.")
+    public RunJournalService.JournalView journal(
+            @PathVariable String id,
+            @Parameter(description = "The number of the first entry; left out: 0")
+                    @RequestParam(required = false)
+                    @Nullable
+                    Long from) {
+        return journals.journal(current.principal(), id, from == null ? 0 : from);
+    }
+
+    @GetMapping("/{id}/journal/replay")
+    @Operation(
+            summary = "Replay the journal of a mission run (operator)",
+            description =
+                    "Decides once more on all that befell it, and tells the first decision that differs by a letter.")
+    public RunJournalService.ReplayView replay(@PathVariable String id) {
+        return journals.replay(current.principal(), id);
+    }
+}

@@ -1,0 +1,62 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** What is wanted of mission runs, as a client writes it. Nothing is checked yet. */
+public final class RunRequest {
+    private RunRequest() {}
+
+    /** A plan that is to be flown. */
+    @Schema(description = "A finished plan of yours that is to be flown, and how.")
+    public record StartRequest(
+            @Schema(description = "The id of the plan", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            String plan,
+
+            @Schema(
+                    description =
+                            "automatic (the default): a changed plan is flown at once; askFirst: it waits for an answer,"
+                                    + " but for what is unsafe for a drone")
+            @Nullable
+            String mode,
+
+            @Schema(description = "What drones do when they no longer hear the cloud: continue (the default) or rtl")
+            @Nullable
+            String onCloudLoss,
+
+            @Schema(description = "For people, up to 60 characters; left out: Mission run") @Nullable
+            String name,
+
+            @Schema(description = "Seconds to look for a better plan when something changes, 0 to 60; left out: 2")
+            @Nullable
+            Double searchSeconds) {}
+
+    /** Further places. */
+    @Schema(description = "Further waypoints; windows count from the beginning of the run.")
+    public record WaypointsRequest(
+            @Schema(description = "1 to 500", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            List<PlanRequest.@Nullable WaypointRequest> waypoints) {}
+
+    /** Where a waypoint is from now on. */
+    @Schema(description = "Where a waypoint is from now on; what is left out stays.")
+    public record MoveRequest(
+            @Schema(description = "degrees") @Nullable Double latitude,
+            @Schema(description = "degrees") @Nullable Double longitude,
+            @Schema(description = "metres") @Nullable Double altitude,
+
+            @Schema(description = "home (the default): above the highest home of the run's drones; or amsl") @Nullable
+            String altitudeReference) {}
+
+    /** A drone that joins. */
+    @Schema(description = "A further drone, on the ground and free.")
+    public record JoinRequest(
+            @Schema(description = "The id of the drone", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            String drone) {}
+
+    /** Whether a proposal is flown. */
+    @Schema(description = "Whether what was proposed is to be flown.")
+    public record AnswerRequest(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            Boolean accept) {}
+}

@@ -1,0 +1,141 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A mission run as clients see it. */
+@Schema(description = "A plan that drones fly, as it stands.")
+public record RunView(
+        String id,
+        String name,
+
+        @Schema(description = "The user whom it is flown for")
+        String owner,
+
+        Instant beganAt,
+
+        @Schema(description = "null: it is under way") @Nullable
+        Instant endedAt,
+
+        @Schema(description = "running, stopping or over") String state,
+
+        @Schema(description = "How it ended") @Nullable String end,
+
+        @Schema(description = "automatic or askFirst") String mode,
+
+        @Schema(description = "continue or rtl") String onCloudLoss,
+
+        CountsView counts,
+        List<DroneView> drones,
+        List<WaypointView> waypoints,
+
+        @Schema(description = "A changed plan that waits for an answer; null: none does") @Nullable
+        ProposalView proposal,
+
+        @Schema(description = "The newest 50, the oldest first")
+        List<ExplanationView> explanations,
+
+        @Schema(description = "The number of the newest entry of its journal")
+        long journal) {
+    /** How far it is. */
+    public record CountsView(
+            int waypoints,
+            long visited,
+            long unserved,
+            long cancelled,
+
+            @Schema(description = "How often a plan was made anew")
+            int replans,
+
+            @Schema(
+                    description =
+                            "Visits of waypoints that had been visited already, by drones that were out of contact")
+            int doubles) {}
+
+    /** One drone of it. */
+    @Schema(name = "RunDroneView")
+    public record DroneView(
+            String id,
+            String name,
+
+            @Schema(
+                    description =
+                            "landed, uploading, ready, arming, starting, flying, holding, replacing, continuing, returning,"
+                                    + " silent, suspended, crashed, gone or left")
+            String stage,
+
+            Instant since,
+
+            @Schema(description = "Why it is not flying its waypoints") @Nullable
+            String note,
+
+            @Schema(description = "The waypoints that it is to visit, in order")
+            List<String> next,
+
+            int visited,
+
+            @Schema(description = "When it is to be at its end by the plan that it flies") @Nullable
+            Instant due) {}
+
+    /** One waypoint of it. */
+    @Schema(name = "RunWaypointView")
+    public record WaypointView(
+            String id,
+            double latitude,
+            double longitude,
+
+            @Schema(description = "metres above mean sea level")
+            double altitudeAmsl,
+
+            @Schema(description = "waiting, assigned, reserved, visited, unserved or cancelled")
+            String state,
+
+            @Schema(description = "Whose it is") @Nullable String drone,
+
+            @Schema(description = "Why nobody visits it") @Nullable
+            String why,
+
+            @Schema(description = "When it is to be visited") @Nullable
+            Instant due,
+
+            List<VisitView> visits) {}
+
+    /** When it was learned that a drone had visited. */
+    public record VisitView(String drone, Instant at) {}
+
+    /** A changed plan. */
+    @Schema(name = "RunProposalView")
+    public record ProposalView(
+            int number, Instant at, String words, List<MovedView> moved, FiguresView before, FiguresView after) {}
+
+    /** A waypoint that is another drone's now. */
+    public record MovedView(
+            String waypoint,
+            @Nullable String from,
+            @Nullable String to) {}
+
+    /** What a plan comes to. */
+    public record FiguresView(
+            @Schema(description = "When the last drone is at its end")
+            double longestSeconds,
+
+            double cost,
+            int unserved) {}
+
+    /** One decision. */
+    @Schema(name = "RunExplanationView")
+    public record ExplanationView(
+            int number,
+            Instant at,
+
+            @Schema(description = "What it was decided for, such as lost or lowBattery")
+            String trigger,
+
+            @Nullable String drone,
+            List<MovedView> moved,
+            @Nullable FiguresView before,
+            @Nullable FiguresView after,
+            String words) {}
+}

@@ -1,0 +1,29 @@
+package org.dronemap.ws.wiring;
+
+import java.time.Clock;
+import org.dronemap.ws.rest.RunController;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.PlanService;
+import org.dronemap.ws.service.RunJournalService;
+import org.dronemap.ws.service.RunService;
+import org.springframework.context.annotation.Bean;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.context.annotation.Import;
+
+/** Constructs the use cases around mission runs, and their part of the REST face. */
+@Configuration(proxyBeanMethods = false)
+@Import(RunController.class)
+public class RunConfiguration {
+    @Bean
+    RunService runService(House house, PlanService plans, DroneService drones, Clock clock) {
+        RunService.Conduct conduct =
+                new RunService.Conduct(house.runs().operations(), house.runs().kind(), house.cloud());
+        return new RunService(conduct, plans, drones, clock);
+    }
+
+    @Bean
+    RunJournalService runJournalService(House house, RunService runs) {
+        return new RunJournalService(
+                runs, house.runs().operations(), house.runs().kind());
+    }
+}

@@ -1,0 +1,25 @@
+package org.dronemap.ws.wiring;
+
+import java.time.Clock;
+import java.util.List;
+import org.dronemap.cognitive.operation.run.MissionRun;
+import org.dronemap.cognitive.operation.run.RunInput;
+import org.dronemap.cognitive.operation.run.RunState;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.OperationRights;
+import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.OperationStore;
+import org.dronemap.ws.journal.RunCodec;
+
+/** What is conducted for users over time. */
+public record RunSide(Operations operations, OperationKind<RunState, RunInput> kind) {
+    /** Stored with each mission run. */
+    private static final String MISSION_RUN = "missionRun";
+
+    /** Not started yet. */
+    public static RunSide of(CloudManager cloud, OperationStore store, OperationRights rights, Clock clock) {
+        OperationKind<RunState, RunInput> kind = new OperationKind<>(MISSION_RUN, new MissionRun(), new RunCodec());
+        return new RunSide(new Operations(cloud, store, rights, clock, List.of(kind)), kind);
+    }
+}

@@ -1,0 +1,213 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.WillingCopter;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+/** Plans that the cloud has several drones fly. */
+class RunsTest {
+    private static final String PATH = "/api/v1/runs";
+    private static final double LATITUDE = 47.3977;
+    private static final double LONGITUDE = 8.5456;
+
+    private TestHouse house;
+    private Http operator;
+    private WillingCopter falcon;
+    private WillingCopter heron;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        operator = new Http(house, house.key(Role.OPERATOR));
+        falcon = copter(14_601, "Falcon", LONGITUDE);
+        heron = copter(14_602, "Heron", LONGITUDE + 0.0008);
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    private WillingCopter copter(int port, String name, double longitude) {
+        return new WillingCopter(
+                        house.cloud(), new DroneKey("10.9.8.7", port, 1), name, new Geodetic(LATITUDE, longitude))
+                .wellHeard(house.cloud());
+    }
+
+    private static String waypoint(int number) {
+        return "{\"latitude\":" + (LATITUDE + 0.0008 + 0.0002 * (number % 3)) + ",\"longitude\":"
+                + (LONGITUDE + 0.0003 * number) + ",\"altitude\":30}";
+    }
+
+    private String planned() {
+        List<String> waypoints = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            waypoints.add(waypoint(i));
+        }
+        Http.Answer asked = operator.post(
+                "/api/v1/plans",
+                "{\"drones\":[\"" + falcon.id() + "\",\"" + heron.id() + "\"],\"seconds\":0.1,\"waypoints\":["
+                        + String.join(",", waypoints) + "]}");
+        String id = asked.text("id");
+        Waiting.until(
+                "the plan is finished",
+                () -> Optional.of(operator.get("/api/v1/plans/" + id))
+                        .filter(plan -> plan.text("state").equals("finished")));
+        return id;
+    }
+
+    private String start(String members) {
+        Http.Answer started = operator.post(PATH, "{\"plan\":\"" + planned() + "\"" + members + "}");
+        assertThat(started.status()).as(started.raw().body()).isEqualTo(201);
+        String id = started.text("id");
+        assertThat(started.raw().headers().firstValue("Location")).hasValue(PATH + "/" + id);
+        return id;
+    }
+
+    private JsonNode run(String id) {
+        return operator.get(PATH + "/" + id).json();
+    }
+
+    private boolean isHeldByARun(WillingCopter copter) {
+        Tenure tenure =
+                house.cloud().controls().control(new DroneId(copter.id())).tenure();
+        return tenure != null && tenure.holder().words().startsWith("The mission run");
+    }
+
+    private static Http.Answer patch(Http http, String path, String body) {
+        return http.send(
+                path,
+                request -> request.header("Content-Type", "application/json")
+                        .method("PATCH", HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    private static String detail(Http.Answer answer) {
+        return answer.status() + " " + answer.text("field") + " " + answer.text("detail");
+    }
+
+    @Test
+    void takeControlOfTheDronesOfAPlanAndSayHowItStandsWithEach() {
+        String id = start(",\"name\":\"roofs\",\"mode\":\"askFirst\",\"onCloudLoss\":\"rtl\"");
+
+        JsonNode run = run(id);
+        assertThat(run.path("name").asString()).isEqualTo("roofs");
+        assertThat(run.path("mode").asString()).isEqualTo("askFirst");
+        assertThat(run.path("onCloudLoss").asString()).isEqualTo("rtl");
+        assertThat(run.path("counts").path("waypoints").asInt()).isEqualTo(4);
+        assertThat(run.path("drones").size()).isEqualTo(2);
+        assertThat(run.path("waypoints").path(0).path("altitudeAmsl").asDouble())
+                .isEqualTo(518);
+        assertThat(isHeldByARun(falcon)).isTrue();
+        assertThat(isHeldByARun(heron)).isTrue();
+        assertThat(operator.get(PATH).json().path("runs").path(0).path("id").asString())
+                .isEqualTo(id);
+    }
+
+    @Test
+    void takeOverWhatTheirOwnUserHasInHand() {
+        String plan = planned();
+        assertThat(operator.post("/api/v1/drones/" + falcon.id() + "/control/take", "")
+                        .status())
+                .isEqualTo(200);
+
+        Http.Answer started = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
+
+        assertThat(started.status()).as(started.raw().body()).isEqualTo(201);
+        assertThat(isHeldByARun(falcon)).isTrue();
+    }
+
+    @Test
+    void doNotBeginWhileSomebodyElseHasOneOfTheDrones() {
+        String plan = planned();
+        Http another = new Http(house, house.key(Role.OPERATOR));
+        another.post("/api/v1/drones/" + heron.id() + "/control/take", "");
+
+        Http.Answer refused = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
+
+        assertThat(detail(refused)).startsWith("409 ").contains("has had control of it since");
+        assertThat(isHeldByARun(falcon)).isFalse();
+        assertThat(operator.get(PATH).json().path("runs").size()).isZero();
+    }
+
+    @Test
+    void sayWhichMemberOfARequestCannotBeTaken() {
+        String id = start("");
+        String run = PATH + "/" + id;
+        assertThat(detail(operator.post(PATH, "{}"))).startsWith("422 plan ");
+        assertThat(detail(operator.post(PATH, "{\"plan\":\"x\",\"mode\":\"bold\"}")))
+                .startsWith("422 mode ");
+        assertThat(detail(operator.post(PATH, "{\"plan\":\"nosuchplan\"}"))).startsWith("404 ");
+        assertThat(detail(operator.post(run + "/waypoints", "{\"waypoints\":[]}")))
+                .startsWith("422 waypoints ");
+        assertThat(detail(operator.post(run + "/waypoints", "{\"waypoints\":[{\"latitude\":91,\"longitude\":8}]}")))
+                .startsWith("422 waypoints[0].latitude ");
+        assertThat(detail(operator.post(
+                        run + "/waypoints",
+                        "{\"waypoints\":[{\"id\":\"1\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]}")))
+                .startsWith("422 waypoints[0].id There is a waypoint “1” in this run already.");
+        assertThat(detail(patch(operator, run + "/waypoints/1", "{\"altitude\":90000}")))
+                .startsWith("422 altitude ");
+        assertThat(detail(patch(operator, run + "/waypoints/99", "{}"))).startsWith("404 ");
+        assertThat(detail(operator.post(run + "/barriers", "{\"type\":\"Feature\"}")))
+                .startsWith("422 geometry ");
+        assertThat(detail(operator.post(run + "/drones", "{}"))).startsWith("422 drone ");
+        assertThat(detail(operator.post(run + "/drones/nobody/resume", ""))).startsWith("404 ");
+        assertThat(detail(operator.post(run + "/answers/first", "{\"accept\":true}")))
+                .startsWith("422 proposal ");
+        assertThat(detail(operator.post(run + "/answers/1", "{}"))).startsWith("422 accept ");
+        assertThat(detail(operator.get(run + "/journal?from=-1"))).startsWith("422 from ");
+    }
+
+    @Test
+    void areThereForTheirOrganisationAlone() {
+        String id = start("");
+        OrganisationId others = new OrganisationId("others");
+        Http supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        Http stranger = house.member(others, "stranger", Role.SUPERVISOR).http();
+
+        assertThat(supervisor.get(PATH + "/" + id).status()).isEqualTo(200);
+        assertThat(stranger.get(PATH + "/" + id).status()).isEqualTo(404);
+        assertThat(stranger.post(PATH + "/" + id + "/stop", "").status()).isEqualTo(404);
+        assertThat(stranger.get(PATH + "/" + id + "/journal").status()).isEqualTo(404);
+        assertThat(stranger.get(PATH).json().path("runs").size()).isZero();
+    }
+
+    @Test
+    void keepAJournalThatIsDecidedOnAgainToTheLetter() {
+        String id = start("");
+        operator.post(PATH + "/" + id + "/waypoints", "{\"waypoints\":[" + waypoint(5) + "]}");
+
+        JsonNode journal = operator.get(PATH + "/" + id + "/journal").json();
+        assertThat(journal.path("entries").path(0).path("number").asInt()).isZero();
+        assertThat(journal.path("entries")
+                        .path(0)
+                        .path("input")
+                        .path("id")
+                        .path("value")
+                        .asString())
+                .isEqualTo(id);
+        assertThat(journal.path("entries").path(0).path("decision").isNull()).isTrue();
+        JsonNode replay = operator.get(PATH + "/" + id + "/journal/replay").json();
+        assertThat(replay.path("same").asBoolean()).as(replay.toString()).isTrue();
+        assertThat(replay.path("entries").asInt()).isPositive();
+    }
+}

@@ -1,0 +1,162 @@
+package org.dronemap.ws.journal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
+import org.dronemap.cognitive.operation.run.MissionRun;
+import org.dronemap.cognitive.operation.run.Replan;
+import org.dronemap.cognitive.operation.run.RunInput;
+import org.dronemap.cognitive.operation.run.RunState;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.operation.Action;
+import org.dronemap.core.operation.Decision;
+import org.junit.jupiter.api.Test;
+
+class RunCodecTest {
+    private static final int ROUNDS = 300;
+
+    private final RunCodec codec = new RunCodec();
+    private final Made made = new Made(new Random(7));
+
+    private static Set<Class<?>> records(Class<?> sealed) {
+        Set<Class<?>> all = new TreeSet<>((one, other) -> one.getName().compareTo(other.getName()));
+        for (Class<?> one : sealed.getPermittedSubclasses()) {
+            if (one.isRecord()) {
+                all.add(one);
+            } else {
+                all.addAll(records(one));
+            }
+        }
+        return all;
+    }
+
+    @Test
+    void writesAnyStateReadsItAndWritesTheSameAgain() {
+        for (int round = 0; round < ROUNDS; round++) {
+            RunState state = made.of(RunState.class);
+            String text = codec.state(state);
+            RunState again = codec.state(text);
+            assertThat(again).isEqualTo(state);
+            assertThat(codec.state(again)).isEqualTo(text);
+        }
+    }
+
+    @Test
+    void writesAnyInputOfEachKindReadsItAndWritesTheSameAgain() {
+        for (Class<?> kind : records(RunInput.class)) {
+            for (int round = 0; round < ROUNDS / 10; round++) {
+                RunInput input = (RunInput) made.of(kind);
+                String text = codec.input(input);
+                RunInput again = codec.input(text);
+                assertThat(again).isEqualTo(input);
+                assertThat(codec.input(again)).isEqualTo(text);
+            }
+        }
+    }
+
+    @Test
+    void writesWhatRunsAskForSoThatItCanBeReadAgain() {
+        Replan replan = made.of(Replan.class);
+        List<Action<RunInput>> actions = List.of(
+                new Action.Compute<>(replan),
+                give(new Command.UploadMission(
+                        new Mission(List.of(new MissionItem.TakeOff(20), new MissionItem.Land())))),
+                give(new Command.StartMission(CloudLoss.RETURN_TO_LAUNCH)),
+                give(new Command.SetMode("GUIDED")),
+                give(new Command.Arm()),
+                give(new Command.Disarm(false)),
+                give(new Command.Hold()),
+                give(new Command.Land()),
+                give(new Command.ReturnToLaunch()),
+                give(new Command.ClearMission()),
+                give(new Command.PauseMission()),
+                give(new Command.TakePicture()));
+        for (Action<RunInput> action : actions) {
+            String text = codec.write(Action.class, action);
+            Object again = codec.read(Action.class, text);
+            assertThat(again).isEqualTo(action);
+            assertThat(codec.write(Action.class, again)).isEqualTo(text);
+        }
+    }
+
+    private static Action<RunInput> give(Command command) {
+        return new Action.Give<>(new DroneId("d1"), new CommandId("r1-command-1"), command);
+    }
+
+    @Test
+    void vouchesForTheStateThatADecisionLeadsTo() {
+        RunState state = made.of(RunState.class);
+        RunState other = made.of(RunState.class);
+        Decision<RunState, RunInput> decision = new Decision<>(state, List.of(), "Because.");
+
+        String text = codec.decision(decision);
+
+        assertThat(text)
+                .startsWith("{\"actions\":[],\"why\":\"Because.\",\"next\":\"")
+                .isEqualTo(codec.decision(new Decision<>(codec.state(codec.state(state)), List.of(), "Because.")))
+                .isNotEqualTo(codec.decision(new Decision<>(other, List.of(), "Because.")));
+    }
+
+    /** What is stored goes by these: a name that changes makes stored runs unreadable. */
+    @Test
+    void callsThingsAsTheyWereAlwaysCalled() {
+        assertThat(records(RunInput.class))
+                .extracting(Class::getSimpleName)
+                .containsExactlyInAnyOrder(
+                        "Looked",
+                        "CommandEnded",
+                        "Replanned",
+                        "Resumed",
+                        "AddWaypoints",
+                        "MoveWaypoint",
+                        "CancelWaypoint",
+                        "AddBarrier",
+                        "JoinDrone",
+                        "ResumeDrone",
+                        "GiveUpDrone",
+                        "Answer",
+                        "Stop");
+        assertThat(records(Outcome.class))
+                .extracting(Class::getSimpleName)
+                .containsExactlyInAnyOrder("Succeeded", "Refused", "Failed", "TimedOut", "Superseded", "Unknown");
+        assertThat(records(MissionItem.class))
+                .extracting(Class::getSimpleName)
+                .containsExactlyInAnyOrder("TakeOff", "Waypoint", "ReturnToLaunch", "Land", "Other");
+        assertThat(records(FenceZone.class))
+                .extracting(Class::getSimpleName)
+                .containsExactlyInAnyOrder("Polygon", "Circle");
+    }
+
+    @Test
+    void takesNothingThatItWouldNotHaveWritten() {
+        String text = codec.input(new MissionRun().resumed(Instant.EPOCH));
+        assertThat(text).isEqualTo("{\"type\":\"Resumed\",\"at\":\"1970-01-01T00:00:00Z\"}");
+
+        for (String wrong : List.of(
+                "",
+                "null",
+                "[]",
+                text + " {}",
+                text.replace("Resumed", "resumed"),
+                text.replace("\"at\"", "\"when\""),
+                text.replace("}", ",\"more\":1}"),
+                text.replace("\"1970-01-01T00:00:00Z\"", "null"),
+                text.replace("00:00:00Z", "00:00Z"),
+                text.replace("\"1970-01-01T00:00:00Z\"", "0"),
+                text.replace("{\"type\"", "{\"at\":\"1970-01-01T00:00:00Z\",\"type\""))) {
+            assertThatThrownBy(() -> codec.input(wrong)).as(wrong).isInstanceOf(IllegalArgumentException.class);
+        }
+    }
+}
