@@ -137,8 +137,17 @@ public sealed interface Command {
         }
     }
 
-    /** {@code onCloudLoss}: what the vehicle shall do by itself when the cloud falls silent on the way. */
-    record StartMission(CloudLoss onCloudLoss) implements Command {
+    /**
+     * Fly the mission on board, from where it was left.
+     *
+     * @param onCloudLoss what the vehicle shall do by itself when the cloud falls silent on the way
+     * @param anew from its beginning, also in the air
+     */
+    record StartMission(CloudLoss onCloudLoss, boolean anew) implements Command {
+        public StartMission(CloudLoss onCloudLoss) {
+            this(onCloudLoss, false);
+        }
+
         @Override
         public Capability needs() {
             return Capability.START_MISSION;
@@ -384,15 +393,6 @@ public sealed interface Command {
 
     /** What this command competes for. */
     default Contention contention() {
-        return switch (needs()) {
-            case ARM, DISARM -> Contention.ARMING;
-            case UPLOAD_MISSION, CLEAR_MISSION, FENCE, RALLY_POINTS -> Contention.TRANSFER;
-            case TAKE_PICTURE -> Contention.CAMERA;
-            case SET_RELAY -> Contention.RELAY;
-            case READ_PARAMETERS, SET_PARAMETERS -> Contention.PARAMETERS;
-            case READ_LOGS -> Contention.LOGS;
-            case SET_HOME, READ_HOME -> Contention.HOME;
-            default -> Contention.FLIGHT;
-        };
+        return Contention.of(needs());
     }
 }

@@ -12,20 +12,20 @@ import org.dronemap.cognitive.plan.Unserved;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
-import org.jspecify.annotations.Nullable;
 
 /** A run that nothing has happened to yet. */
 final class Beginning {
     private Beginning() {}
 
     static RunState of(RunOrder order) {
+        List<RunDrone> drones = drones(order);
         return new RunState(
                 order.id(),
-                order.at(),
+                new RunState.Clock(order.at(), false, null, null),
                 Setting.of(order),
                 targets(order),
-                drones(order),
-                RunState.Counts.NONE,
+                drones,
+                new RunState.Counts(0, 0, drones.size(), 0, 0, 0, 0, 0),
                 null,
                 List.of(),
                 null,
@@ -62,35 +62,16 @@ final class Beginning {
             if (member == null) {
                 throw new IllegalArgumentException("the drone " + craft.id() + " is no member of the run");
             }
-            drones.add(drone(order, craft, member, tours.get(craft.id())));
+            RunDrone joining = RunDrone.joining(new RunDrone.Kin(craft, member.name(), member.kind()), order.at());
+            Tour tour = tours.get(craft.id());
+            drones.add(tour == null || tour.stops().isEmpty() ? joining : flying(joining, tour, drones.size() + 1));
         }
         return drones;
     }
 
-    private static RunDrone drone(RunOrder order, Craft craft, RunOrder.Member member, @Nullable Tour tour) {
-        if (tour == null || tour.stops().isEmpty()) {
-            return drone(order, craft, member, DroneStage.LANDED, null);
-        }
-        return drone(order, craft, member, DroneStage.UPLOADING, Sortie.of(craft, member.kind(), tour, order.at()));
-    }
-
-    private static RunDrone drone(
-            RunOrder order, Craft craft, RunOrder.Member member, DroneStage stage, @Nullable Sortie sortie) {
-        return new RunDrone(
-                craft,
-                member.name(),
-                member.kind(),
-                stage,
-                order.at(),
-                sortie == null
-                        ? List.of()
-                        : sortie.tour().stops().stream().map(Stop::waypoint).toList(),
-                sortie,
-                0,
-                null,
-                null,
-                0,
-                null,
-                RunDrone.Signs.NONE);
+    private static RunDrone flying(RunDrone drone, Tour tour, int number) {
+        return drone.getting(Sortie.of(number, drone.kin(), tour, drone.since()))
+                .ordered(tour.stops().stream().map(Stop::waypoint).toList())
+                .to(DroneStage.UPLOADING, drone.since());
     }
 }

@@ -16,6 +16,8 @@ public enum DroneStage {
     /** Its new mission is brought to it in the air. */
     REPLACING,
     CONTINUING,
+    /** Somebody gave it back: it is made to wait. */
+    RESUMING,
     /** Called home, or on its own way home or down. */
     RETURNING,
     /** Not heard; it may still fly. */
@@ -25,7 +27,7 @@ public enum DroneStage {
     CRASHED,
     /** Not heard for so long that it is down somewhere. */
     GONE,
-    /** Taken out of the run, or out of the cloud. */
+    /** Taken out of the run: given up, removed, or down and not to be trusted before somebody says so. */
     LEFT;
 
     /** New orders can be given to it. */

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param takenBy why the run has no control of it, as a sentence; null: it has
  * @param silence for how long nothing was heard
+ * @param ready what it can do is known
  * @param still for how long it has not moved
  * @param ordersMode the mode to put it into before it is armed; null: it is in such a one, or has none
  * @param steering what it goes by
@@ -42,9 +43,44 @@ public record Look(
     /**
      * How far it is with its mission.
      *
-     * @param carries whether it has on board what it was given last; null: not known
-     * @param passed how many items of that are behind it
+     * @param carries whether it has on board what it flies; null: not known
+     * @param carriesNext whether it has on board what it is to get; null: not known, or there is nothing
+     * @param passed how many items of what it has on board are behind it
      * @param complete flown to the end
      */
-    public record Progress(@Nullable Boolean carries, int passed, boolean complete) {}
+    public record Progress(
+            @Nullable Boolean carries, @Nullable Boolean carriesNext, int passed, boolean complete) {}
+
+    boolean isLive() {
+        return link == LinkState.LIVE;
+    }
+
+    boolean isLost() {
+        return link == LinkState.LOST || link == LinkState.ENDED;
+    }
+
+    boolean isArmed() {
+        return Boolean.TRUE.equals(armed);
+    }
+
+    boolean isDisarmed() {
+        return Boolean.FALSE.equals(armed);
+    }
+
+    boolean isOnMission() {
+        return steering == Steering.MISSION;
+    }
+
+    boolean waits() {
+        return steering == Steering.ORDERS;
+    }
+
+    boolean comesDown() {
+        return steering == Steering.SAFETY;
+    }
+
+    /** Somebody's sticks, or a way of flying that nobody here asks for. */
+    boolean isSteered() {
+        return mode != null && (steering == null || steering == Steering.STICKS);
+    }
 }

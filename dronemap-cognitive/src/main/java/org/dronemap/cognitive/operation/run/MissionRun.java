@@ -13,9 +13,14 @@ import org.dronemap.core.operation.Decision;
 import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.Scene;
 
-/** Flies a plan with several drones, and changes it when something happens to them. Pure: see {@link Operation}. */
+/**
+ * Flies a plan with several drones, and changes it when something happens to them: a function of what it remembers and of
+ * what befalls it.
+ */
 public final class MissionRun implements Operation<RunState, RunInput> {
     private static final Duration RHYTHM = Duration.ofMillis(250);
+    /** After a restart, until drones that are there have been heard. */
+    private static final Duration GRACE = Duration.ofSeconds(10);
 
     @Override
     public Duration rhythm() {
@@ -26,9 +31,16 @@ public final class MissionRun implements Operation<RunState, RunInput> {
     public Set<DroneId> drones(RunState state) {
         Set<DroneId> drones = new LinkedHashSet<>();
         state.drones().stream()
-                .filter(drone -> drone.stage().compareTo(DroneStage.SILENT) <= 0)
+                .filter(drone -> !state.isOver() && drone.stage().compareTo(DroneStage.SILENT) <= 0)
                 .forEach(drone -> drones.add(drone.id()));
-        return state.isOver() ? Set.of() : drones;
+        return drones;
+    }
+
+    @Override
+    public Set<DroneId> watched(RunState state) {
+        Set<DroneId> drones = new LinkedHashSet<>();
+        state.drones().forEach(drone -> drones.add(drone.id()));
+        return drones;
     }
 
     @Override
@@ -38,7 +50,7 @@ public final class MissionRun implements Operation<RunState, RunInput> {
 
     @Override
     public RunInput looked(RunState state, Scene scene) {
-        return new RunInput.Looked(scene.now(), List.of());
+        return Sights.of(state, scene);
     }
 
     @Override
@@ -53,7 +65,37 @@ public final class MissionRun implements Operation<RunState, RunInput> {
 
     @Override
     public Decision<RunState, RunInput> decide(RunState state, RunInput input) {
-        return Decision.stay(state);
+        if (state.isOver()) {
+            return Decision.stay(state);
+        }
+        Draft draft = new Draft(state, input.at());
+        if (input instanceof RunInput.Looked looked) {
+            looked(draft, looked.drones());
+        } else if (input instanceof RunInput.CommandEnded ended) {
+            Errands.ended(draft, ended);
+        } else if (input instanceof RunInput.Replanned replanned) {
+            Applying.arrived(draft, replanned);
+        } else if (input instanceof RunInput.Resumed) {
+            Watch.restarted(draft, GRACE);
+        } else if (input instanceof RunInput.Wish wish && refusal(state, wish).isEmpty()) {
+            Wishes.wish(draft, wish);
+        }
+        return draft.decision();
+    }
+
+    /** In this order: what was reached, what befell, what is asked for, what each does next. */
+    private static void looked(Draft draft, List<Look> looks) {
+        looks.forEach(look -> Reckoning.reckon(draft, look));
+        for (RunDrone drone : draft.drones()) {
+            if (looks.stream().noneMatch(look -> look.drone().equals(drone.id()))) {
+                Watch.removed(draft, drone);
+            }
+        }
+        looks.forEach(look -> Watch.look(draft, look));
+        Planning.ask(draft, looks);
+        Launch.prepare(draft);
+        looks.forEach(look -> Steps.go(draft, look));
+        Closing.close(draft);
     }
 
     @Override
@@ -63,6 +105,6 @@ public final class MissionRun implements Operation<RunState, RunInput> {
 
     @Override
     public Optional<String> refusal(RunState state, RunInput input) {
-        return state.isOver() ? Optional.of("The mission run is over.") : Optional.empty();
+        return Refusals.of(state, input);
     }
 }

@@ -12,21 +12,18 @@ import org.jspecify.annotations.Nullable;
 /**
  * One drone of the run.
  *
- * @param craft as planned with; where it is when something is planned anew is looked at then
  * @param since when it came to this stage
  * @param orders the waypoints that it is to visit, in order, without those that it has visited
- * @param sortie what it has on board, or is about to get on the ground; null: nothing yet
+ * @param sortie what it has on board and flies; null: nothing yet
  * @param passed how many items of that are behind it
- * @param next what it is about to get in the air in its place
+ * @param next what it is to get in its place
  * @param errand the command that is under way
- * @param failures how often the present step failed
+ * @param tries how it went with the present step
  * @param note why it is not flying its waypoints, as a sentence
  * @param signs what has been noticed of it and may pass
  */
 public record RunDrone(
-        Craft craft,
-        String name,
-        VehicleKind kind,
+        Kin kin,
         DroneStage stage,
         Instant since,
         List<String> orders,
@@ -34,11 +31,26 @@ public record RunDrone(
         int passed,
         @Nullable Sortie next,
         @Nullable Errand errand,
-        int failures,
+        Tries tries,
         @Nullable String note,
         Signs signs) {
-    /** A command that it was given; {@code asOf}: when. */
-    public record Errand(CommandId command, Kind kind, Instant asOf) {
+    /**
+     * What does not change of it.
+     *
+     * @param craft as planned with first; where it is when something is planned anew is looked at then
+     */
+    public record Kin(Craft craft, String name, VehicleKind kind) {
+        Kin with(Craft other) {
+            return new Kin(other, name, kind);
+        }
+    }
+
+    /**
+     * A command that it was given.
+     *
+     * @param sortie the number of the one that it brings; 0: none
+     */
+    public record Errand(CommandId command, Kind kind, int sortie, Instant at) {
         /** What it is for. */
         public enum Kind {
             UPLOAD,
@@ -51,37 +63,131 @@ public record RunDrone(
         }
     }
 
+    /** How often in a row a command failed, and before when there is none again. */
+    public record Tries(int failed, @Nullable Instant notBefore) {
+        static final Tries NONE = new Tries(0, null);
+    }
+
     /**
      * What lasts.
      *
+     * @param held control of it was seen since it came to the run, or was resumed
      * @param falling since when it falls, or leans as nothing that flies does
      * @param astray since when it is off its path
-     * @param silentUntil till then it may still fly, and what is reserved for it stays so
-     * @param lastPlace where it was when it was heard last
+     * @param silence what it may still do while it is not heard
      * @param yields for which drone it waits
-     * @param warned it was said that it is late
+     * @param told what was said of its present mission already
+     * @param joulesPerPercent what a hundredth of its battery holds; null: not known
      */
     public record Signs(
+            boolean held,
             @Nullable Instant falling,
             @Nullable Instant astray,
-            @Nullable Instant silentUntil,
-            @Nullable Place lastPlace,
+            @Nullable Silence silence,
             @Nullable DroneId yields,
-            boolean warned) {
-        public static final Signs NONE = new Signs(null, null, null, null, null, false);
+            List<Trigger> told,
+            @Nullable Double joulesPerPercent) {
+        static final Signs NONE = new Signs(false, null, null, null, null, List.of(), null);
+
+        public Signs {
+            told = List.copyOf(told);
+        }
+
+        Signs held(boolean now) {
+            return new Signs(now, falling, astray, silence, yields, told, joulesPerPercent);
+        }
+
+        Signs falling(@Nullable Instant from) {
+            return new Signs(held, from, astray, silence, yields, told, joulesPerPercent);
+        }
+
+        Signs astray(@Nullable Instant from) {
+            return new Signs(held, falling, from, silence, yields, told, joulesPerPercent);
+        }
+
+        Signs silent(@Nullable Silence what) {
+            return new Signs(held, falling, astray, what, yields, told, joulesPerPercent);
+        }
+
+        Signs yields(@Nullable DroneId other) {
+            return new Signs(held, falling, astray, silence, other, told, joulesPerPercent);
+        }
+
+        Signs told(List<Trigger> all) {
+            return new Signs(held, falling, astray, silence, yields, all, joulesPerPercent);
+        }
+
+        Signs joulesPerPercent(double joules) {
+            return new Signs(held, falling, astray, silence, yields, told, joules);
+        }
     }
+
+    /**
+     * A drone that is not heard.
+     *
+     * @param heard when it was, last
+     * @param place where it was then
+     * @param reservedUntil till then its next waypoints stay its own
+     * @param flyingUntil till then it may be in the air
+     */
+    public record Silence(Instant heard, @Nullable Place place, Instant reservedUntil, Instant flyingUntil) {}
 
     public RunDrone {
         orders = List.copyOf(orders);
     }
 
+    static RunDrone joining(Kin kin, Instant now) {
+        return new RunDrone(kin, DroneStage.LANDED, now, List.of(), null, 0, null, null, Tries.NONE, null, Signs.NONE);
+    }
+
     public DroneId id() {
-        return craft.id();
+        return kin.craft().id();
+    }
+
+    public String name() {
+        return kin.name();
+    }
+
+    public Craft craft() {
+        return kin.craft();
     }
 
     /** What it will have been given last. */
     @Nullable
     Sortie latest() {
         return next == null ? sortie : next;
+    }
+
+    /** A new step begins. */
+    RunDrone to(DroneStage step, Instant now) {
+        return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Tries.NONE, note, signs);
+    }
+
+    RunDrone noted(@Nullable String why) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, why, signs);
+    }
+
+    RunDrone ordered(List<String> waypoints) {
+        return new RunDrone(kin, stage, since, waypoints, sortie, passed, next, errand, tries, note, signs);
+    }
+
+    RunDrone flying(@Nullable Sortie what, int behind) {
+        return new RunDrone(kin, stage, since, orders, what, behind, next, errand, tries, note, signs);
+    }
+
+    RunDrone getting(@Nullable Sortie later) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, later, errand, tries, note, signs);
+    }
+
+    RunDrone on(@Nullable Errand what) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, what, tries, note, signs);
+    }
+
+    RunDrone tried(Tries now) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, null, now, note, signs);
+    }
+
+    RunDrone with(Signs other) {
+        return new RunDrone(kin, stage, since, orders, sortie, passed, next, errand, tries, note, other);
     }
 }

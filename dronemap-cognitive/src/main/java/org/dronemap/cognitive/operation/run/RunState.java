@@ -10,8 +10,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * All that a run remembers.
  *
- * @param begun zero of the clock that waypoints' windows go by
- * @param counts of what it has done so far
+ * @param clock what it goes by
  * @param request the plan that is being computed
  * @param causes what a plan has to be asked for yet
  * @param proposal the plan that waits for an answer
@@ -21,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record RunState(
         OperationId id,
-        Instant begun,
+        Clock clock,
         Setting setting,
         List<Target> targets,
         List<RunDrone> drones,
@@ -34,9 +33,36 @@ public record RunState(
         @Nullable String end) {
     public static final int MOST_EXPLANATIONS = 50;
 
-    /** How many there were; {@code doubles}: visits of waypoints that were visited already. */
-    public record Counts(int commands, int requests, int replans, int proposals, int explanations, int doubles) {
-        public static final Counts NONE = new Counts(0, 0, 0, 0, 0, 0);
+    /**
+     * What it goes by.
+     *
+     * @param begun zero of the clock that waypoints' windows go by
+     * @param launched the first drone was started, or may have been
+     * @param asksAfter no plan is asked for before
+     * @param hearsAfter no drone counts as lost before
+     */
+    public record Clock(
+            Instant begun,
+            boolean launched,
+            @Nullable Instant asksAfter,
+            @Nullable Instant hearsAfter) {}
+
+    /**
+     * How many there were.
+     *
+     * @param misses plans in a row that could not be flown
+     * @param doubles visits of waypoints that were visited already
+     */
+    public record Counts(
+            int commands,
+            int requests,
+            int sorties,
+            int replans,
+            int misses,
+            int proposals,
+            int explanations,
+            int doubles) {
+        static final Counts NONE = new Counts(0, 0, 0, 0, 0, 0, 0, 0);
     }
 
     public RunState {

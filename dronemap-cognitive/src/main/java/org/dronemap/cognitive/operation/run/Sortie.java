@@ -1,39 +1,73 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.cognitive.plan.MissionWriter;
+import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
-import org.dronemap.cognitive.problem.Craft;
-import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Mission;
 
 /**
  * What one drone is given to fly.
  *
+ * @param number of all of the run
  * @param tour on a clock whose zero is {@code zero}
  * @param arrivals for each stop of the tour the number of the mission's item that is behind the drone when it is done
  */
-public record Sortie(Tour tour, Mission mission, List<Integer> arrivals, Instant zero) {
+public record Sortie(int number, Tour tour, Mission mission, List<Integer> arrivals, Instant zero) {
     private static final double NANOS = 1e9;
 
     public Sortie {
         arrivals = List.copyOf(arrivals);
     }
 
-    /** {@code craft}: as it stands in the problem that the tour was made for. */
-    static Sortie of(Craft craft, VehicleKind kind, Tour tour, Instant zero) {
-        MissionWriter.Written written = new MissionWriter(craft, kind).write(tour);
-        return new Sortie(tour, new Mission(written.items()), written.arrivals(), zero);
+    /** {@code kin}: with the craft as it stands in the problem that the tour was made for. */
+    static Sortie of(int number, RunDrone.Kin kin, Tour tour, Instant zero) {
+        MissionWriter.Written written = new MissionWriter(kin.craft(), kin.kind()).write(tour);
+        return new Sortie(number, tour, new Mission(written.items()), written.arrivals(), zero);
     }
 
     /** Which waypoints are done when so many items are behind the drone. */
     List<String> done(int passed) {
         int stops = (int) arrivals.stream().filter(item -> item < passed).count();
-        return tour.stops().subList(0, stops).stream()
-                .map(stop -> stop.waypoint())
+        return tour.stops().subList(0, stops).stream().map(Stop::waypoint).toList();
+    }
+
+    /** Which are not. */
+    List<String> ahead(int passed) {
+        return tour.stops().stream()
+                .skip(done(passed).size())
+                .map(Stop::waypoint)
                 .toList();
+    }
+
+    boolean leadsTo(String waypoint, int passed) {
+        return ahead(passed).contains(waypoint);
+    }
+
+    /** The same mission, where passing that waypoint's place counts for nothing any more. */
+    Sortie without(String waypoint) {
+        List<Stop> stops = new ArrayList<>();
+        List<Integer> items = new ArrayList<>();
+        for (int stop = 0; stop < arrivals.size(); stop++) {
+            if (!tour.stops().get(stop).waypoint().equals(waypoint)) {
+                stops.add(tour.stops().get(stop));
+                items.add(arrivals.get(stop));
+            }
+        }
+        return new Sortie(number, new Tour(tour.drone(), stops, tour.last(), tour.usedJoules()), mission, items, zero);
+    }
+
+    /** The same mission with what is ahead at newer times: {@code later} has just those stops. */
+    Sortie retimed(Tour later, Instant newZero, int passed) {
+        int done = done(passed).size();
+        return new Sortie(number, later, mission, arrivals.subList(done, arrivals.size()), newZero);
+    }
+
+    Sortie at(Instant newZero) {
+        return new Sortie(number, tour, mission, arrivals, newZero);
     }
 
     /** When it is to be there; empty: it is none of its stops. */

@@ -195,7 +195,7 @@ final class ArduPilot implements Autopilot {
             return new MissionPlans(cockpit, HOME_ITEMS).clear();
         }
         if (command instanceof Command.StartMission start) {
-            return start(cockpit, start.onCloudLoss());
+            return start(cockpit, start);
         }
         return hold(cockpit, cockpit.observer());
     }
@@ -285,10 +285,14 @@ final class ArduPilot implements Autopilot {
                                 mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM)))));
     }
 
-    private Exchange start(Cockpit cockpit, CloudLoss onCloudLoss) {
+    private Exchange start(Cockpit cockpit, Command.StartMission start) {
         boolean fromGround = !cockpit.status().airborne();
-        List<Sequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, onCloudLoss));
-        if (fromGround || cockpit.status().missionFinished()) {
+        List<Sequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, start.onCloudLoss()));
+        if (start.anew() && !fromGround) {
+            // It would go on with the number of the item that it had, whatever is there now.
+            steps.add(
+                    Sequence.Step.of(() -> new SetCurrentItem(cockpit.target(), HOME_ITEMS, seq -> seq == HOME_ITEMS)));
+        } else if (fromGround || cockpit.status().missionFinished()) {
             // Who does not say so begins at item 1 by itself; this one answer more is no reason to stay on the ground.
             steps.add(new Sequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq <= 1), any -> true));
         }

@@ -175,7 +175,7 @@ final class Px4 implements Autopilot {
             return new MissionPlans(cockpit, 0).clear();
         }
         if (command instanceof Command.StartMission start) {
-            return start(cockpit, start.onCloudLoss());
+            return start(cockpit, start);
         }
         return mode(cockpit, "LOITER");
     }
@@ -234,8 +234,8 @@ final class Px4 implements Autopilot {
         return new CommandExchange(cockpit.target(), CommandRequest.ofInt(message), cockpit.observer());
     }
 
-    private static Exchange start(Cockpit cockpit, CloudLoss onCloudLoss) {
-        boolean goOn = onCloudLoss == CloudLoss.CONTINUE;
+    private static Exchange start(Cockpit cockpit, Command.StartMission start) {
+        boolean goOn = start.onCloudLoss() == CloudLoss.CONTINUE;
         List<Sequence.Step> steps = new ArrayList<>();
         steps.add(Maneuvers.wish(cockpit, new ParameterChange.Wanted("NAV_DLL_ACT", old -> 2, true)));
         steps.add(Maneuvers.wish(
@@ -244,7 +244,9 @@ final class Px4 implements Autopilot {
                         "COM_DLL_EXCEPT",
                         old -> goOn ? old | COM_DLL_EXCEPT_MISSION : old & ~COM_DLL_EXCEPT_MISSION,
                         true)));
-        if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
+        if (start.anew() && cockpit.status().airborne()) {
+            steps.add(Sequence.Step.of(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0)));
+        } else if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
             steps.add(new Sequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0), any -> true));
         }
         steps.add(Sequence.Step.of(() -> mode(cockpit, "MISSION")));

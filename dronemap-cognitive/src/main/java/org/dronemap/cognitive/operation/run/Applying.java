@@ -1,0 +1,137 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.cognitive.plan.MissionWriter;
+import org.dronemap.cognitive.plan.Plan;
+import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.replan.Replanned;
+
+/** What becomes of a plan that was asked for. */
+final class Applying {
+    private static final Duration BETWEEN_TRIES = Duration.ofSeconds(3);
+    private static final int MOST_MISSES = 20;
+    /** A better plan is worth turning drones for from this share of its cost on. */
+    private static final double WORTH_TURNING = 0.02;
+
+    private Applying() {}
+
+    static void arrived(Draft draft, RunInput.Replanned input) {
+        Request request = draft.request();
+        if (request == null || request.number() != input.request() || draft.stopping()) {
+            return;
+        }
+        draft.request(null);
+        Replanned result = input.result();
+        if (result == null) {
+            again(draft, request, "No plan could be computed: " + input.why());
+            return;
+        }
+        Optional<String> fault = fault(draft, request, result);
+        if (fault.isPresent()) {
+            again(draft, request, "There is no plan yet that can be flown: " + fault.get());
+        } else if (!Freshness.isFresh(draft, request, result.plan())) {
+            stale(draft, request);
+        } else if (request.better()) {
+            better(draft, request, result);
+        } else {
+            proposeOrApply(draft, request, result);
+        }
+    }
+
+    private static void proposeOrApply(Draft draft, Request request, Replanned result) {
+        boolean asks = draft.setting().mode() == RunOrder.Mode.ASK_FIRST && !request.approved();
+        if (asks && changes(result)) {
+            propose(draft, request, result);
+            return;
+        }
+        apply(draft, request, result);
+        if (!request.searched() && !draft.setting().search().isZero()) {
+            draft.causes().add(Cause.BETTER);
+        }
+    }
+
+    private static Optional<String> fault(Draft draft, Request request, Replanned result) {
+        if (!result.canBeFlown()) {
+            return Optional.of(result.faults().get(0));
+        }
+        return request.crafts().stream()
+                .flatMap(craft -> tour(result.plan(), craft)
+                        .flatMap(tour -> new MissionWriter(
+                                        craft, draft.drone(craft.id()).kin().kind())
+                                .fault(tour))
+                        .stream())
+                .findFirst();
+    }
+
+    private static Optional<Tour> tour(Plan plan, Craft craft) {
+        return plan.tours().stream()
+                .filter(tour -> tour.drone().equals(craft.id()))
+                .findFirst();
+    }
+
+    /** The same causes are asked for again after a while: what is in the way now may not be then. */
+    private static void again(Draft draft, Request request, String words) {
+        int misses = draft.tally().miss();
+        boolean last = misses == MOST_MISSES;
+        if (!request.better() && (misses == 1 || last)) {
+            draft.say(request.first().trigger(), request.first().drone(), words);
+        }
+        if (!request.better() && misses < MOST_MISSES) {
+            draft.causes().addAll(0, request.causes());
+        }
+        RunState.Clock clock = draft.clock();
+        draft.clock(new RunState.Clock(
+                clock.begun(), clock.launched(), draft.now().plus(BETWEEN_TRIES), clock.hearsAfter()));
+    }
+
+    /** Something happened meanwhile. */
+    private static void stale(Draft draft, Request request) {
+        if (!request.better()) {
+            draft.causes().addAll(0, request.causes());
+        }
+    }
+
+    private static boolean changes(Replanned result) {
+        return !result.changes().moved().isEmpty() || !result.changes().drones().isEmpty();
+    }
+
+    private static void better(Draft draft, Request request, Replanned result) {
+        int unserved = result.after().unserved() - result.before().unserved();
+        boolean cheaper = result.after().cost() < result.before().cost() * (1 - WORTH_TURNING);
+        if (draft.causes().isEmpty() && (unserved < 0 || (unserved == 0 && cheaper))) {
+            apply(draft, request, result);
+        }
+    }
+
+    private static void propose(Draft draft, Request request, Replanned result) {
+        int number = draft.tally().proposal();
+        String words = "Proposal " + number + ", which waits for an answer: " + Sentences.of(draft, request, result);
+        draft.proposal(new Proposal(number, request.at(), request.causes(), result, words));
+        draft.say(request.first(), result, words);
+    }
+
+    private static void apply(Draft draft, Request request, Replanned result) {
+        List<String> turned = new ArrayList<>();
+        Plan plan = result.plan();
+        for (Craft craft : request.crafts()) {
+            RunDrone drone = draft.drone(craft.id());
+            draft.put(drone.ordered(Freshness.left(draft, plan, craft.id())));
+        }
+        for (Craft craft : request.crafts()) {
+            Optional<Tour> tour = tour(plan, craft).map(each -> Freshness.left(draft, each));
+            if (Handing.over(draft, request, craft, tour.orElse(null))) {
+                turned.add(draft.drone(craft.id()).name());
+            }
+        }
+        plan.unserved().stream()
+                .map(left -> draft.target(left.waypoint()).to(Target.State.WAITING, null, left.why()))
+                .filter(target -> !draft.target(target.id()).state().isSettled())
+                .forEach(draft::put);
+        draft.tally().replan();
+        draft.say(request.first(), result, Sentences.of(draft, request, result) + Sentences.turned(turned));
+    }
+}

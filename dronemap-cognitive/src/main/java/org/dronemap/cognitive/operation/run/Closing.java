@@ -1,0 +1,63 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** When nothing will happen any more. */
+final class Closing {
+    private Closing() {}
+
+    static void close(Draft draft) {
+        boolean busy = draft.request() != null
+                || draft.causes().stream().anyMatch(cause -> !cause.isBetter())
+                || draft.proposal() != null;
+        boolean rest = draft.drones().stream().allMatch(Closing::isAtRest);
+        if (busy || !rest) {
+            return;
+        }
+        boolean open =
+                draft.targets().stream().anyMatch(target -> !target.state().isSettled());
+        boolean mayGoOn = draft.drones().stream().anyMatch(drone -> drone.stage() == DroneStage.SUSPENDED);
+        if (open && mayGoOn) {
+            return;
+        }
+        for (Target target : draft.targets()) {
+            if (!target.state().isSettled()) {
+                String why = target.reason() == null ? "No drone was left for it." : target.reason();
+                draft.put(target.to(Target.State.UNSERVED, null, why));
+            }
+        }
+        String words = words(draft);
+        draft.say(Trigger.ENDED, null, words);
+        draft.end(words);
+    }
+
+    private static boolean isAtRest(RunDrone drone) {
+        return drone.stage().isAtRest() && drone.next() == null;
+    }
+
+    private static String words(Draft draft) {
+        List<Target> targets = draft.targets().stream()
+                .filter(target -> target.state() != Target.State.CANCELLED)
+                .toList();
+        long visited = targets.stream()
+                .filter(target -> target.state() == Target.State.VISITED)
+                .count();
+        List<String> parts = new ArrayList<>();
+        parts.add(
+                visited == targets.size()
+                        ? "The run is over: all " + Words.count(visited, "waypoint") + " visited."
+                        : "The run is over: " + visited + " of " + Words.count(targets.size(), "waypoint")
+                                + " visited, without "
+                                + Words.list(targets.stream()
+                                        .filter(target -> target.state() != Target.State.VISITED)
+                                        .map(Target::id)
+                                        .toList())
+                                + ".");
+        int doubles = draft.tally().counts().doubles();
+        if (doubles > 0) {
+            parts.add(Words.count(doubles, "visit") + " too many, by drones out of contact.");
+        }
+        return String.join(" ", parts);
+    }
+}

@@ -1,0 +1,161 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.core.drone.VehicleKind;
+import org.jspecify.annotations.Nullable;
+
+/** Whether a drone in the air still flies, moves on, keeps to its path and can finish with its charge. */
+final class Condition {
+    static final double CLEARLY_UP_METERS = 3;
+
+    private static final double LEAST_FALL = 5;
+    private static final double STEEPEST_DEGREES = 75;
+    /** Long enough that one wrong reading is none. */
+    private static final Duration FALLS = Duration.ofMillis(400);
+
+    private static final Duration LIES = Duration.ofSeconds(4);
+    private static final double FAR_BELOW_METERS = 8;
+    private static final Duration LONGEST_STILL = Duration.ofSeconds(30);
+    private static final double OFF_METERS = 40;
+    private static final Duration OFF = Duration.ofSeconds(4);
+    private static final Duration LATE = Duration.ofSeconds(45);
+    /** Of the reserve that must be left at the end. */
+    private static final double TOUCHED = 0.6;
+
+    private Condition() {}
+
+    /** True when it has just been seen to fall, or to lie on the ground. */
+    static boolean fall(Draft draft, RunDrone drone, Look look) {
+        Instant falling = drone.signs().falling();
+        if (!isFalling(drone, look)) {
+            if (falling != null) {
+                draft.put(drone.with(drone.signs().falling(null)));
+            }
+            return lies(draft, drone, look);
+        }
+        if (falling == null) {
+            draft.put(drone.with(drone.signs().falling(draft.now())));
+            return false;
+        }
+        if (Duration.between(falling, draft.now()).compareTo(FALLS) < 0) {
+            return false;
+        }
+        crashed(draft, drone, "it falls");
+        return true;
+    }
+
+    static void crashed(Draft draft, RunDrone drone, String how) {
+        String words = drone.name() + " has crashed: " + how + ".";
+        Faults.leave(draft, drone, DroneStage.CRASHED, Trigger.CRASHED, words);
+    }
+
+    private static boolean isFalling(RunDrone drone, Look look) {
+        double fastest =
+                Math.max(LEAST_FALL, 2 * drone.craft().performance().speeds().descent() + 2);
+        Double climb = look.climb();
+        Double tilt = look.tiltDegrees();
+        boolean hovers =
+                drone.kin().kind() == VehicleKind.MULTICOPTER || drone.kin().kind() == VehicleKind.HELICOPTER;
+        return (hovers && climb != null && climb < -fastest) || (tilt != null && tilt > STEEPEST_DEGREES);
+    }
+
+    /** Armed, without moving, far below where its mission leads: a fallen copter does not say that it fell. */
+    private static boolean lies(Draft draft, RunDrone drone, Look look) {
+        Place place = look.place();
+        Sortie sortie = drone.sortie();
+        if (place == null
+                || sortie == null
+                || drone.passed() == 0
+                || look.still().compareTo(LIES) < 0) {
+            return false;
+        }
+        double lowest = Legs.lowest(sortie, drone.passed());
+        if (drone.stage() == DroneStage.RETURNING || !(place.altitudeAmslMeters() < lowest - FAR_BELOW_METERS)) {
+            return false;
+        }
+        crashed(draft, drone, "it lies far below its path");
+        return true;
+    }
+
+    static void check(Draft draft, RunDrone drone, Look look) {
+        Sortie sortie = drone.sortie();
+        Place place = look.place();
+        if (sortie == null || place == null) {
+            return;
+        }
+        Duration longest = LONGEST_STILL.plusSeconds(Math.round(Legs.hold(sortie, drone.passed())));
+        if (look.still().compareTo(longest) > 0) {
+            Faults.callHome(draft, drone, Trigger.LATE, drone.name() + " does not move on; it is called home.");
+            return;
+        }
+        offPath(draft, drone, Legs.offMeters(sortie, drone.passed(), place));
+        if (!drone.orders().isEmpty()) {
+            late(draft, draft.drone(drone.id()), sortie);
+            charge(draft, draft.drone(drone.id()), look);
+        }
+    }
+
+    private static void offPath(Draft draft, RunDrone drone, double meters) {
+        Instant astray = drone.signs().astray();
+        if (meters <= OFF_METERS) {
+            if (astray != null) {
+                draft.put(drone.with(drone.signs().astray(null)));
+            }
+        } else if (astray == null) {
+            draft.put(drone.with(drone.signs().astray(draft.now())));
+        } else if (Duration.between(astray, draft.now()).compareTo(OFF) >= 0) {
+            once(draft, drone, Trigger.OFF_PATH, drone.name() + " is off its path.");
+        }
+    }
+
+    private static void late(Draft draft, RunDrone drone, Sortie sortie) {
+        sortie.due(drone.orders().get(0))
+                .filter(due -> Duration.between(due, draft.now()).compareTo(LATE) > 0)
+                .ifPresent(due -> once(
+                        draft,
+                        drone,
+                        Trigger.LATE,
+                        drone.name() + " is late: it was to be at the waypoint "
+                                + drone.orders().get(0) + " " + LATE.toSeconds() + " s ago."));
+    }
+
+    private static void charge(Draft draft, RunDrone drone, Look look) {
+        Sortie sortie = drone.sortie();
+        Place place = look.place();
+        if (sortie == null || place == null || drone.next() != null) {
+            return;
+        }
+        Double left = remaining(drone, look);
+        double reserve = drone.craft().supply().reserveJoules();
+        if (left != null && left - Legs.joulesToGo(sortie, drone.passed(), place) < TOUCHED * reserve) {
+            once(
+                    draft,
+                    drone,
+                    Trigger.LOW_BATTERY,
+                    "The battery of " + drone.name() + " (" + look.batteryPercent()
+                            + " %) does not last for its waypoints.");
+        }
+    }
+
+    /** In J, by what its battery tells; null: not known, or without a limit. */
+    static @Nullable Double remaining(RunDrone drone, Look look) {
+        Double perPercent = drone.signs().joulesPerPercent();
+        Integer percent = look.batteryPercent();
+        return perPercent == null || percent == null ? null : Double.valueOf(perPercent * percent);
+    }
+
+    /** Once for each mission. */
+    private static void once(Draft draft, RunDrone drone, Trigger trigger, String words) {
+        RunDrone.Signs signs = drone.signs();
+        if (!signs.told().contains(trigger)) {
+            List<Trigger> told = new ArrayList<>(signs.told());
+            told.add(trigger);
+            draft.put(drone.with(signs.told(told)));
+            draft.cause(trigger, drone.id(), words);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Objects;
+import org.dronemap.cognitive.plan.Fix;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Start;
+import org.dronemap.cognitive.problem.Supply;
+import org.dronemap.core.mission.MissionItem;
+
+/** Drones as a new plan finds them. */
+final class Crafts {
+    /** Who hovers goes on when its new mission is on board. */
+    private static final double UNTIL_ON_BOARD_SECONDS = 2;
+
+    private static final double LOW_METERS = 3;
+
+    private Crafts() {}
+
+    /** Whether it can be given something now. */
+    static boolean isUsable(RunDrone drone, Look look) {
+        boolean there = !look.isLost()
+                && look.ready()
+                && look.takenBy() == null
+                && drone.signs().held()
+                && look.place() != null;
+        return there && drone.stage().takesOrders() && !isLanding(drone);
+    }
+
+    /** Its last item is its landing, and it is on it. */
+    private static boolean isLanding(RunDrone drone) {
+        Sortie sortie = drone.sortie();
+        return drone.stage() == DroneStage.FLYING
+                && sortie != null
+                && drone.passed() >= sortie.mission().items().size() - 1;
+    }
+
+    static Craft now(Draft draft, RunDrone drone, Look look) {
+        Place place = Objects.requireNonNull(look.place());
+        return drone.craft().with(start(drone, look, place)).with(supply(draft, drone, look));
+    }
+
+    private static Start start(RunDrone drone, Look look, Place place) {
+        return switch (drone.stage()) {
+            case LANDED, UPLOADING, READY, ARMING -> Start.onGround(place);
+            case FLYING, STARTING -> isTakingOff(drone) ? onTop(drone, place) : Start.inFlight(place);
+            default -> look.airborne() ? new Start(place, true, UNTIL_ON_BOARD_SECONDS) : Start.onGround(place);
+        };
+    }
+
+    private static boolean isTakingOff(RunDrone drone) {
+        Sortie sortie = drone.sortie();
+        return drone.passed() == 0 && sortie != null && sortie.mission().items().get(0) instanceof MissionItem.TakeOff;
+    }
+
+    /** It climbs straight up first, whatever it does then. */
+    private static Start onTop(RunDrone drone, Place place) {
+        Sortie sortie = Objects.requireNonNull(drone.sortie());
+        List<Fix> fixes = sortie.tour().way(0).fixes();
+        Place top = place.at(
+                Math.max(place.altitudeAmslMeters(), fixes.get(1).place().altitudeAmslMeters()));
+        double climb = top.altitudeAmslMeters() - place.altitudeAmslMeters();
+        return climb < LOW_METERS
+                ? Start.inFlight(place)
+                : new Start(
+                        top, true, climb / drone.craft().performance().speeds().climb());
+    }
+
+    /** What is left: by its battery's word, else by what it must have drawn. */
+    private static Supply supply(Draft draft, RunDrone drone, Look look) {
+        Supply first = drone.craft().supply();
+        if (Double.isInfinite(first.remainingJoules())) {
+            return first;
+        }
+        Double told = Condition.remaining(drone, look);
+        Sortie sortie = drone.sortie();
+        double flown = sortie == null || drone.stage().compareTo(DroneStage.STARTING) < 0
+                ? 0
+                : Math.max(
+                        0, Duration.between(draft.clock().begun(), draft.now()).toMillis() / 1_000.0);
+        double drawn = flown * drone.craft().performance().power().cruise();
+        return new Supply(told == null ? Math.max(0, first.remainingJoules() - drawn) : told, first.reserveJoules());
+    }
+}

@@ -1,0 +1,83 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import org.dronemap.cognitive.operation.run.RunDrone.Errand;
+import org.dronemap.core.command.Outcome;
+
+/** What follows from how a command ended. */
+final class Errands {
+    private static final int MOST_TRIES = 3;
+    private static final Duration BETWEEN_TRIES = Duration.ofSeconds(2);
+
+    private Errands() {}
+
+    static void ended(Draft draft, RunInput.CommandEnded input) {
+        if (!draft.knows(input.drone())) {
+            return;
+        }
+        RunDrone drone = draft.drone(input.drone());
+        Errand errand = drone.errand();
+        if (errand == null || !errand.command().equals(input.command())) {
+            return;
+        }
+        if (input.outcome() instanceof Outcome.Succeeded) {
+            succeeded(draft, drone.on(null), errand);
+        } else if (drone.stage() == DroneStage.RETURNING) {
+            // It is called again until it comes.
+            draft.put(drone.on(null));
+        } else {
+            failed(draft, drone, reason(input.outcome()));
+        }
+    }
+
+    private static void succeeded(Draft draft, RunDrone drone, Errand errand) {
+        Sortie next = drone.next();
+        switch (errand.kind()) {
+            case UPLOAD -> {
+                boolean inFlight = drone.stage() == DroneStage.REPLACING;
+                draft.put(
+                        next == null || next.number() != errand.sortie()
+                                ? drone
+                                : Steps.onBoard(drone, next)
+                                        .to(inFlight ? DroneStage.CONTINUING : DroneStage.READY, draft.now()));
+            }
+            case START -> draft.put(drone.to(DroneStage.FLYING, draft.now()));
+            default -> draft.put(drone);
+        }
+    }
+
+    static void failed(Draft draft, RunDrone drone, String why) {
+        int failed = drone.tries().failed() + 1;
+        if (failed < MOST_TRIES) {
+            draft.put(drone.tried(new RunDrone.Tries(failed, draft.now().plus(BETWEEN_TRIES))));
+            return;
+        }
+        String words = drone.name() + " could not be made to go on: " + why + ".";
+        boolean mayFly = drone.stage().mayFly();
+        if (mayFly || drone.stage() == DroneStage.ARMING) {
+            Faults.callHome(draft, drone, Trigger.COMMAND_FAILED, words);
+        } else {
+            Faults.leave(draft, drone, DroneStage.LEFT, Trigger.COMMAND_FAILED, words);
+        }
+    }
+
+    private static String reason(Outcome outcome) {
+        if (outcome instanceof Outcome.Refused refused) {
+            return trimmed(refused.reason());
+        }
+        if (outcome instanceof Outcome.Failed failed) {
+            return trimmed(failed.reason());
+        }
+        if (outcome instanceof Outcome.TimedOut timedOut) {
+            return trimmed(timedOut.reason());
+        }
+        if (outcome instanceof Outcome.Superseded superseded) {
+            return trimmed(superseded.reason());
+        }
+        return outcome instanceof Outcome.Unknown unknown ? trimmed(unknown.reason()) : "";
+    }
+
+    private static String trimmed(String sentence) {
+        return sentence.endsWith(".") ? sentence.substring(0, sentence.length() - 1) : sentence;
+    }
+}

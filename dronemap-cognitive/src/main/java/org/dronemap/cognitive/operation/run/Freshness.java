@@ -1,0 +1,62 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.cognitive.plan.Plan;
+import org.dronemap.cognitive.plan.Stop;
+import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.core.drone.DroneId;
+
+/** Whether a plan still fits what happened while it was made. */
+final class Freshness {
+    private Freshness() {}
+
+    static boolean isFresh(Draft draft, Request request, Plan plan) {
+        Map<String, DroneId> whose = new HashMap<>();
+        plan.tours().forEach(tour -> tour.stops().forEach(stop -> whose.put(stop.waypoint(), tour.drone())));
+        return request.crafts().stream().allMatch(craft -> fits(draft.drone(craft.id()), craft, whose))
+                && plan.tours().stream()
+                        .allMatch(tour -> tour.stops().stream().allMatch(stop -> isOpen(draft, tour.drone(), stop)));
+    }
+
+    private static boolean fits(RunDrone drone, Craft craft, Map<String, DroneId> whose) {
+        boolean up = drone.stage().compareTo(DroneStage.STARTING) >= 0;
+        if (!drone.stage().takesOrders() || up != craft.start().airborne()) {
+            return false;
+        }
+        boolean heads = drone.stage() == DroneStage.FLYING && !drone.orders().isEmpty();
+        DroneId then = heads ? whose.get(drone.orders().get(0)) : null;
+        return then == null || then.equals(drone.id());
+    }
+
+    /** Not done yet, or done by whom it is for. */
+    private static boolean isOpen(Draft draft, DroneId drone, Stop stop) {
+        Target target = draft.target(stop.waypoint());
+        return switch (target.state()) {
+            case WAITING -> true;
+            case ASSIGNED -> true;
+            case VISITED ->
+                target.visits().stream().anyMatch(visit -> visit.drone().equals(drone));
+            default -> false;
+        };
+    }
+
+    /** Without what its drone has visited meanwhile. */
+    static Tour left(Draft draft, Tour tour) {
+        List<Stop> stops = tour.stops().stream()
+                .filter(stop -> !draft.target(stop.waypoint()).state().isSettled())
+                .toList();
+        return new Tour(tour.drone(), stops, tour.last(), tour.usedJoules());
+    }
+
+    /** What a drone has to visit by that plan. */
+    static List<String> left(Draft draft, Plan plan, DroneId drone) {
+        return plan.tours().stream()
+                .filter(tour -> tour.drone().equals(drone))
+                .flatMap(tour -> left(draft, tour).stops().stream())
+                .map(Stop::waypoint)
+                .toList();
+    }
+}

@@ -1,0 +1,94 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.List;
+import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/** Gives a drone its part of a plan; who flies just that already is left in peace. */
+final class Handing {
+    private static final double SAME_METERS = 1.5;
+    private static final double SAME_HEIGHT_METERS = 0.5;
+
+    private Handing() {}
+
+    /** True when it has to get another mission. */
+    static boolean over(Draft draft, Request request, Craft craft, @Nullable Tour tour) {
+        RunDrone drone = draft.drone(craft.id());
+        drone.orders().forEach(id -> draft.put(draft.target(id).to(Target.State.ASSIGNED, drone.id(), null)));
+        boolean up = drone.stage().compareTo(DroneStage.STARTING) >= 0;
+        if (tour == null || (!up && tour.stops().isEmpty())) {
+            return idle(draft, drone);
+        }
+        Sortie next = Sortie.of(draft.tally().sortie(), drone.kin().with(craft), tour, request.at());
+        return up ? inTheAir(draft, drone, next) : onTheGround(draft, drone, next);
+    }
+
+    private static boolean idle(Draft draft, RunDrone drone) {
+        boolean armed = drone.stage() == DroneStage.ARMING;
+        DroneStage stage = armed ? DroneStage.RETURNING : DroneStage.LANDED;
+        draft.put(drone.getting(null).flying(null, 0).to(stage, draft.now()));
+        return false;
+    }
+
+    private static boolean onTheGround(Draft draft, RunDrone drone, Sortie next) {
+        Sortie latest = drone.latest();
+        if (latest != null && isSame(latest.mission().items(), next.mission().items())) {
+            return false;
+        }
+        // What is under way to it already is brought, and then the newest.
+        draft.put(
+                drone.errand() == null
+                        ? drone.getting(next).to(DroneStage.UPLOADING, draft.now())
+                        : drone.getting(next));
+        return true;
+    }
+
+    private static boolean inTheAir(Draft draft, RunDrone drone, Sortie next) {
+        Sortie sortie = drone.sortie();
+        boolean flies = drone.stage() == DroneStage.FLYING
+                || drone.stage() == DroneStage.STARTING
+                || (drone.stage() == DroneStage.HOLDING && drone.signs().yields() != null);
+        if (flies
+                && sortie != null
+                && isSame(ahead(sortie, drone.passed()), next.mission().items())) {
+            draft.put(drone.flying(sortie.retimed(next.tour(), next.zero(), drone.passed()), drone.passed())
+                    .getting(null));
+            return false;
+        }
+        draft.put(drone.getting(next));
+        return true;
+    }
+
+    private static List<MissionItem> ahead(Sortie sortie, int passed) {
+        List<MissionItem> items = sortie.mission().items();
+        boolean climbs = passed == 0 && items.get(0) instanceof MissionItem.TakeOff;
+        return items.subList(Math.min(climbs ? 1 : passed, items.size()), items.size());
+    }
+
+    /** The same way; how long it waits on it is not compared, since where it is in time is not what it was. */
+    private static boolean isSame(List<MissionItem> had, List<MissionItem> gets) {
+        if (had.size() != gets.size()) {
+            return false;
+        }
+        for (int item = 0; item < had.size(); item++) {
+            if (!isSame(had.get(item), gets.get(item))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isSame(MissionItem one, MissionItem other) {
+        if (one instanceof MissionItem.Waypoint here && other instanceof MissionItem.Waypoint there) {
+            return Geodesy.distanceMeters(here.point(), there.point()) < SAME_METERS
+                    && Math.abs(here.altitude().meters() - there.altitude().meters()) < SAME_HEIGHT_METERS;
+        }
+        if (one instanceof MissionItem.TakeOff here && other instanceof MissionItem.TakeOff there) {
+            return Math.abs(here.altitudeMeters() - there.altitudeMeters()) < SAME_HEIGHT_METERS;
+        }
+        return one.equals(other);
+    }
+}

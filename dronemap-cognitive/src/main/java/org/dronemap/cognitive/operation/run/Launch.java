@@ -1,0 +1,37 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+
+/** When drones set off from the ground: all missions first, since one that flies without the others may meet them. */
+final class Launch {
+    private Launch() {}
+
+    /** Once all have their missions the plan's clock begins. */
+    static void prepare(Draft draft) {
+        boolean waits = draft.clock().launched()
+                || draft.request() != null
+                || !draft.causes().isEmpty()
+                || draft.drones().stream().anyMatch(drone -> drone.stage() == DroneStage.UPLOADING);
+        if (waits || draft.drones().stream().noneMatch(drone -> drone.stage() == DroneStage.READY)) {
+            return;
+        }
+        Instant now = draft.now();
+        draft.clock(new RunState.Clock(
+                now, true, draft.clock().asksAfter(), draft.clock().hearsAfter()));
+        for (RunDrone drone : draft.drones()) {
+            Sortie sortie = drone.sortie();
+            if (drone.stage() == DroneStage.READY && sortie != null) {
+                draft.put(drone.flying(sortie.at(now), 0));
+            }
+        }
+        long flying = draft.drones().stream()
+                .filter(drone -> drone.stage() == DroneStage.READY)
+                .count();
+        draft.say(Trigger.START, null, "All missions are on board; " + Words.count(flying, "drone") + " set off.");
+    }
+
+    static boolean isDue(Draft draft, Sortie sortie) {
+        return draft.clock().launched()
+                && !draft.now().isBefore(sortie.moment(sortie.tour().departsSeconds()));
+    }
+}

@@ -1,0 +1,64 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.List;
+
+/** What drones have visited, by what they say themselves of the missions that they were given. */
+final class Reckoning {
+    private Reckoning() {}
+
+    static void reckon(Draft draft, Look look) {
+        RunDrone drone = draft.drone(look.drone());
+        Sortie sortie = drone.sortie();
+        boolean tells = look.isLive() && !Boolean.FALSE.equals(look.progress().carries());
+        if (sortie == null || !tells || !counts(drone)) {
+            return;
+        }
+        int items = sortie.mission().items().size();
+        int passed = look.progress().complete()
+                ? items
+                : Math.min(items, look.progress().passed());
+        if (passed <= drone.passed()) {
+            return;
+        }
+        draft.put(drone.flying(sortie, passed));
+        List<String> known = sortie.done(drone.passed());
+        sortie.done(passed).stream().filter(id -> !known.contains(id)).forEach(id -> visited(draft, drone, id));
+    }
+
+    /** While a mission is being brought to it, what it says may be of the one before or of the next. */
+    private static boolean counts(RunDrone drone) {
+        return switch (drone.stage()) {
+            case FLYING, HOLDING, RETURNING, SILENT, SUSPENDED, GONE, LEFT -> true;
+            default -> false;
+        };
+    }
+
+    private static void visited(Draft draft, RunDrone drone, String id) {
+        Target target = draft.target(id);
+        if (target.state() == Target.State.CANCELLED) {
+            return;
+        }
+        boolean again = !target.visits().isEmpty();
+        Target visited = target.visited(drone.id(), draft.now());
+        if (visited.equals(target)) {
+            return;
+        }
+        draft.put(visited);
+        draft.drones().stream()
+                .filter(any -> any.orders().contains(id))
+                .forEach(any -> draft.put(any.ordered(
+                        any.orders().stream().filter(other -> !other.equals(id)).toList())));
+        if (again) {
+            draft.tally().twice();
+            draft.say(
+                    Trigger.HEARD_AGAIN,
+                    drone.id(),
+                    "The waypoint " + id + " was visited twice: by " + name(draft, target) + ", and by " + drone.name()
+                            + ", which was out of contact.");
+        }
+    }
+
+    private static String name(Draft draft, Target target) {
+        return draft.drone(target.visits().get(0).drone()).name();
+    }
+}

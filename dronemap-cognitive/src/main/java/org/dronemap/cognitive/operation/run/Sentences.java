@@ -1,0 +1,56 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.dronemap.cognitive.replan.Moved;
+import org.dronemap.cognitive.replan.Replanned;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/** What a plan changes and why, for people. */
+final class Sentences {
+    private Sentences() {}
+
+    static String of(Draft draft, Request request, Replanned result) {
+        List<String> parts = new ArrayList<>();
+        request.causes().stream().map(Cause::words).distinct().forEach(parts::add);
+        parts.add(moved(draft, result.changes().moved()));
+        int unserved = result.after().unserved();
+        if (unserved > 0) {
+            parts.add(Words.count(unserved, "waypoint") + (unserved == 1 ? " has" : " have") + " nobody.");
+        }
+        parts.add(String.format(
+                Locale.ROOT,
+                "The last drone is back in %.0f s; before, %s, in %.0f s.",
+                result.after().longestSeconds(),
+                result.before().unserved() == 0 ? "all served" : result.before().unserved() + " not served",
+                result.before().longestSeconds()));
+        return String.join(" ", parts);
+    }
+
+    private static String moved(Draft draft, List<Moved> moved) {
+        if (moved.isEmpty()) {
+            return "No waypoint changes its drone.";
+        }
+        Map<String, List<String>> by = new LinkedHashMap<>();
+        for (Moved each : moved) {
+            String way = name(draft, each.from(), "nobody") + " to " + name(draft, each.to(), "nobody");
+            by.computeIfAbsent(way, key -> new ArrayList<>()).add(each.waypoint());
+        }
+        return by.entrySet().stream()
+                .map(entry -> Words.list(entry.getValue()) + " from " + entry.getKey())
+                .collect(Collectors.joining("; ", "Waypoints that move: ", "."));
+    }
+
+    private static String name(Draft draft, @Nullable DroneId drone, String nobody) {
+        return drone == null ? nobody : draft.drone(drone).name();
+    }
+
+    static String turned(List<String> names) {
+        return names.isEmpty() ? "" : " New missions for " + Words.list(names) + ".";
+    }
+}

@@ -1,0 +1,107 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.core.drone.Attitude;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionComparison;
+import org.dronemap.core.operation.Scene;
+import org.jspecify.annotations.Nullable;
+
+/** What matters of what is seen. */
+final class Sights {
+    private Sights() {}
+
+    static RunInput of(RunState state, Scene scene) {
+        List<Look> looks = state.drones().stream()
+                .flatMap(drone -> scene.of(drone.id()).map(seen -> look(drone, seen)).stream())
+                .toList();
+        return new RunInput.Looked(scene.now(), looks);
+    }
+
+    private static Look look(RunDrone drone, Scene.Seen seen) {
+        DroneState state = seen.state();
+        Capabilities can = state.capabilities();
+        Position position = state.position();
+        Motion motion = state.motion();
+        Attitude attitude = state.attitude();
+        Battery battery = state.battery();
+        return new Look(
+                drone.id(),
+                seen.takenBy(),
+                state.link().state(),
+                seen.silence(),
+                seen.still(),
+                can.known(),
+                state.mode(),
+                ordersMode(state).orElse(null),
+                can.steering(state.mode()).orElse(null),
+                state.armed(),
+                state.airborne(),
+                place(state, position, drone),
+                position == null ? null : position.altitudeAboveHomeMeters(),
+                motion == null ? null : motion.climbRate(),
+                motion == null ? null : motion.groundSpeed(),
+                attitude == null
+                        ? null
+                        : Double.valueOf(Math.max(Math.abs(attitude.rollDegrees()), Math.abs(attitude.pitchDegrees()))),
+                battery == null ? null : battery.percent(),
+                can.commands().contains(Capability.RETURN_TO_LAUNCH),
+                progress(drone, state.mission()));
+    }
+
+    /** The mode in which it can be armed; empty when it is in one. */
+    private static Optional<String> ordersMode(DroneState state) {
+        Capabilities can = state.capabilities();
+        Optional<Steering> orders = Optional.of(Steering.ORDERS);
+        return can.steering(state.mode()).equals(orders)
+                ? Optional.empty()
+                : can.modes().stream()
+                        .filter(mode -> can.steering(mode).equals(orders))
+                        .min(Comparator.comparing(mode -> mode.equals("GUIDED") ? "" : mode));
+    }
+
+    private static @Nullable Place place(DroneState state, @Nullable Position position, RunDrone drone) {
+        if (position == null || position.point() == null) {
+            return null;
+        }
+        Home home = state.home();
+        double homeMeters = home == null ? drone.craft().homeAmslMeters() : home.altitudeAmslMeters();
+        Double above = position.altitudeAboveHomeMeters();
+        // Height above home is what the vehicle flies by; the satellites' own is metres off.
+        Double meters = above == null ? position.altitudeAmslMeters() : Double.valueOf(homeMeters + above);
+        return meters == null || meters < Altitude.LOWEST_PLANNED_METERS || meters > Altitude.HIGHEST_PLANNED_METERS
+                ? null
+                : new Place(position.point(), meters);
+    }
+
+    private static Look.Progress progress(RunDrone drone, MissionProgress mission) {
+        int passed =
+                mission.reached().stream().mapToInt(index -> index + 1).max().orElse(0);
+        if (mission.current() != null && mission.phase() != MissionPhase.COMPLETE) {
+            passed = Math.max(passed, mission.current());
+        }
+        return new Look.Progress(
+                carries(drone.sortie(), mission), carries(drone.next(), mission), passed, mission.complete());
+    }
+
+    private static @Nullable Boolean carries(@Nullable Sortie sortie, MissionProgress mission) {
+        if (sortie == null || mission.items() == null) {
+            return null;
+        }
+        return MissionComparison.difference(sortie.mission().items(), mission.items())
+                .isEmpty();
+    }
+}

@@ -1,0 +1,178 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Speeds;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.geo.Geodesy;
+import org.jspecify.annotations.Nullable;
+
+/** Drones that are not heard: what they may still do, and what they did when they are heard again. */
+final class Silences {
+    /** Vehicles that miss the cloud for five seconds go home, if they were told to; with room for slow ones. */
+    private static final Duration UNTIL_FAIL_SAFE = Duration.ofSeconds(15);
+    /** So far ahead a drone that flies on keeps its waypoints; what comes later is given to others. */
+    private static final Duration FLIES_ON = Duration.ofSeconds(60);
+    /** Beside what the way takes. */
+    private static final Duration MARGIN = Duration.ofSeconds(60);
+
+    private static final double STEEPLY_METERS = 120;
+
+    private Silences() {}
+
+    static void begin(Draft draft, RunDrone drone, Look look) {
+        Instant hears = draft.clock().hearsAfter();
+        if (hears != null && draft.now().isBefore(hears)) {
+            return;
+        }
+        if (drone.stage().compareTo(DroneStage.STARTING) < 0) {
+            onTheGround(draft, drone);
+        } else if (drone.stage().compareTo(DroneStage.RETURNING) <= 0) {
+            inTheAir(draft, drone, look);
+        }
+    }
+
+    private static void onTheGround(Draft draft, RunDrone drone) {
+        if (drone.stage() != DroneStage.LANDED || !drone.orders().isEmpty()) {
+            String words = "Nothing is heard of " + drone.name() + ", which stands on the ground.";
+            Faults.leave(draft, drone.flying(null, 0), DroneStage.LANDED, Trigger.LOST, words);
+        }
+    }
+
+    private static void inTheAir(Draft draft, RunDrone drone, Look look) {
+        Instant heard = draft.now().minus(look.silence());
+        boolean flies = drone.stage() == DroneStage.FLYING || drone.stage() == DroneStage.STARTING;
+        boolean goesOn = draft.setting().onCloudLoss() == CloudLoss.CONTINUE;
+        Duration reach = !flies ? Duration.ZERO : goesOn ? FLIES_ON : UNTIL_FAIL_SAFE;
+        List<String> reserved = reached(draft, drone, look.place(), reach);
+        Instant until = heard.plus(reach).plus(goesOn ? MARGIN : Duration.ofSeconds(10));
+        RunDrone.Silence silence = new RunDrone.Silence(
+                heard, look.place(), until, heard.plus(longest(drone, look.place(), flies && goesOn)));
+        String name = drone.name();
+        String words = "Nothing is heard of " + name + " any more; it may still fly. "
+                + (reserved.isEmpty()
+                        ? "Nothing stays reserved for it."
+                        : Words.count(reserved.size(), "waypoint") + " (" + Words.list(reserved)
+                                + ") stay reserved for it.");
+        boolean offers = drone.orders().size() > reserved.size();
+        RunDrone silent = draft.release(drone, "Nothing was heard of " + name + ".")
+                .ordered(reserved)
+                .noted(words);
+        reserved.forEach(id -> draft.put(draft.target(id).to(Target.State.RESERVED, drone.id(), null)));
+        draft.put(silent.with(silent.signs()
+                        .silent(silence)
+                        .falling(null)
+                        .astray(null)
+                        .yields(null))
+                .to(DroneStage.SILENT, draft.now()));
+        if (offers) {
+            draft.cause(Trigger.LOST, drone.id(), words, drone.orders());
+        } else {
+            draft.say(Trigger.LOST, drone.id(), words);
+        }
+    }
+
+    /** The waypoints that it may come to within that time, the one that it flies to among them. */
+    static List<String> reached(Draft draft, RunDrone drone, @Nullable Place from, Duration time) {
+        List<String> reached = new ArrayList<>();
+        Speeds speeds = drone.craft().performance().speeds();
+        double left = time.toMillis() / 1_000.0;
+        Place at = from;
+        for (String id : drone.orders()) {
+            if (left <= 0) {
+                break;
+            }
+            reached.add(id);
+            Target target = draft.target(id);
+            Place there = target.waypoint().place();
+            if (at != null) {
+                left -= Geodesy.distanceMeters(at.point(), there.point()) / speeds.cruise();
+            }
+            left -= target.waypoint().task().serviceSeconds();
+            at = there;
+        }
+        return reached;
+    }
+
+    /** Its mission to the end where it flies on, else its way home. */
+    private static Duration longest(RunDrone drone, @Nullable Place place, boolean mission) {
+        Sortie sortie = drone.sortie();
+        Duration way = Duration.ofMinutes(2);
+        if (mission && sortie != null) {
+            double from = sortie.tour().departsSeconds();
+            way = Duration.ofMillis(Math.round(1_000 * (sortie.tour().endsSeconds() - from)));
+        } else if (place != null) {
+            Speeds speeds = drone.craft().performance().speeds();
+            Place home = drone.craft().finish().place();
+            double down = Math.max(STEEPLY_METERS, place.altitudeAmslMeters() - home.altitudeAmslMeters());
+            double seconds = Geodesy.distanceMeters(place.point(), home.point()) / speeds.cruise()
+                    + down / Math.min(speeds.climb(), speeds.descent());
+            way = Duration.ofMillis(Math.round(1_000 * seconds)).plus(UNTIL_FAIL_SAFE);
+        }
+        return way.plus(MARGIN);
+    }
+
+    static void look(Draft draft, Look look) {
+        RunDrone drone = draft.drone(look.drone());
+        RunDrone.Silence silence = Objects.requireNonNull(drone.signs().silence());
+        if (look.isLive() && look.ready()) {
+            heard(draft, drone.with(drone.signs().silent(null)), look);
+        } else if (draft.now().isAfter(silence.flyingUntil())) {
+            String words = drone.name() + " was not heard again; it must be down by now.";
+            Faults.leave(draft, drone, DroneStage.GONE, Trigger.GONE, words);
+        } else if (draft.now().isAfter(silence.reservedUntil())
+                && !drone.orders().isEmpty()) {
+            String words = drone.name() + " was not heard again; what was reserved for it is offered to the others.";
+            draft.put(draft.release(drone, words));
+            draft.cause(Trigger.GONE, drone.id(), words, drone.orders());
+        }
+    }
+
+    /** What it has reached is reckoned already. */
+    private static void heard(Draft draft, RunDrone drone, Look look) {
+        if (look.mode() == null || look.armed() == null) {
+            return;
+        }
+        String name = drone.name();
+        if (look.isDisarmed()) {
+            boolean done = drone.orders().isEmpty();
+            String words = name + " is heard again; it is down.";
+            Faults.leave(
+                    draft,
+                    drone.flying(null, 0),
+                    done ? DroneStage.LANDED : DroneStage.LEFT,
+                    Trigger.HEARD_AGAIN,
+                    words);
+        } else if (look.comesDown()) {
+            String words = name + " is heard again; it comes home or down by itself.";
+            Faults.leave(draft, drone, DroneStage.RETURNING, Trigger.HEARD_AGAIN, words);
+        } else if (look.isSteered()) {
+            String words = name + " is heard again, in mode " + look.mode() + "; it is left alone until it is resumed.";
+            Faults.leave(draft, drone, DroneStage.SUSPENDED, Trigger.HEARD_AGAIN, words);
+        } else {
+            takeBack(draft, drone, look);
+        }
+    }
+
+    private static void takeBack(Draft draft, RunDrone drone, Look look) {
+        Sortie sortie = drone.sortie();
+        boolean carries = !Boolean.FALSE.equals(look.progress().carries());
+        boolean own = carries && sortie != null && drone.orders().containsAll(sortie.ahead(drone.passed()));
+        drone.orders().forEach(id -> draft.put(draft.target(id).to(Target.State.ASSIGNED, drone.id(), null)));
+        RunDrone back = drone.noted(null);
+        if (own && look.isOnMission()) {
+            draft.put(back.to(DroneStage.FLYING, draft.now()));
+        } else {
+            draft.put(back.to(DroneStage.HOLDING, draft.now()));
+        }
+        draft.cause(
+                Trigger.HEARD_AGAIN,
+                drone.id(),
+                drone.name() + " is heard again; it "
+                        + (own && look.isOnMission() ? "goes on." : "waits in the air for a plan."));
+    }
+}

@@ -1,0 +1,192 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.operation.Action;
+import org.junit.jupiter.api.Test;
+
+/** A run from its start to its end, and what happens on the way. */
+class MissionRunTest {
+    private static TestFleet fleet(int drones, int waypoints) {
+        return Runs.fleet(drones, waypoints, 1);
+    }
+
+    private static List<Trigger> triggers(TestFleet fleet) {
+        return fleet.state.explanations().stream().map(Explanation::trigger).collect(Collectors.toList());
+    }
+
+    @Test
+    void fliesThePlanAndEndsWhenAllAreDown() {
+        TestFleet fleet = fleet(3, 12);
+
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(12);
+        assertThat(triggers(fleet)).containsExactly(Trigger.START, Trigger.ENDED);
+        assertThat(fleet.state.end()).isEqualTo("The run is over: all 12 waypoints visited.");
+        assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.armed);
+        assertThat(fleet.closest).isGreaterThan(9.9);
+    }
+
+    @Test
+    void startsNobodyBeforeAllHaveTheirMissions() {
+        TestFleet fleet = fleet(3, 12);
+        AtomicInteger lost = new AtomicInteger();
+        fleet.loses = give -> give.drone().value().equals("d1") && lost.incrementAndGet() < 3;
+
+        fleet.flyUntil(() -> fleet.vehicle(0).armed, 60);
+
+        assertThat(fleet.vehicles.values()).allMatch(vehicle -> !vehicle.items.isEmpty());
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(12);
+    }
+
+    @Test
+    void fliesWithoutADroneThatCannotBeBroughtItsMission() {
+        TestFleet fleet = fleet(3, 12);
+        fleet.loses = give -> give.drone().value().equals("d1");
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(12);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.LEFT);
+        assertThat(triggers(fleet)).containsSubsequence(Trigger.COMMAND_FAILED, Trigger.START);
+    }
+
+    @Test
+    void leavesADroneAtOnceThatAPilotTook() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+
+        fleet.vehicle(1).mode = "LOITER";
+        fleet.vehicle(1).takenBy = "Pilot has it.";
+        int given = commandsTo(fleet, "d1");
+        fleet.fly(0.5);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.SUSPENDED);
+        fleet.fly(60);
+
+        assertThat(commandsTo(fleet, "d1")).isEqualTo(given);
+        assertThat(fleet.drone(1).orders()).isEmpty();
+        fleet.vehicle(1).mode = "RTL";
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(commandsTo(fleet, "d1")).isEqualTo(given);
+    }
+
+    private static int commandsTo(TestFleet fleet, String drone) {
+        return (int) fleet.decisions.stream()
+                .flatMap(decision -> decision.actions().stream())
+                .filter(action -> action instanceof Action.Give<RunInput> give
+                        && give.drone().value().equals(drone))
+                .count();
+    }
+
+    @Test
+    void takesADroneBackOnceItIsResumed() {
+        TestFleet fleet = fleet(2, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(1).mode = "LOITER";
+        fleet.fly(20);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.SUSPENDED);
+
+        fleet.wish(new RunInput.ResumeDrone(fleet.now, "Ann", fleet.vehicle(1).id));
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.FLYING, 30);
+
+        assertThat(fleet.drone(1).orders()).isNotEmpty();
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+    }
+
+    @Test
+    void reservesTheNextWaypointsOfASilentDroneAndGivesTheRestAway() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+
+        fleet.vehicle(1).cut = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.SILENT, 5.6);
+        assertThat(fleet.state.count(Target.State.RESERVED)).isGreaterThan(0);
+        fleet.flyUntil(() -> fleet.state.counts().replans() > 0 && changed(fleet), 3);
+
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.GONE);
+        assertThat(triggers(fleet)).contains(Trigger.LOST, Trigger.GONE);
+    }
+
+    /** All have acknowledged what they are to fly. */
+    private static boolean changed(TestFleet fleet) {
+        return fleet.state.drones().stream().allMatch(drone -> drone.next() == null);
+    }
+
+    @Test
+    void reconcilesWhatADroneReachedWhileItWasNotHeard() {
+        TestFleet fleet = Runs.fleet(3, 40, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(1).cut = true;
+        fleet.fly(90);
+        fleet.vehicle(1).cut = false;
+        fleet.fly(3);
+
+        assertThat(fleet.drone(1).stage()).isNotEqualTo(DroneStage.SILENT);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(40);
+        assertThat(triggers(fleet)).contains(Trigger.HEARD_AGAIN);
+    }
+
+    @Test
+    void givesTheWaypointsOfAFallenDroneToOthersWithinFiveSeconds() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 2);
+        fleet.flyUntil(() -> fleet.state.counts().replans() > 0 && changed(fleet), 3);
+
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.CRASHED);
+    }
+
+    @Test
+    void takesWaypointsFromADroneWhoseBatteryRunsLow() {
+        TestFleet fleet = Runs.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+
+        TestVehicle weak = fleet.vehicle(1);
+        weak.joules = 0.32 * weak.fullJoules;
+        fleet.fly(5);
+
+        assertThat(triggers(fleet)).contains(Trigger.LOW_BATTERY);
+        fleet.flyToTheEnd();
+        assertThat(weak.joules).isGreaterThan(0.15 * weak.fullJoules);
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+    }
+
+    @Test
+    void givesAwayWhatADroneLeavesThatGoesHomeByItself() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(2).mode = "RTL";
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(triggers(fleet)).contains(Trigger.WENT_HOME);
+    }
+
+    @Test
+    void goesOnAfterARestart() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.state.request() != null, 10);
+        fleet.restart(4);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(Duration.between(TestFleet.START, fleet.now)).isLessThan(Duration.ofMinutes(20));
+    }
+}

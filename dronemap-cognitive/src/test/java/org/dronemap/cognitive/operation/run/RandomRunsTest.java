@@ -1,0 +1,76 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.command.CloudLoss;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Whatever befalls a run at whatever moment: no waypoint is anybody's twice, and all are settled in the end. */
+class RandomRunsTest {
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+    void settleAllWaypoints(long seed) {
+        TestFleet fleet = disturbed(seed);
+        fleet.flyToTheEnd();
+        boolean somebodyLeft = fleet.state.drones().stream().anyMatch(drone -> drone.stage() == DroneStage.LANDED);
+        if (somebodyLeft) {
+            assertThat(fleet.state.count(Target.State.UNSERVED))
+                    .as("%s", fleet.said)
+                    .isZero();
+        }
+    }
+
+    static TestFleet disturbed(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        CloudLoss loss = random.nextBoolean() ? CloudLoss.CONTINUE : CloudLoss.RETURN_TO_LAUNCH;
+        TestFleet fleet =
+                Runs.fleet(Runs.problem(4 + random.nextInt(3), 40, seed, false), seed, RunOrder.Mode.AUTOMATIC, loss);
+        fleet.loses = give -> random.nextInt(20) == 0;
+        int events = 2 + random.nextInt(4);
+        for (int i = 0; i < events && !fleet.state.isOver(); i++) {
+            fleet.fly(random.nextInt(5, 80));
+            disturb(fleet, random, i);
+        }
+        fleet.vehicles.values().forEach(vehicle -> vehicle.takenBy = null);
+        return fleet;
+    }
+
+    private static void disturb(TestFleet fleet, SplittableRandom random, int number) {
+        List<TestVehicle> all = new ArrayList<>(fleet.vehicles.values());
+        TestVehicle vehicle = all.get(random.nextInt(all.size() - 1));
+        switch (random.nextInt(7)) {
+            case 0 -> vehicle.falling = vehicle.isUp();
+            case 1 -> vehicle.cut = true;
+            case 2 -> {
+                vehicle.cut = true;
+                fleet.fly(random.nextInt(2, 60));
+                vehicle.cut = false;
+            }
+            case 3 -> vehicle.mode = vehicle.isUp() ? "RTL" : vehicle.mode;
+            case 4 -> {
+                if (!fleet.state.isOver()) {
+                    fleet.wish(new RunInput.AddWaypoints(
+                            fleet.now,
+                            "Ann",
+                            List.of(Waypoint.at(
+                                    "n" + number,
+                                    Scenes.place(random.nextDouble(-400, 400), random.nextDouble(-400, 400), 441)))));
+                }
+            }
+            case 5 -> fleet.restart(random.nextInt(1, 8));
+            default -> {
+                if (vehicle.isUp()) {
+                    vehicle.mode = "LOITER";
+                    fleet.fly(random.nextInt(1, 30));
+                    vehicle.mode = "RTL";
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.allocate.Budget;
+import org.dronemap.cognitive.engine.Engine;
+import org.dronemap.cognitive.engine.Planned;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.Supply;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.operation.OperationId;
+
+/** Runs with drones side by side and waypoints all around. */
+final class Runs {
+    private static final double FULL_JOULES = 150_000;
+    private static final double RESERVE = 0.2;
+
+    private Runs() {}
+
+    static TestFleet fleet(int drones, int waypoints, long seed) {
+        return fleet(drones, waypoints, seed, CloudLoss.RETURN_TO_LAUNCH);
+    }
+
+    static TestFleet fleet(int drones, int waypoints, long seed, CloudLoss loss) {
+        return fleet(problem(drones, waypoints, seed, false), seed, RunOrder.Mode.AUTOMATIC, loss);
+    }
+
+    /** With batteries. */
+    static TestFleet limited(int drones, int waypoints, long seed) {
+        return fleet(problem(drones, waypoints, seed, true), seed, RunOrder.Mode.AUTOMATIC, CloudLoss.RETURN_TO_LAUNCH);
+    }
+
+    static Problem problem(int drones, int waypoints, long seed, boolean limited) {
+        SplittableRandom random = new SplittableRandom(seed);
+        List<Waypoint> places = new ArrayList<>();
+        for (int i = 0; i < waypoints; i++) {
+            double north = random.nextDouble(-500, 500);
+            double east = random.nextDouble(-500, 500);
+            places.add(Waypoint.at("w" + i, Scenes.place(east, north, 430 + 5 * random.nextInt(4))));
+        }
+        List<Craft> crafts = new ArrayList<>();
+        for (int i = 0; i < drones; i++) {
+            Craft craft = Scenes.craft(i, 40.0 * i, 0);
+            crafts.add(limited ? craft.with(new Supply(FULL_JOULES, RESERVE * FULL_JOULES)) : craft);
+        }
+        return Problem.of(places, crafts);
+    }
+
+    static TestFleet fleet(Problem problem, long seed, RunOrder.Mode mode, CloudLoss loss) {
+        Planned planned = Engine.plan(problem, seed, Budget.iterations(2_000), progress -> {});
+        if (!planned.canBeFlown()) {
+            throw new IllegalStateException("seed " + seed + ": " + planned.faults());
+        }
+        List<RunOrder.Member> members = new ArrayList<>();
+        List<TestVehicle> vehicles = new ArrayList<>();
+        for (int i = 0; i < problem.crafts().size(); i++) {
+            Craft craft = problem.crafts().get(i);
+            members.add(new RunOrder.Member(craft.id(), "Drone " + craft.id(), VehicleKind.MULTICOPTER));
+            TestVehicle vehicle = new TestVehicle(i, 40.0 * i, 0);
+            if (Double.isFinite(craft.supply().remainingJoules())) {
+                vehicle.fullJoules = craft.supply().remainingJoules();
+                vehicle.joules = vehicle.fullJoules;
+            }
+            vehicles.add(vehicle);
+        }
+        RunOrder order = new RunOrder(
+                new OperationId("run-" + seed),
+                problem,
+                planned.plan(),
+                members,
+                mode,
+                loss,
+                seed,
+                Duration.ofSeconds(2),
+                TestFleet.START);
+        return new TestFleet(order, vehicles);
+    }
+}

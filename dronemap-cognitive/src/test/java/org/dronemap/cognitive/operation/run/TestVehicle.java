@@ -1,0 +1,258 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.dronemap.cognitive.Scenes;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Attitude;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Standing;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/** A copter of the tests: straight flight at given speeds, and faults on demand. Behaves as ArduCopter does where it matters. */
+final class TestVehicle {
+    static final double GROUND = 400;
+    private static final LocalPlane PLANE = new LocalPlane(Scenes.point(0, 0));
+    private static final Capabilities CAN = new Capabilities(
+            EnumSet.allOf(Capability.class),
+            List.of("GUIDED", "AUTO", "BRAKE", "LOITER", "RTL", "LAND"),
+            Map.of(
+                    "GUIDED",
+                    Steering.ORDERS,
+                    "BRAKE",
+                    Steering.ORDERS,
+                    "AUTO",
+                    Steering.MISSION,
+                    "LOITER",
+                    Steering.STICKS,
+                    "RTL",
+                    Steering.SAFETY,
+                    "LAND",
+                    Steering.SAFETY));
+
+    final DroneId id;
+    final double homeEast;
+    final double homeNorth;
+    double cruise = 10;
+    double joules = 1e9;
+    double fullJoules = 1e9;
+    double drain;
+    double east;
+    double north;
+    double altitude = GROUND;
+    double climb;
+    String mode = "LOITER";
+    boolean armed;
+    boolean falling;
+    boolean fallen;
+    boolean cut;
+    double cutFor;
+
+    @Nullable
+    String takenBy;
+
+    CloudLoss onCloudLoss = CloudLoss.RETURN_TO_LAUNCH;
+    List<MissionItem> items = List.of();
+    int current;
+    final TreeSet<Integer> reached = new TreeSet<>();
+    boolean complete;
+    private double held;
+    double stillFor;
+    /** Places that it came to by its missions, with the moment. */
+    final List<MissionItem.Waypoint> visits = new ArrayList<>();
+
+    TestVehicle(int number, double east, double north) {
+        this.id = new DroneId("d" + number);
+        this.homeEast = east;
+        this.homeNorth = north;
+        this.east = east;
+        this.north = north;
+    }
+
+    boolean isUp() {
+        return altitude > GROUND + 0.3;
+    }
+
+    boolean fliesMission() {
+        return armed && mode.equals("AUTO") && !fallen && !falling;
+    }
+
+    void step(double seconds) {
+        double e = east;
+        double n = north;
+        double a = altitude;
+        cutFor = cut ? cutFor + seconds : 0;
+        if (cutFor > 5 && armed && isUp() && onCloudLoss == CloudLoss.RETURN_TO_LAUNCH && !mode.equals("LAND")) {
+            mode = "RTL";
+        }
+        joules -= isUp() ? (150 + drain) * seconds : 0;
+        move(seconds);
+        climb = (altitude - a) / seconds;
+        boolean moved = Math.hypot(east - e, north - n) > 0.01 || Math.abs(altitude - a) > 0.01;
+        stillFor = moved || !armed ? 0 : stillFor + seconds;
+    }
+
+    private void move(double seconds) {
+        if (falling) {
+            altitude = Math.max(GROUND, altitude - 11.8 * seconds);
+            fallen = fallen || altitude == GROUND;
+        } else if (armed && mode.equals("AUTO")) {
+            fly(seconds);
+        } else if (armed && mode.equals("RTL")) {
+            if (Math.hypot(east - homeEast, north - homeNorth) < 0.5) {
+                land(seconds);
+            } else {
+                to(homeEast, homeNorth, Math.max(altitude, GROUND + 15), seconds);
+            }
+        } else if (armed && mode.equals("LAND")) {
+            land(seconds);
+        }
+    }
+
+    private void fly(double seconds) {
+        if (current >= items.size()) {
+            return;
+        }
+        MissionItem item = items.get(current);
+        if (item instanceof MissionItem.TakeOff takeOff) {
+            altitude = Math.min(GROUND + takeOff.altitudeMeters(), altitude + 2 * seconds);
+            passed(altitude >= GROUND + takeOff.altitudeMeters() - 0.01);
+        } else if (item instanceof MissionItem.Waypoint waypoint) {
+            Spot spot = PLANE.spot(waypoint.point());
+            boolean there = to(
+                    spot.eastMeters(), spot.northMeters(), waypoint.altitude().meters(), seconds);
+            held = there ? held + seconds : 0;
+            if (there && held >= waypoint.holdSeconds()) {
+                visits.add(waypoint);
+                passed(true);
+            }
+        } else if (item instanceof MissionItem.Land) {
+            land(seconds);
+            if (!armed) {
+                reached.add(current);
+                complete = true;
+            }
+        }
+    }
+
+    private void passed(boolean done) {
+        if (done) {
+            reached.add(current);
+            held = 0;
+            current++;
+        }
+    }
+
+    private void land(double seconds) {
+        altitude = Math.max(GROUND, altitude - (altitude > GROUND + 10 ? 1 : 0.5) * seconds);
+        armed = armed && altitude > GROUND;
+    }
+
+    private boolean to(double toEast, double toNorth, double toAltitude, double seconds) {
+        double meters = Math.hypot(toEast - east, toNorth - north);
+        double stride = Math.min(meters, cruise * seconds);
+        if (meters > 0) {
+            east += (toEast - east) / meters * stride;
+            north += (toNorth - north) / meters * stride;
+        }
+        double up = toAltitude - altitude;
+        altitude += up > 0 ? Math.min(up, 2 * seconds) : Math.max(up, -1.5 * seconds);
+        return Math.hypot(toEast - east, toNorth - north) < 0.5 && Math.abs(toAltitude - altitude) < 0.3;
+    }
+
+    /** Null: succeeded. */
+    @Nullable
+    String carryOut(Command command) {
+        if (command instanceof Command.UploadMission upload) {
+            items = upload.mission().items();
+            reached.clear();
+            complete = false;
+        } else if (command instanceof Command.Arm || command instanceof Command.Disarm) {
+            return motors(command instanceof Command.Arm);
+        } else if (command instanceof Command.StartMission start) {
+            return start(start);
+        } else {
+            mode = command instanceof Command.SetMode set
+                    ? set.mode()
+                    : command instanceof Command.PauseMission ? "BRAKE" : "RTL";
+        }
+        return null;
+    }
+
+    private @Nullable String motors(boolean on) {
+        if (on && !mode.equals("GUIDED")) {
+            return "It cannot be armed in " + mode + ".";
+        }
+        if (!on && isUp()) {
+            return "It is in the air.";
+        }
+        armed = on;
+        return null;
+    }
+
+    private @Nullable String start(Command.StartMission start) {
+        if (!armed) {
+            return "It is not armed.";
+        }
+        onCloudLoss = start.onCloudLoss();
+        current = start.anew() || !isUp() ? 0 : current;
+        held = 0;
+        mode = "AUTO";
+        return null;
+    }
+
+    DroneState state(Instant now) {
+        return new DroneState(
+                id,
+                "Drone " + id.value(),
+                false,
+                new LinkStatus(
+                        new DroneKey("127.0.0.1", 1, 1), "udp", LinkState.LIVE, now, LinkQuality.UNKNOWN, List.of()),
+                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", null, null),
+                Standing.UNPROVED,
+                CAN,
+                mode,
+                armed,
+                true,
+                armed && isUp() ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND,
+                new Position(Scenes.point(east, north), altitude + 3, altitude - GROUND),
+                new Motion(0.0, 0.0, climb, 0.0),
+                new Attitude(0, 0, 0),
+                new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),
+                null,
+                new Home(Scenes.point(homeEast, homeNorth), GROUND),
+                new MissionProgress(items, null, current, phase(), List.copyOf(reached), null),
+                List.of(),
+                now,
+                0);
+    }
+
+    private MissionPhase phase() {
+        return complete ? MissionPhase.COMPLETE : fliesMission() ? MissionPhase.RUNNING : MissionPhase.PAUSED;
+    }
+}

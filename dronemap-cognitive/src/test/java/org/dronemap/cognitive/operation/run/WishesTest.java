@@ -1,0 +1,198 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.AltitudeBand;
+import org.junit.jupiter.api.Test;
+
+/** What users want of a run that is going on. */
+class WishesTest {
+    private static TestFleet flying(RunOrder.Mode mode) {
+        TestFleet fleet = Runs.fleet(Runs.problem(3, 30, 1, false), 1, mode, CloudLoss.RETURN_TO_LAUNCH);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        return fleet;
+    }
+
+    private static TestFleet flying() {
+        return flying(RunOrder.Mode.AUTOMATIC);
+    }
+
+    private static Explanation last(TestFleet fleet, Trigger trigger) {
+        return fleet.state.explanations().stream()
+                .filter(each -> each.trigger() == trigger)
+                .reduce((one, other) -> other)
+                .orElseThrow();
+    }
+
+    @Test
+    void visitWaypointsThatAreAdded() {
+        TestFleet fleet = flying();
+        fleet.wish(new RunInput.AddWaypoints(
+                fleet.now,
+                "Ann",
+                List.of(
+                        Waypoint.at("n1", Scenes.place(100, 300, 440)),
+                        Waypoint.at("n2", Scenes.place(-100, -300, 440)))));
+        fleet.fly(1);
+
+        assertThat(fleet.state.target("n1").orElseThrow().state()).isEqualTo(Target.State.ASSIGNED);
+        Explanation told = last(fleet, Trigger.WAYPOINTS_ADDED);
+        assertThat(told.words()).startsWith("Ann added 2 waypoints: n1, n2.").contains("from nobody to Drone");
+        assertThat(told.moved()).hasSize(2);
+        assertThat(told.after()).isNotNull();
+        assertThat(fleet.said).anyMatch(said -> said.endsWith(told.words()));
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(32);
+    }
+
+    @Test
+    void visitAMovedWaypointWhereItIsNow() {
+        TestFleet fleet = flying();
+        String next = fleet.drone(0).orders().get(0);
+        fleet.wish(new RunInput.MoveWaypoint(fleet.now, "Ann", next, Scenes.place(-450, 450, 445)));
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.visits).containsKey(next);
+    }
+
+    @Test
+    void leaveOutACancelledWaypoint() {
+        TestFleet fleet = flying();
+        String later = fleet.drone(0).orders().get(2);
+        fleet.wish(new RunInput.CancelWaypoint(fleet.now, "Ann", later));
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.visits).doesNotContainKey(later);
+        assertThat(fleet.state.count(Target.State.CANCELLED)).isEqualTo(1);
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(29);
+        assertThat(fleet.state.end()).isEqualTo("The run is over: all 29 waypoints visited.");
+    }
+
+    @Test
+    void keepOutOfANewFence() {
+        TestFleet fleet = flying();
+        Barrier barrier = new Barrier(
+                "the no-fly zone “Crane”",
+                new FenceZone.Circle(false, Scenes.point(-250, 0), 60),
+                AltitudeBand.ALL,
+                Set.of());
+        fleet.wish(new RunInput.AddBarrier(fleet.now, "Ann", barrier));
+        fleet.fly(4);
+        while (!fleet.state.isOver()) {
+            fleet.fly(0.25);
+            fleet.vehicles.values().stream()
+                    .filter(TestVehicle::isUp)
+                    .forEach(vehicle -> assertThat(Math.hypot(vehicle.east + 250, vehicle.north))
+                            .as("%s; %s", vehicle.id, fleet.said)
+                            .isGreaterThan(60));
+        }
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.targets())
+                .filteredOn(target -> target.state() == Target.State.UNSERVED)
+                .allMatch(target -> target.reason() != null && !target.reason().isBlank());
+    }
+
+    @Test
+    void letADroneJoin() {
+        TestFleet fleet = flying();
+        Craft craft = Scenes.craft(7, 200, 0);
+        fleet.vehicles.put(craft.id(), new TestVehicle(7, 200, 0));
+        fleet.wish(new RunInput.JoinDrone(fleet.now, "Ann", craft, "Drone d7", VehicleKind.MULTICOPTER));
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.state.targets())
+                .anyMatch(target -> target.visits().get(0).drone().equals(new DroneId("d7")));
+    }
+
+    @Test
+    void takeADroneOut() {
+        TestFleet fleet = flying();
+        fleet.wish(new RunInput.GiveUpDrone(fleet.now, "Ann", fleet.vehicle(1).id));
+        fleet.fly(2);
+        assertThat(fleet.vehicle(1).mode).isEqualTo("RTL");
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.LEFT);
+    }
+
+    @Test
+    void callAllHomeOnStop() {
+        TestFleet fleet = flying();
+        fleet.wish(new RunInput.Stop(fleet.now, "Ann"));
+        fleet.fly(2);
+        assertThat(fleet.vehicles.values()).allMatch(vehicle -> vehicle.mode.equals("RTL"));
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.targets())
+                .filteredOn(target -> target.state() != Target.State.VISITED)
+                .isNotEmpty()
+                .allMatch(target -> "The run was stopped by Ann.".equals(target.reason()));
+        assertThat(fleet.drone(0).stage()).as("%s", fleet.said).isEqualTo(DroneStage.LANDED);
+    }
+
+    @Test
+    void askFirst() {
+        TestFleet fleet = flying(RunOrder.Mode.ASK_FIRST);
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.state.proposal() != null, 20);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.CRASHED);
+        assertThat(fleet.state.counts().replans()).isZero();
+        long waiting = fleet.state.count(Target.State.WAITING);
+        assertThat(waiting).isPositive();
+        fleet.fly(20);
+        assertThat(fleet.state.count(Target.State.WAITING)).isEqualTo(waiting);
+
+        fleet.wish(new RunInput.Answer(fleet.now, "Ann", 1, true));
+        fleet.fly(3);
+        assertThat(fleet.state.count(Target.State.WAITING)).isZero();
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+    }
+
+    @Test
+    void goOnWithoutWhatSomebodySaidNoTo() {
+        TestFleet fleet = flying(RunOrder.Mode.ASK_FIRST);
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.state.proposal() != null, 20);
+        fleet.wish(new RunInput.Answer(fleet.now, "Ann", 1, false));
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.UNSERVED)).isPositive();
+    }
+
+    @Test
+    void areRefusedWithASentence() {
+        TestFleet fleet = flying();
+        String done = fleet.state.targets().stream()
+                .filter(target -> target.state() == Target.State.VISITED)
+                .findFirst()
+                .orElseThrow()
+                .id();
+
+        assertThat(refusal(fleet, new RunInput.CancelWaypoint(fleet.now, "Ann", done)))
+                .isEqualTo("The waypoint " + done + " is settled: visited.");
+        assertThat(refusal(fleet, new RunInput.CancelWaypoint(fleet.now, "Ann", "x")))
+                .isEqualTo("The run has no waypoint x.");
+        assertThat(refusal(fleet, new RunInput.ResumeDrone(fleet.now, "Ann", fleet.vehicle(0).id)))
+                .isEqualTo("Drone d0 does not wait for being resumed.");
+        assertThat(refusal(fleet, new RunInput.Answer(fleet.now, "Ann", 1, true)))
+                .isEqualTo("There is no proposal 1 that waits for an answer.");
+    }
+
+    private static String refusal(TestFleet fleet, RunInput wish) {
+        return fleet.run.refusal(fleet.state, wish).orElseThrow();
+    }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.cognitive.operation.run;
+
+import org.jspecify.annotations.NullMarked;
