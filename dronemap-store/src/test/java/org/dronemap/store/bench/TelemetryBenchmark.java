@@ -1,8 +1,11 @@
 package org.dronemap.store.bench;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -10,19 +13,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.locks.LockSupport;
-import java.util.stream.Stream;
-import org.dronemap.core.drone.Attitude;
-import org.dronemap.core.drone.Battery;
+import java.util.stream.Collectors;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.FlightPhase;
-import org.dronemap.core.drone.Gps;
-import org.dronemap.core.drone.GpsFix;
-import org.dronemap.core.drone.LinkQuality;
-import org.dronemap.core.drone.LinkState;
-import org.dronemap.core.drone.Motion;
-import org.dronemap.core.drone.Position;
-import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.HistoryHealth;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesQuery;
@@ -30,143 +22,183 @@ import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryStore;
-import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.store.postgres.Database;
 
 /**
- * Brings so many points a second for so many seconds, fills up to so many points, and looks at one hour of one drone. Prints
- * JSON. Arguments: directory of the server's own PostgreSQL, points a second, seconds, points in all.
+ * Brings so many states a second for so many seconds, kills such a writer so many times, fills up to so many points, and looks
+ * at one hour of one drone. Prints JSON, and fails when a goal is missed. Arguments: directory for a PostgreSQL, states a
+ * second, seconds, points in all, kills.
  */
 public final class TelemetryBenchmark {
-    private static final int DRONES = 2_000;
-    private static final int LOOKS = 15;
-    private static final double NANOS = 1e9;
+    /** Drones that get a full hour, five states a second. */
+    private static final int LONG_FLIGHTS = 400;
 
-    private final TelemetryStore store;
+    private static final Duration APART = Duration.ofMillis(200);
+    private static final int FILL = 20_000;
+    private static final int LOOKS = 40;
+    private static final int SLOTS = 1_500;
+    private static final Retention FOR_EVER = new Retention(0, 0, Duration.ofSeconds(10));
+    private static final Duration HOUR = Duration.ofHours(1);
+    private static final double MOST_CORES = 1;
+    private static final double MOST_MILLIS = 100;
+    private static final double MOST_LOST_SECONDS = 1;
+
+    private final Path directory;
     private final int rate;
     private final int seconds;
     private final long total;
-    private long brought;
+    /** All of one day, so that what is looked at lies in one table with everything else. */
+    private final Instant begin = Instant.now().minus(Duration.ofDays(2)).truncatedTo(ChronoUnit.DAYS);
 
-    private TelemetryBenchmark(TelemetryStore store, int rate, int seconds, long total) {
-        this.store = store;
+    private final List<String> missed = new ArrayList<>();
+
+    private TelemetryBenchmark(Path directory, int rate, int seconds, long total) {
+        this.directory = directory;
         this.rate = rate;
         this.seconds = seconds;
         this.total = total;
     }
 
-    public static void main(String[] arguments) throws IOException {
+    public static void main(String[] arguments) throws IOException, SQLException, InterruptedException {
         Path directory = Path.of(arguments[0]);
+        int rate = Integer.parseInt(arguments[1]);
+        TelemetryBenchmark benchmark =
+                new TelemetryBenchmark(directory, rate, Integer.parseInt(arguments[2]), Long.parseLong(arguments[3]));
+        List<String> parts = new ArrayList<>();
+        parts.add("\"machine\": \"" + Processors.model() + "\"");
+        parts.add("\"java\": \"" + Runtime.version() + "\"");
         try (Database database = Database.openOwn(directory)) {
-            TelemetryBenchmark benchmark = new TelemetryBenchmark(
-                    database.telemetry(),
-                    Integer.parseInt(arguments[1]),
-                    Integer.parseInt(arguments[2]),
-                    Long.parseLong(arguments[3]));
-            System.out.println(benchmark.run(directory));
+            parts.add("\"server\": \"" + database.telemetry().server() + "\"");
+            parts.add(benchmark.write(database));
+            parts.add(benchmark.look(database));
+        }
+        parts.add(benchmark.killed(new Kills(directory, rate).kill(Integer.parseInt(arguments[4]))));
+        String missed = benchmark.missed.stream().map(goal -> '"' + goal + '"').collect(Collectors.joining(", "));
+        parts.add("\"missedGoals\": [" + missed + "]");
+        System.out.println("{\n  " + String.join(",\n  ", parts) + "\n}");
+        System.exit(missed.isEmpty() ? 0 : 1);
+    }
+
+    private void goal(String words, boolean reached) {
+        if (!reached) {
+            missed.add(words);
         }
     }
 
-    private String run(Path directory) throws IOException {
-        // All of one day, so that what is looked at lies in one table with everything else.
-        Instant begin = Instant.now().minus(Duration.ofDays(1)).truncatedTo(ChronoUnit.DAYS);
-        store.tidy(new Retention(0, 0, Duration.ofSeconds(10)), begin);
-        String written = write(begin, directory);
-        long from = System.nanoTime();
-        long before = brought;
-        while (brought < total) {
-            store.append(batch(begin, 20_000), List.of());
-        }
-        double filled = brought == before ? 0 : (brought - before) / ((System.nanoTime() - from) / NANOS);
-        double[] looks = looks(begin);
-        return String.format(
-                Locale.ROOT,
-                "{\"server\":\"%s\",%s,\"fillPointsPerSecond\":%.0f,\"points\":%d,\"drones\":%d,"
-                        + "\"pointsInTheHour\":%d,\"hourMillisMedian\":%.1f,\"hourMillisWorst\":%.1f}",
-                store.server(),
-                written,
-                filled,
-                brought,
-                DRONES,
-                Math.min(brought / DRONES, 3_600L * rate / DRONES),
-                looks[LOOKS / 2],
-                looks[LOOKS - 1]);
-    }
-
-    private String write(Instant begin, Path directory) throws IOException {
-        TelemetryWriter writer = new TelemetryWriter(store, TelemetryWriter.Rhythm.DEFAULT);
-        writer.start();
-        double ownBefore = ownSeconds();
-        double databaseBefore = databaseSeconds(directory);
-        long start = System.nanoTime();
+    private String write(Database database) throws IOException, SQLException {
+        database.telemetry().tidy(FOR_EVER, begin);
         long all = (long) rate * seconds;
-        while (brought < all) {
-            long due = Math.min(all, (long) ((System.nanoTime() - start) / NANOS * rate));
-            while (brought < due) {
-                writer.point(next(begin));
-            }
-            LockSupport.parkNanos(5_000_000);
+        Processors before = Processors.now(directory);
+        double took;
+        Processors used;
+        OpenLoop written = new OpenLoop(database, rate);
+        try (OpenLoop loop = written) {
+            took = loop.bring(all, number -> begin.plusNanos((long) (number * 1e9 / rate)));
+            used = Processors.now(directory).since(before);
         }
-        double took = (System.nanoTime() - start) / NANOS;
-        double own = (ownSeconds() - ownBefore) / took;
-        double database = (databaseSeconds(directory) - databaseBefore) / took;
-        writer.close();
-        HistoryHealth health = writer.health();
+        HistoryHealth health = written.health();
+        long kept = count(database);
+        goal("no point is missing", kept == all && health.dropped() == 0);
+        goal("the server takes no more than one core", used.own() / took <= MOST_CORES);
         return String.format(
                 Locale.ROOT,
-                "\"pointsPerSecond\":%.0f,\"seconds\":%.1f,\"written\":%d,\"dropped\":%d,\"ownCores\":%.2f,\"databaseCores\":%.2f",
-                brought / took,
+                "\"writing\": {\"drones\": %d, \"pointsPerSecond\": %.0f, \"seconds\": %.1f, \"brought\": %d, \"inTheDatabase\": %d,"
+                        + " \"dropped\": %d, \"serverCores\": %.2f, \"databaseCores\": %.2f, \"otherCores\": %.2f}",
+                BenchFleet.DRONES,
+                all / took,
                 took,
-                health.written(),
+                all,
+                kept,
                 health.dropped(),
-                own,
-                database);
+                used.own() / took,
+                used.database() / took,
+                (used.machine() - used.own() - used.database()) / took);
     }
 
-    private List<TelemetryPoint> batch(Instant begin, int size) {
-        List<TelemetryPoint> points = new ArrayList<>(size);
-        for (int i = 0; i < size; i++) {
-            points.add(next(begin));
+    private static long count(Database database) throws SQLException {
+        try (Connection connection = database.dataSource().getConnection();
+                Statement statement = connection.createStatement();
+                ResultSet result = statement.executeQuery("SELECT count(*) FROM telemetry")) {
+            result.next();
+            return result.getLong(1);
         }
-        points.sort((one, other) -> one.drone().value().compareTo(other.drone().value()));
-        return points;
     }
 
-    /** Drone after drone, each as often as the rate gives. */
-    private TelemetryPoint next(Instant begin) {
-        int drone = (int) (brought % DRONES);
-        long round = brought / DRONES;
-        double second = (double) round * DRONES / rate;
-        brought++;
-        double wave = Math.sin(second / 60 + drone);
-        return new TelemetryPoint(
-                new DroneId("d" + (100_000 + drone)),
-                begin.plusNanos((long) (second * NANOS)),
-                new Position(new Geodetic(47 + wave * 0.01, 8 + drone * 1e-4), 500 + 50 * wave, 50 + 50 * wave),
-                new Motion(5 + wave, null, wave, (second * 3) % 360),
-                new Attitude(wave * 10, -wave * 10, (second * 3) % 360 - 180),
-                new Battery(100 - (int) (second / 60) % 100, 12.6 - wave, 14.5),
-                new Gps(GpsFix.THREE_D, 14, 0.8),
-                LinkState.LIVE,
-                new LinkQuality(0.01, 0.01, 35.5),
-                "AUTO",
-                true,
-                FlightPhase.IN_AIR,
-                (int) (second / 30) % 20);
+    private String look(Database database) throws SQLException, IOException {
+        Instant first = begin.plusSeconds(seconds);
+        long from = System.nanoTime();
+        long filled = fill(database.telemetry(), total - count(database), first);
+        double filling = (System.nanoTime() - from) / 1e9;
+        double[] asWritten = looks(database.telemetry(), first);
+        Processors before = Processors.now(directory);
+        from = System.nanoTime();
+        // What the server does when a day is over.
+        database.telemetry().tidy(FOR_EVER, begin.plus(Duration.ofDays(2)));
+        double sorting = (System.nanoTime() - from) / 1e9;
+        double sortingCpu = Processors.now(directory).since(before).database();
+        before = Processors.now(directory);
+        double[] sorted = looks(database.telemetry(), first);
+        Processors looking = Processors.now(directory).since(before);
+        goal("an hour of one drone in 100 ms", sorted[LOOKS / 2] < MOST_MILLIS);
+        int[] states = {0};
+        database.telemetry().points(looked(0), hour(first), point -> states[0]++);
+        return String.format(
+                Locale.ROOT,
+                "\"filling\": {\"points\": %d, \"pointsPerSecond\": %.0f},\n  \"looking\": {\"points\": %d, \"pointsInTheHour\": %d,"
+                        + " \"slots\": %d, \"fields\": 4, \"looks\": %d, \"medianMillis\": %.1f, \"worstMillis\": %.1f, \"cpuMillis\": %.1f,"
+                        + " \"asWrittenMedianMillis\": %.1f, \"asWrittenWorstMillis\": %.1f,"
+                        + " \"sortingSeconds\": %.1f, \"sortingDatabaseCpuSeconds\": %.1f}",
+                filled,
+                filled / filling,
+                count(database),
+                states[0],
+                SLOTS,
+                LOOKS,
+                sorted[LOOKS / 2],
+                sorted[LOOKS - 1],
+                (looking.own() + looking.database()) * 1_000 / LOOKS,
+                asWritten[LOOKS / 2],
+                asWritten[LOOKS - 1],
+                sorting,
+                sortingCpu);
     }
 
-    private double[] looks(Instant begin) {
+    /** Some drones fly on, at the rate at which a server keeps states when it is not told otherwise. */
+    private static long fill(TelemetryStore store, long points, Instant from) {
+        long filled = 0;
+        while (filled < points) {
+            List<TelemetryPoint> batch = new ArrayList<>(FILL);
+            for (int i = 0; i < FILL; i++, filled++) {
+                Instant at = from.plus(APART.multipliedBy(filled / LONG_FLIGHTS));
+                DroneId drone = looked(filled);
+                batch.add(TelemetryPoint.of(BenchFleet.state(filled, drone, at)));
+            }
+            store.append(batch, List.of());
+        }
+        return filled;
+    }
+
+    private static DroneId looked(long number) {
+        return BenchFleet.drone(number % LONG_FLIGHTS * (BenchFleet.DRONES / LONG_FLIGHTS));
+    }
+
+    private static Span hour(Instant from) {
+        return new Span(from, from.plus(HOUR));
+    }
+
+    /** Each at another drone, so that what one look has read is of no use to the next. */
+    private static double[] looks(TelemetryStore store, Instant first) {
         double[] millis = new double[LOOKS];
         for (int i = 0; i < LOOKS; i++) {
             SeriesQuery query = new SeriesQuery(
-                    new DroneId("d" + (100_000 + i * 131)),
-                    new Span(begin, begin.plus(Duration.ofHours(1))),
+                    looked(i * 7L),
+                    hour(first),
                     List.of(
                             TelemetryField.ALTITUDE_ABOVE_HOME,
                             TelemetryField.GROUND_SPEED,
                             TelemetryField.BATTERY_PERCENT,
                             TelemetryField.LOSS_SHORT),
-                    1_500);
+                    SLOTS);
             long from = System.nanoTime();
             store.series(query);
             millis[i] = (System.nanoTime() - from) / 1e6;
@@ -175,40 +207,15 @@ public final class TelemetryBenchmark {
         return millis;
     }
 
-    private static double ownSeconds() {
-        return ProcessHandle.current()
-                        .info()
-                        .totalCpuDuration()
-                        .orElse(Duration.ZERO)
-                        .toNanos()
-                / NANOS;
-    }
-
-    /** Of all processes that work in that directory, those that have ended since included. */
-    private static double databaseSeconds(Path directory) throws IOException {
-        double ticks = 0;
-        try (Stream<Path> processes = Files.list(Path.of("/proc"))) {
-            for (Path process : processes.filter(TelemetryBenchmark::isProcess).toList()) {
-                ticks += ticks(process, directory);
-            }
-        }
-        return ticks / 100;
-    }
-
-    private static boolean isProcess(Path path) {
-        return path.getFileName().toString().matches("\\d+");
-    }
-
-    private static double ticks(Path process, Path directory) {
-        try {
-            if (!process.resolve("cwd").toRealPath().startsWith(directory.toRealPath())) {
-                return 0;
-            }
-            String stat = Files.readString(process.resolve("stat"));
-            String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
-            return Double.parseDouble(fields[11]) + Double.parseDouble(fields[12]);
-        } catch (IOException gone) {
-            return 0;
-        }
+    private String killed(List<Kills.Loss> losses) {
+        String seconds = losses.stream()
+                .map(loss -> String.format(Locale.ROOT, "%.2f", loss.lostSeconds()))
+                .collect(Collectors.joining(", "));
+        long missing = losses.stream().mapToLong(Kills.Loss::missing).sum();
+        goal(
+                "a kill costs a second at most",
+                losses.stream().allMatch(loss -> loss.lostSeconds() <= MOST_LOST_SECONDS));
+        goal("nothing before that second is missing", missing == 0);
+        return "\"kills\": {\"lostSeconds\": [" + seconds + "], \"missingBefore\": " + missing + "}";
     }
 }
