@@ -38,8 +38,8 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
      * @param pause between two tries while the store does not take anything
      */
     public record Rhythm(Duration every, int batch, int room, Duration pause) {
-        /** Within a second to the disk; room for some seconds of thousands of drones. */
-        public static final Rhythm DEFAULT = new Rhythm(Duration.ofMillis(500), 20_000, 60_000, Duration.ofSeconds(2));
+        /** Well within a second to the disk; room for some seconds of thousands of drones. */
+        public static final Rhythm DEFAULT = new Rhythm(Duration.ofMillis(250), 20_000, 60_000, Duration.ofSeconds(2));
     }
 
     /** What is written at once. */

@@ -27,15 +27,24 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     private static final int ROWS_AT_ONCE = 2_000;
 
     private final DataSource dataSource;
+    private final DayGate gate = new DayGate();
     private final TelemetryDays days;
 
     PostgresTelemetryStore(DataSource dataSource) {
         this.dataSource = dataSource;
-        this.days = new TelemetryDays(dataSource);
+        this.days = new TelemetryDays(dataSource, gate);
     }
 
     @Override
     public void append(List<TelemetryPoint> points, List<HistoryEvent> events) {
+        try {
+            gate.pass(points, () -> write(points, events));
+        } catch (SQLException e) {
+            throw SqlSentence.exception(e);
+        }
+    }
+
+    private void write(List<TelemetryPoint> points, List<HistoryEvent> events) throws SQLException {
         try (Connection connection = dataSource.getConnection()) {
             connection.setAutoCommit(false);
             try {
@@ -52,8 +61,6 @@ public final class PostgresTelemetryStore implements TelemetryStore {
                 connection.rollback();
                 throw e;
             }
-        } catch (SQLException e) {
-            throw SqlSentence.exception(e);
         }
     }
 

@@ -5,11 +5,13 @@ import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -24,27 +26,55 @@ import org.postgresql.copy.CopyIn;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The tables of single days of UTC: made ahead, thinned when they are old, dropped when they are older. */
+/**
+ * The tables of single days of UTC: made ahead, sorted when they are over, thinned when they are old, dropped when they are
+ * older. Rows come in the order of time, a few of each drone at once; sorted, an hour of one drone lies together, and is
+ * read ten times as fast where many flew.
+ */
 final class TelemetryDays {
     private static final Logger LOG = LoggerFactory.getLogger(TelemetryDays.class);
     private static final int DAYS_AHEAD = 2;
     private static final int ROWS_AT_ONCE = 5_000;
     private static final int LONGEST_MILLIS = 3_600_000;
-    private static final String THINNED = "_thin";
-    private static final Pattern NAME = Pattern.compile("telemetry_(\\d{8})(" + THINNED + ")?");
+    /** A day has most of its late rows when it has been over for so long. */
+    private static final Duration LATE = Duration.ofHours(1);
+
+    private static final Pattern NAME = Pattern.compile("telemetry_(\\d{8})(_sorted|_thin)?");
     private static final DateTimeFormatter NAMED = DateTimeFormatter.BASIC_ISO_DATE;
 
     private final DataSource dataSource;
+    private final DayGate gate;
 
-    /** A day that has a table. */
-    private record Day(LocalDate date, boolean thinned) {
-        String table() {
-            return TelemetryDays.table(date) + (thinned ? THINNED : "");
+    /** How the rows of a day lie, with what the name of its table ends in. */
+    private enum Form {
+        AS_WRITTEN(""),
+        SORTED("_sorted"),
+        THINNED("_thin");
+
+        private final String ending;
+
+        Form(String ending) {
+            this.ending = ending;
+        }
+
+        static Form ending(@Nullable String ending) {
+            return Arrays.stream(values())
+                    .filter(form -> form.ending.equals(ending))
+                    .findFirst()
+                    .orElse(AS_WRITTEN);
         }
     }
 
-    TelemetryDays(DataSource dataSource) {
+    /** A day that has a table. */
+    private record Day(LocalDate date, Form form) {
+        String table() {
+            return TelemetryDays.table(date) + form.ending;
+        }
+    }
+
+    TelemetryDays(DataSource dataSource, DayGate gate) {
         this.dataSource = dataSource;
+        this.gate = gate;
     }
 
     void tidy(Retention retention, Instant now) {
@@ -55,6 +85,7 @@ final class TelemetryDays {
                 make(day);
             }
             thin(retention, retention.firstFull(now));
+            sort(LocalDate.ofInstant(now.minus(LATE), ZoneOffset.UTC));
         } catch (SQLException e) {
             throw SqlSentence.exception(e);
         }
@@ -87,7 +118,7 @@ final class TelemetryDays {
             while (result.next()) {
                 Matcher name = NAME.matcher(result.getString(1));
                 if (name.matches()) {
-                    days.add(new Day(LocalDate.parse(name.group(1), NAMED), name.group(2) != null));
+                    days.add(new Day(LocalDate.parse(name.group(1), NAMED), Form.ending(name.group(2))));
                 }
             }
         }
@@ -126,7 +157,7 @@ final class TelemetryDays {
 
     private void thin(Retention retention, @Nullable LocalDate firstFull) throws SQLException {
         for (Day day : days()) {
-            if (firstFull != null && !day.thinned() && day.date().isBefore(firstFull)) {
+            if (firstFull != null && day.form() != Form.THINNED && day.date().isBefore(firstFull)) {
                 patiently(connection -> thin(connection, day, retention));
                 LOG.info("The telemetry of {} was thinned", day.date());
             }
@@ -134,7 +165,7 @@ final class TelemetryDays {
     }
 
     private void thin(Connection connection, Day day, Retention retention) throws SQLException {
-        Day thinned = new Day(day.date(), true);
+        Day thinned = new Day(day.date(), Form.THINNED);
         create(connection, thinned.table());
         List<TelemetryPoint> kept = new ArrayList<>();
         Thinning thinning = new Thinning(retention.thinned(), kept::add);
@@ -159,9 +190,52 @@ final class TelemetryDays {
                 reading.rollback();
             }
         }
+        replace(connection, day, thinned);
+    }
+
+    private static void replace(Connection connection, Day day, Day by) throws SQLException {
         execute(connection, "ALTER TABLE telemetry DETACH PARTITION " + day.table());
         execute(connection, "DROP TABLE " + day.table());
-        attach(connection, thinned.table(), day.date());
+        attach(connection, by.table(), day.date());
+    }
+
+    private void sort(LocalDate firstUnfinished) throws SQLException {
+        for (Day day : days()) {
+            if (day.form() == Form.AS_WRITTEN && day.date().isBefore(firstUnfinished)) {
+                sort(day, new Day(day.date(), Form.SORTED));
+            }
+        }
+    }
+
+    /** Rows that come late for that day meanwhile put it off; the batches of today wait for the short end of it alone. */
+    private void sort(Day day, Day sorted) throws SQLException {
+        gate.watch(day.date());
+        // On its own: what was written is brought to the disk at the end, which may take long.
+        patiently(connection -> fill(connection, day, sorted));
+        if (gate.whileUntouched(() -> patiently(connection -> replace(connection, day, sorted)))) {
+            patiently(connection -> execute(connection, "ALTER TABLE " + sorted.table() + " DROP CONSTRAINT of_day"));
+            LOG.info("The telemetry of {} was sorted by drone", day.date());
+        } else {
+            patiently(connection -> execute(connection, "DROP TABLE " + sorted.table()));
+            LOG.info("The telemetry of {} is sorted later, for more of it has come meanwhile", day.date());
+        }
+    }
+
+    private static void fill(Connection connection, Day day, Day sorted) throws SQLException {
+        // A server that ended in the middle leaves one behind.
+        execute(connection, "DROP TABLE IF EXISTS " + sorted.table());
+        create(connection, sorted.table());
+        // Known to hold, it need not be looked for in all rows when the table takes its place.
+        execute(
+                connection,
+                "ALTER TABLE " + sorted.table() + " ADD CONSTRAINT of_day CHECK (at >= " + begin(day.date())
+                        + " AND at < " + begin(day.date().plusDays(1)) + ")");
+        execute(connection, "SET LOCAL work_mem = '32MB'");
+        // One row after the other through the index would read each page of the day many times.
+        execute(connection, "SET LOCAL enable_indexscan = off");
+        execute(
+                connection,
+                "INSERT INTO " + sorted.table() + " SELECT * FROM " + day.table() + " ORDER BY drone_id, at");
     }
 
     /** A copy that ends with its block, finished or not. */
