@@ -5,6 +5,7 @@ Input: a file of tab-separated lines `suite, kind, what, log`, where kind is
   skipped           `what` is the reason
   junit             `what` is a pattern of JUnit reports
   status            the program of the suite failed; counts only when no report of the suite shows a failure
+Lines of a test's output that begin with "tried on: " say what it ran on and are repeated below the table.
 Exit code 1 when anything failed.
 """
 
@@ -15,15 +16,18 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
+TRIED_ON = "tried on: "
+
 
 @dataclass
 class Suite:
-    """Counts of one suite, the names of what failed and the reasons of what was skipped."""
+    """Counts of one suite, the names of what failed, the reasons of what was skipped, and what it ran on."""
 
     passed: int = 0
     failed: int = 0
     failures: list[str] = field(default_factory=list)
     skips: Counter[str] = field(default_factory=Counter)
+    tried_on: list[str] = field(default_factory=list)
 
     @property
     def skipped(self) -> int:
@@ -70,6 +74,9 @@ def add_reports(suite: Suite, pattern: str) -> None:
             continue
         for case in root.iter("testcase"):
             add_case(suite, case)
+        for output in root.iter("system-out"):
+            lines = (output.text or "").splitlines()
+            suite.tried_on += [line.removeprefix(TRIED_ON) for line in lines if line.startswith(TRIED_ON)]
 
 
 def read_results(path: Path) -> dict[str, Suite]:
@@ -113,6 +120,8 @@ def main(arguments: list[str]) -> int:
     passed = sum(suite.passed for suite in suites.values())
     failed = sum(suite.failed for suite in suites.values())
     skipped = sum(suite.skipped for suite in suites.values())
+    for line in (line for suite in suites.values() for line in suite.tried_on):
+        print(f"{TRIED_ON}{line}")
     if skipped:
         print("What was skipped is not proved by this run.")
     print(f"{passed} passed, {failed} failed, {skipped} skipped", flush=True)

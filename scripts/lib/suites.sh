@@ -10,6 +10,7 @@ command_test() {
     suite_shell
     suite_typescript
     suite_java test -DexcludedGroups=soak
+    record archive skipped "days of telemetry as Parquet on HDFS, and a crash in the middle: ./dronemap soak tests them"
     suite_vulnerabilities
     suite_python_checks
     suite_pytest "not soak"
@@ -20,7 +21,7 @@ command_soak() {
     (($# == 0)) || fail "$EXIT_USAGE" "soak takes no options. See ./dronemap help"
     prepare_suites
     build_web_client
-    suite_java soak -Dgroups=soak -DexcludedGroups= -Dsurefire.failIfNoSpecifiedTests=false
+    suite_java soak -Parchive -Dgroups=soak -DexcludedGroups= -Dsurefire.failIfNoSpecifiedTests=false
     suite_pytest soak
     report
 }

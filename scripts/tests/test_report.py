@@ -30,6 +30,13 @@ def test_counts_every_case_of_a_report(tmp_path: Path, capsys: pytest.CaptureFix
     assert "FAILED A lands" in printed
 
 
+def test_says_what_adapters_were_tried_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    output = "<system-out>12:00 noise\ntried on: PostgresTest, PostgreSQL 18.3\n</system-out>"
+    (tmp_path / "TEST-a.xml").write_text(f'<testsuite><testcase name="a">{output}</testcase></testsuite>')
+    report.main(results(tmp_path, ("java", "junit", f"{tmp_path}/TEST-*.xml", "log")))
+    assert "tried on: PostgresTest, PostgreSQL 18.3" in capsys.readouterr().out.splitlines()
+
+
 def test_passes_when_all_passed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert report.main(results(tmp_path, ("shell", "passed", "shellcheck", ""))) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "1 passed, 0 failed, 0 skipped"

@@ -31,7 +31,6 @@ import org.dronemap.core.history.TelemetryStore;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestReporter;
 
 /** What every {@link TelemetryStore} keeps to. */
 public abstract class TelemetryStoreContract {
@@ -60,8 +59,9 @@ public abstract class TelemetryStoreContract {
     }
 
     @Test
-    void saysWhatItIs(TestReporter report) {
-        report.publishEntry("server", store.server());
+    void saysWhatItIs() {
+        // Stands in the table that ends a test run.
+        System.out.println("tried on: " + getClass().getSimpleName() + ", " + store.server());
 
         assertThat(store.server()).isNotBlank();
     }
