@@ -84,7 +84,7 @@ export interface FlightEvent {
   reason: string | null;
 }
 
-export type TrackForm = 'csv' | 'geojson' | 'kml' | 'gpx' | 'tlog';
+export type TrackForm = 'csv' | 'geojson' | 'kml' | 'gpx' | 'parquet' | 'tlog';
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 

@@ -41,7 +41,7 @@ export function facts(flight: Flight): [string, string][] {
 
 /** What the flight can be taken along as; what was on the wire only where it was recorded. */
 export function trackForms(flight: Flight): TrackForm[] {
-  return ['csv', 'geojson', 'kml', 'gpx', ...(flight.recordings.length > 0 ? (['tlog'] as const) : [])];
+  return ['csv', 'geojson', 'kml', 'gpx', 'parquet', ...(flight.recordings.length > 0 ? (['tlog'] as const) : [])];
 }
 
 export function eventLine(event: FlightEvent): string {

@@ -14,7 +14,7 @@ import java.time.ZoneOffset;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
+import org.dronemap.core.history.TelemetryColumn;
 import org.jspecify.annotations.Nullable;
 
 /** Rows of the server's PostgreSQL as they were when this was opened, whatever is written or thinned meanwhile. One thread. */
@@ -25,7 +25,7 @@ public final class DatabaseRows implements Rows, AutoCloseable {
 
     /** A batch that seemed to fail may be there twice. */
     private static final String SELECT = "SELECT DISTINCT ON (drone_id, at) "
-            + Column.ALL.stream().map(Column::name).collect(Collectors.joining(", "))
+            + String.join(", ", TelemetryColumn.labels())
             + " FROM dronemap.telemetry WHERE at >= ? AND at < ? ORDER BY drone_id, at";
 
     private final Connection connection;
@@ -75,14 +75,14 @@ public final class DatabaseRows implements Rows, AutoCloseable {
     }
 
     private static List<@Nullable Object> values(ResultSet result) throws SQLException {
-        List<@Nullable Object> values = new ArrayList<>(Column.ALL.size());
-        for (int i = 0; i < Column.ALL.size(); i++) {
-            values.add(value(result, i + 1, Column.ALL.get(i).kind()));
+        List<@Nullable Object> values = new ArrayList<>(TelemetryColumn.ALL.size());
+        for (TelemetryColumn column : TelemetryColumn.ALL) {
+            values.add(value(result, values.size() + 1, column.kind()));
         }
         return values;
     }
 
-    private static @Nullable Object value(ResultSet result, int place, Column.Kind kind) throws SQLException {
+    private static @Nullable Object value(ResultSet result, int place, TelemetryColumn.Kind kind) throws SQLException {
         return switch (kind) {
             case TEXT -> result.getString(place);
             case TIME ->

@@ -3,8 +3,6 @@ package org.dronemap.archive;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.time.LocalDate;
-import java.util.ArrayList;
-import java.util.List;
 import org.apache.hadoop.conf.Configuration;
 import org.apache.hadoop.fs.FileSystem;
 import org.apache.hadoop.fs.Path;
@@ -17,7 +15,6 @@ import org.apache.parquet.hadoop.example.GroupReadSupport;
 import org.apache.parquet.hadoop.metadata.CompressionCodecName;
 import org.apache.parquet.hadoop.util.HadoopOutputFile;
 import org.apache.parquet.schema.MessageType;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A folder for each day with one file, {@code day=2026-03-04/telemetry.parquet}. The file has another name, which no reader
@@ -31,7 +28,7 @@ public final class DayArchive {
     private final Path root;
     private final Configuration configuration;
     private final Rows rows;
-    private final MessageType schema = Column.schema();
+    private final MessageType schema = Columns.schema();
 
     /** What became of a day. */
     public enum Outcome {
@@ -90,7 +87,7 @@ public final class DayArchive {
                 .build()) {
             rows.of(day, values -> {
                 Group row = new SimpleGroup(schema);
-                Column.write(values, row);
+                Columns.write(values, row);
                 writer.write(row);
                 count[0]++;
             });
@@ -106,9 +103,9 @@ public final class DayArchive {
             rows.of(day, values -> {
                 seen[0]++;
                 Group row = reader.read();
-                if (row == null || !values.equals(valuesOf(row))) {
+                if (row == null || !values.equals(Columns.read(row))) {
                     throw new IOException("Row " + seen[0] + " of " + day + " was not read back as it is: "
-                            + (row == null ? "it is missing" : valuesOf(row)) + " instead of " + values + ".");
+                            + (row == null ? "it is missing" : Columns.read(row)) + " instead of " + values + ".");
                 }
             });
             if (reader.read() != null || seen[0] != count) {
@@ -126,16 +123,8 @@ public final class DayArchive {
                 .withConf(configuration)
                 .build()) {
             for (Group row = reader.read(); row != null; row = reader.read()) {
-                taker.row(valuesOf(row));
+                taker.row(Columns.read(row));
             }
         }
-    }
-
-    private static List<@Nullable Object> valuesOf(Group row) {
-        List<@Nullable Object> values = new ArrayList<>(Column.ALL.size());
-        for (int i = 0; i < Column.ALL.size(); i++) {
-            values.add(Column.read(i, row));
-        }
-        return values;
     }
 }

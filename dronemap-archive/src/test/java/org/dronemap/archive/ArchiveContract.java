@@ -14,9 +14,11 @@ import org.apache.hadoop.fs.FileStatus;
 import org.apache.hadoop.fs.FileSystem;
 import org.apache.hadoop.fs.Path;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** What holds of an archive on any file system. */
+@Tag("soak")
 abstract class ArchiveContract {
     private final SimulatedDay day = new SimulatedDay();
 

@@ -19,10 +19,12 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.store.postgres.Database;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What the server itself wrote down is archived. */
+@Tag("soak")
 class DatabaseRowsTest {
     private static final LocalDate DAY = LocalDate.of(2026, 3, 4);
 

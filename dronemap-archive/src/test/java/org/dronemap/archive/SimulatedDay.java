@@ -6,6 +6,7 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.dronemap.core.history.TelemetryColumn;
 import org.jspecify.annotations.Nullable;
 
 /** Rows of some drones over one day, many facts among them not known; the same each time, unless told otherwise. */
@@ -31,15 +32,15 @@ final class SimulatedDay implements Rows {
 
     private static List<@Nullable Object> row(String drone, long at, Random random) {
         List<@Nullable Object> row = new ArrayList<>();
-        for (Column column : Column.ALL) {
+        for (TelemetryColumn column : TelemetryColumn.ALL) {
             row.add(column.required() || random.nextInt(4) > 0 ? value(column, drone, at, random) : null);
         }
         return row;
     }
 
-    private static Object value(Column column, String drone, long at, Random random) {
+    private static Object value(TelemetryColumn column, String drone, long at, Random random) {
         return switch (column.kind()) {
-            case TEXT -> column.name().equals("drone_id") ? drone : "ü" + random.nextInt(3);
+            case TEXT -> column == TelemetryColumn.DRONE_ID ? drone : "ü" + random.nextInt(3);
             case TIME -> at;
             case FLOAT8 -> 180 * random.nextDouble();
             case FLOAT4 -> random.nextFloat();

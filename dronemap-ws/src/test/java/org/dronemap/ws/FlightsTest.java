@@ -224,7 +224,7 @@ class FlightsTest {
     }
 
     @Test
-    void givesTheTrackAsKmlAndGpx() throws Exception {
+    void givesTheTrackAsKmlGpxAndColumns() throws Exception {
         Document kml = xml(file("kml"));
         assertThat(kml.getElementsByTagName("gx:coord")
                         .item(points().size() - 1)
@@ -236,6 +236,7 @@ class FlightsTest {
         assertThat(gpx.getElementsByTagName("trkpt").getLength()).isEqualTo(points().size());
         assertThat(gpx.getElementsByTagName("ele").item(points().size() - 1).getTextContent())
                 .isEqualTo("508.0");
+        assertThat(file("parquet")).startsWith("PAR1").endsWith("PAR1");
     }
 
     @Test

@@ -15,6 +15,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.history.TelemetryColumn;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
 import org.jspecify.annotations.Nullable;
@@ -23,34 +24,7 @@ import org.postgresql.copy.CopyIn;
 
 /** Points as rows: one column for each number that can be drawn, named as the field is. */
 final class TelemetryRows {
-    private static final List<String> COLUMNS = List.of(
-            "drone_id",
-            "at",
-            "latitude",
-            "longitude",
-            "altitude_amsl",
-            "altitude_above_home",
-            "ground_speed",
-            "air_speed",
-            "climb_rate",
-            "heading",
-            "roll",
-            "pitch",
-            "yaw",
-            "battery_percent",
-            "battery_volts",
-            "battery_amps",
-            "gps_fix",
-            "satellites",
-            "hdop",
-            "link",
-            "loss_short",
-            "loss_long",
-            "round_trip",
-            "mode",
-            "armed",
-            "phase",
-            "mission_item");
+    private static final List<String> COLUMNS = TelemetryColumn.labels();
     static final String ALL = String.join(", ", COLUMNS);
 
     private TelemetryRows() {}

@@ -18,6 +18,7 @@ import org.dronemap.ws.service.FlightService;
 import org.dronemap.ws.service.FlightView;
 import org.dronemap.ws.service.PointView;
 import org.dronemap.ws.service.SeriesView;
+import org.dronemap.ws.service.TelemetryFiles;
 import org.dronemap.ws.service.TelemetrySearch;
 import org.dronemap.ws.service.TelemetryService;
 import org.jspecify.annotations.Nullable;
@@ -42,11 +43,14 @@ import org.springframework.web.bind.annotation.RestController;
 public class FlightController {
     private final FlightService flights;
     private final TelemetryService telemetry;
+    private final TelemetryFiles files;
     private final CurrentPrincipal current;
 
-    public FlightController(FlightService flights, TelemetryService telemetry, CurrentPrincipal current) {
+    public FlightController(
+            FlightService flights, TelemetryService telemetry, TelemetryFiles files, CurrentPrincipal current) {
         this.flights = flights;
         this.telemetry = telemetry;
+        this.files = files;
         this.current = current;
     }
 
@@ -112,14 +116,15 @@ public class FlightController {
     @GetMapping("/{id}/telemetry/file")
     @Operation(
             summary = "Take a flight along as a file",
-            description = "form: csv, geojson, kml, gpx or tlog (where it was recorded).")
+            description =
+                    "form: csv, geojson, kml, gpx, parquet (the columns of the archive) or tlog (where it was recorded).")
     public void file(
             @PathVariable String id,
             @ParameterObject @ModelAttribute TelemetrySearch search,
             @RequestParam(defaultValue = "csv") String form,
             @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        SentFile.send(telemetry.export(telemetry.flight(current.principal(), id), search, form), response);
+        SentFile.send(files.export(telemetry.flight(current.principal(), id), search, form), response);
     }
 
     @GetMapping("/{id}/events")

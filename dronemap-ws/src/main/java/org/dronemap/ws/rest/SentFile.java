@@ -3,14 +3,14 @@ package org.dronemap.ws.rest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.file.Files;
-import org.dronemap.ws.service.TelemetryService;
+import org.dronemap.ws.service.TelemetryFiles;
 import org.springframework.http.HttpHeaders;
 
 /** Hands out a file that was made for this one answer. */
 final class SentFile {
     private SentFile() {}
 
-    static void send(TelemetryService.Export export, HttpServletResponse response) throws IOException {
+    static void send(TelemetryFiles.Export export, HttpServletResponse response) throws IOException {
         try {
             response.setContentType(export.mediaType());
             response.setHeader(HttpHeaders.CONTENT_DISPOSITION, "attachment; filename=\"" + export.name() + "\"");

@@ -9,6 +9,7 @@ import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.service.EventView;
 import org.dronemap.ws.service.PointView;
 import org.dronemap.ws.service.SeriesView;
+import org.dronemap.ws.service.TelemetryFiles;
 import org.dronemap.ws.service.TelemetrySearch;
 import org.dronemap.ws.service.TelemetryService;
 import org.springdoc.core.annotations.ParameterObject;
@@ -29,10 +30,12 @@ import org.springframework.web.bind.annotation.RestController;
                         + " until say otherwise.")
 public class TelemetryController {
     private final TelemetryService telemetry;
+    private final TelemetryFiles files;
     private final CurrentPrincipal current;
 
-    public TelemetryController(TelemetryService telemetry, CurrentPrincipal current) {
+    public TelemetryController(TelemetryService telemetry, TelemetryFiles files, CurrentPrincipal current) {
         this.telemetry = telemetry;
+        this.files = files;
         this.current = current;
     }
 
@@ -59,14 +62,15 @@ public class TelemetryController {
     @GetMapping("/telemetry/file")
     @Operation(
             summary = "Take telemetry along as a file",
-            description = "form: csv, geojson, kml, gpx or tlog (where it was recorded).")
+            description =
+                    "form: csv, geojson, kml, gpx, parquet (the columns of the archive) or tlog (where it was recorded).")
     public void file(
             @PathVariable String id,
             @ParameterObject @ModelAttribute TelemetrySearch search,
             @RequestParam(defaultValue = "csv") String form,
             @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        SentFile.send(telemetry.export(telemetry.drone(current.principal(), id), search, form), response);
+        SentFile.send(files.export(telemetry.drone(current.principal(), id), search, form), response);
     }
 
     @GetMapping("/events")

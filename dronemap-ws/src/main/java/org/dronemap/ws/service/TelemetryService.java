@@ -1,9 +1,5 @@
 package org.dronemap.ws.service;
 
-import java.io.BufferedWriter;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -16,7 +12,6 @@ import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.SeriesQuery;
 import org.dronemap.core.history.Span;
-import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryStore;
 
 /** Use cases around what was measured and what happened, of a drone over some time or of one flight. Any thread. */
@@ -26,33 +21,19 @@ public final class TelemetryService {
     private static final Duration MARGIN = Duration.ofSeconds(10);
 
     private static final int MOST_EVENTS = 5_000;
-    private static final int MOST_IN_A_FILE = 100_000;
 
     private final TelemetryStore store;
     private final DroneService drones;
     private final FlightService flights;
-    private final TlogCut tlog;
-    private final Path temporaryDirectory;
     private final InstantSource clock;
 
     /** Whose telemetry is asked for, and when it usually is looked at. */
     public record Subject(DroneId drone, String name, Span usual) {}
 
-    /** A file that belongs to the caller from now on. */
-    public record Export(Path file, String name, String mediaType) {}
-
-    public TelemetryService(
-            TelemetryStore store,
-            DroneService drones,
-            FlightService flights,
-            TlogCut tlog,
-            Path temporaryDirectory,
-            InstantSource clock) {
+    public TelemetryService(TelemetryStore store, DroneService drones, FlightService flights, InstantSource clock) {
         this.store = store;
         this.drones = drones;
         this.flights = flights;
-        this.tlog = tlog;
-        this.temporaryDirectory = temporaryDirectory;
         this.clock = clock;
     }
 
@@ -107,63 +88,6 @@ public final class TelemetryService {
 
     private static Span around(Span span) {
         return new Span(span.from().minus(MARGIN), span.until().plus(MARGIN));
-    }
-
-    /** Whole before its first byte is handed out, so that a slow reader holds nothing up. */
-    public Export export(Subject subject, TelemetrySearch search, String form) throws IOException {
-        Span span = search.span(subject.usual());
-        if (form.equals(TlogCut.FORM)) {
-            Path file = made(TlogCut.FORM, path -> tlog.write(subject.drone(), span, path));
-            return new Export(file, name(subject, span, TlogCut.FORM), "application/octet-stream");
-        }
-        TrackForm kind = TrackForm.named(form);
-        Path file = made(kind.ending(), path -> {
-            try (BufferedWriter out = Files.newBufferedWriter(path)) {
-                kind.write(track(subject, span, kind), out);
-            }
-        });
-        return new Export(file, name(subject, span, kind.ending()), kind.mediaType());
-    }
-
-    private TrackForm.Track track(Subject subject, Span span, TrackForm kind) {
-        return new TrackForm.Track(
-                subject.name(),
-                points(subject.drone(), span),
-                kind.hasEvents() ? store.events(subject.drone(), span, MOST_EVENTS) : List.of());
-    }
-
-    private interface Making {
-        void into(Path file) throws IOException;
-    }
-
-    private Path made(String ending, Making making) throws IOException {
-        Path file = Files.createTempFile(temporaryDirectory, "telemetry", "." + ending);
-        try {
-            making.into(file);
-            return file;
-        } catch (IOException | RuntimeException e) {
-            Files.deleteIfExists(file);
-            throw e;
-        }
-    }
-
-    private static String name(Subject subject, Span span, String ending) {
-        return subject.name().replaceAll("[^A-Za-z0-9-]+", "-") + "_"
-                + WireTimes.shown(span.from()).toString().replaceAll("[^0-9TZ]", "") + "." + ending;
-    }
-
-    private List<TelemetryPoint> points(DroneId drone, Span span) {
-        List<TelemetryPoint> points = new ArrayList<>();
-        store.points(drone, span, point -> {
-            if (points.size() == MOST_IN_A_FILE) {
-                throw new InvalidInput(
-                        "until",
-                        "a time that leaves no more than " + MOST_IN_A_FILE + " points",
-                        "That is more than " + MOST_IN_A_FILE + " points; ask for a shorter time.");
-            }
-            points.add(point);
-        });
-        return points;
     }
 
     private static Instant max(Instant one, Instant other) {

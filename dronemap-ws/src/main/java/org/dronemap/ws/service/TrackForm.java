@@ -5,10 +5,11 @@ import java.io.Writer;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.TelemetryPoint;
 
-/** Forms of files that a track is taken along in. */
+/** Forms of text that a track is taken along in. */
 enum TrackForm {
     /** All numbers, for spreadsheets. */
     CSV("text/csv;charset=UTF-8", false) {
@@ -47,14 +48,15 @@ enum TrackForm {
         this.hasEvents = hasEvents;
     }
 
-    static TrackForm named(String form) {
+    /** {@code others}: forms that are made in another way, for the sentence of a refusal. */
+    static TrackForm named(String form, List<String> others) {
         return Arrays.stream(values())
                 .filter(one -> one.ending().equals(form))
                 .findFirst()
                 .orElseThrow(() -> InvalidInput.outside(
                         "form",
-                        Arrays.stream(values()).map(TrackForm::ending).collect(Collectors.joining(", ")) + ", "
-                                + TlogCut.FORM,
+                        Stream.concat(Arrays.stream(values()).map(TrackForm::ending), others.stream())
+                                .collect(Collectors.joining(", ")),
                         "\"" + form + "\""));
     }
 

@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import org.dronemap.core.audit.AuditDesk;
+import org.dronemap.store.parquet.ParquetTrack;
 import org.dronemap.ws.place.PlaceNames;
 import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.security.Authentication;
@@ -45,6 +46,7 @@ import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
+import org.dronemap.ws.service.TelemetryFiles;
 import org.dronemap.ws.service.TelemetryService;
 import org.dronemap.ws.service.TlogCut;
 import org.dronemap.ws.service.UserService;
@@ -269,15 +271,17 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    TelemetryService telemetryService(
-            House house, DroneService drones, FlightService flights, Settings settings, Clock clock) {
-        return new TelemetryService(
+    TelemetryService telemetryService(House house, DroneService drones, FlightService flights, Clock clock) {
+        return new TelemetryService(house.history().telemetry(), drones, flights, clock);
+    }
+
+    @Bean
+    TelemetryFiles telemetryFiles(House house, Settings settings) {
+        return new TelemetryFiles(
                 house.history().telemetry(),
-                drones,
-                flights,
                 new TlogCut(house.archive()),
-                settings.dataDirectory(),
-                clock);
+                new ParquetTrack(),
+                settings.dataDirectory());
     }
 
     @Bean

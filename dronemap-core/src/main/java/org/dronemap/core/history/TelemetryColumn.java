@@ -1,0 +1,121 @@
+package org.dronemap.core.history;
+
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+
+/** A column of telemetry where it is a table: in the database, in the archive and in files, by the same name in this order. */
+public enum TelemetryColumn {
+    DRONE_ID(Kind.TEXT, true),
+    AT(Kind.TIME, true),
+    LATITUDE(TelemetryField.LATITUDE, Kind.FLOAT8),
+    LONGITUDE(TelemetryField.LONGITUDE, Kind.FLOAT8),
+    ALTITUDE_AMSL(TelemetryField.ALTITUDE_AMSL, Kind.FLOAT4),
+    ALTITUDE_ABOVE_HOME(TelemetryField.ALTITUDE_ABOVE_HOME, Kind.FLOAT4),
+    GROUND_SPEED(TelemetryField.GROUND_SPEED, Kind.FLOAT4),
+    AIR_SPEED(TelemetryField.AIR_SPEED, Kind.FLOAT4),
+    CLIMB_RATE(TelemetryField.CLIMB_RATE, Kind.FLOAT4),
+    HEADING(TelemetryField.HEADING, Kind.FLOAT4),
+    ROLL(TelemetryField.ROLL, Kind.FLOAT4),
+    PITCH(TelemetryField.PITCH, Kind.FLOAT4),
+    YAW(TelemetryField.YAW, Kind.FLOAT4),
+    BATTERY_PERCENT(TelemetryField.BATTERY_PERCENT, Kind.INTEGER),
+    BATTERY_VOLTS(TelemetryField.BATTERY_VOLTS, Kind.FLOAT4),
+    BATTERY_AMPS(TelemetryField.BATTERY_AMPS, Kind.FLOAT4),
+    GPS_FIX(Kind.TEXT, false),
+    SATELLITES(TelemetryField.SATELLITES, Kind.INTEGER),
+    HDOP(TelemetryField.HDOP, Kind.FLOAT4),
+    LINK(Kind.TEXT, true),
+    LOSS_SHORT(TelemetryField.LOSS_SHORT, Kind.FLOAT4),
+    LOSS_LONG(TelemetryField.LOSS_LONG, Kind.FLOAT4),
+    ROUND_TRIP(TelemetryField.ROUND_TRIP, Kind.FLOAT4),
+    MODE(Kind.TEXT, false),
+    ARMED(Kind.TRUTH, false),
+    PHASE(Kind.TEXT, false),
+    MISSION_ITEM(TelemetryField.MISSION_ITEM, Kind.INTEGER);
+
+    /** In this order. */
+    public static final List<TelemetryColumn> ALL = List.of(values());
+
+    private final @Nullable TelemetryField field;
+    private final Kind kind;
+    private final boolean required;
+
+    /** What stands in a column: the type in Java in brackets. */
+    public enum Kind {
+        /** (String) */
+        TEXT,
+        /** Microseconds since 1970, UTC (Long) */
+        TIME,
+        /** (Double) */
+        FLOAT8,
+        /** (Float) */
+        FLOAT4,
+        /** (Integer) */
+        INTEGER,
+        /** (Boolean) */
+        TRUTH
+    }
+
+    TelemetryColumn(Kind kind, boolean required) {
+        this.field = null;
+        this.kind = kind;
+        this.required = required;
+    }
+
+    /** Places are kept as they are, other numbers to seven digits. */
+    TelemetryColumn(TelemetryField field, Kind kind) {
+        this.field = field;
+        this.kind = kind;
+        this.required = false;
+    }
+
+    /** {@code ALTITUDE_AMSL} is {@code altitude_amsl}. */
+    public String label() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** All labels, in this order. */
+    public static List<String> labels() {
+        return ALL.stream().map(TelemetryColumn::label).toList();
+    }
+
+    public Kind kind() {
+        return kind;
+    }
+
+    /** Always known. */
+    public boolean required() {
+        return required;
+    }
+
+    /** As {@link #kind} says; null: not known. */
+    public @Nullable Object of(TelemetryPoint point) {
+        return field == null ? fact(point) : number(field.of(point));
+    }
+
+    private @Nullable Object number(@Nullable Double number) {
+        if (number == null) {
+            return null;
+        }
+        return switch (kind) {
+            case FLOAT4 -> number.floatValue();
+            case INTEGER -> number.intValue();
+            default -> number;
+        };
+    }
+
+    private @Nullable Object fact(TelemetryPoint point) {
+        return switch (this) {
+            case DRONE_ID -> point.drone().value();
+            case AT -> ChronoUnit.MICROS.between(Instant.EPOCH, point.at());
+            case GPS_FIX -> point.gps() == null ? null : point.gps().fix().name();
+            case LINK -> point.link().name();
+            case MODE -> point.mode();
+            case ARMED -> point.armed();
+            default -> point.phase() == null ? null : point.phase().name();
+        };
+    }
+}
