@@ -48,16 +48,21 @@ class AuditedDeedsTest extends DeedTrial {
             "handControlOver", "<user>our-other</user>");
 
     /** Operations of SOAP that are not of one drone, and what makes ready for them. */
-    private static final Map<String, String> AS_REST = Map.of(
-            "planMission", "POST /api/v1/plans",
-            "acceptPlan", "POST /api/v1/plans/{id}/accept",
-            "stopPlan", "POST /api/v1/plans/{id}/stop",
-            "cancelPlan", "DELETE /api/v1/plans/{id}",
-            "createVirtualDrone", "POST /api/v1/virtual-drones",
-            "startVirtualDrone", "POST /api/v1/virtual-drones/{id}/start",
-            "stopVirtualDrone", "POST /api/v1/virtual-drones/{id}/stop",
-            "resumeVirtualDrone", "POST /api/v1/virtual-drones/{id}/resume",
-            "removeVirtualDrone", "DELETE /api/v1/virtual-drones/{id}");
+    private static final Map<String, String> AS_REST = Map.ofEntries(
+            Map.entry("planMission", "POST /api/v1/plans"),
+            Map.entry("acceptPlan", "POST /api/v1/plans/{id}/accept"),
+            Map.entry("stopPlan", "POST /api/v1/plans/{id}/stop"),
+            Map.entry("cancelPlan", "DELETE /api/v1/plans/{id}"),
+            Map.entry("startRun", "POST /api/v1/runs"),
+            Map.entry("addRunWaypoint", "POST /api/v1/runs/{id}/waypoints"),
+            Map.entry("resumeRunDrone", "POST /api/v1/runs/{id}/drones/{drone}/resume"),
+            Map.entry("answerRun", "POST /api/v1/runs/{id}/answers/{proposal}"),
+            Map.entry("stopRun", "POST /api/v1/runs/{id}/stop"),
+            Map.entry("createVirtualDrone", "POST /api/v1/virtual-drones"),
+            Map.entry("startVirtualDrone", "POST /api/v1/virtual-drones/{id}/start"),
+            Map.entry("stopVirtualDrone", "POST /api/v1/virtual-drones/{id}/stop"),
+            Map.entry("resumeVirtualDrone", "POST /api/v1/virtual-drones/{id}/resume"),
+            Map.entry("removeVirtualDrone", "DELETE /api/v1/virtual-drones/{id}"));
 
     @Test
     void eachOperationOfRestThatSucceedsLeavesOneRecordThatSaysSo() {
@@ -175,9 +180,19 @@ class AuditedDeedsTest extends DeedTrial {
                     + "<altitude>20</altitude></visit><seconds>0.1</seconds>";
         }
         String element = Faces.elementOf(operation);
-        String about =
-                operation.equals("createVirtualDrone") ? "Survey" : deed.path().split("/")[4];
-        return "<" + element + ">" + about + "</" + element + ">";
+        String[] path = deed.path().split("/");
+        String about = switch (operation) {
+            case "createVirtualDrone" -> "Survey";
+            case "startRun" -> deed.body().split("\"", 5)[3];
+            default -> path[4];
+        };
+        String rest = switch (operation) {
+            case "addRunWaypoint" -> "<visit>" + HERE + "<altitude>20</altitude></visit>";
+            case "resumeRunDrone" -> "<droneId>" + path[6] + "</droneId>";
+            case "answerRun" -> "<proposal>" + path[6] + "</proposal><accept>true</accept>";
+            default -> "";
+        };
+        return "<" + element + ">" + about + "</" + element + ">" + rest;
     }
 
     private String soap(String operation, String elements) {

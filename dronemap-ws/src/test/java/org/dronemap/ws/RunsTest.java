@@ -1,6 +1,7 @@
 package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
@@ -14,9 +15,18 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.MAVLinkController;
+import org.dronemap.ws.soap.SoapRun;
+import org.dronemap.ws.soap.SoapRunDrone;
+import org.dronemap.ws.soap.SoapRunWaypoint;
+import org.dronemap.ws.soap.SoapVisit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -30,6 +40,7 @@ class RunsTest {
     private static final double LONGITUDE = 8.5456;
 
     private TestHouse house;
+    private String key;
     private Http operator;
     private WillingCopter falcon;
     private WillingCopter heron;
@@ -37,7 +48,8 @@ class RunsTest {
     @BeforeEach
     void open(@TempDir Path data) {
         house = new TestHouse(data, false);
-        operator = new Http(house, house.key(Role.OPERATOR));
+        key = house.key(Role.OPERATOR);
+        operator = new Http(house, key);
         falcon = copter(14_601, "Falcon", LONGITUDE);
         heron = copter(14_602, "Heron", LONGITUDE + 0.0008);
     }
@@ -209,5 +221,57 @@ class RunsTest {
         JsonNode replay = operator.get(PATH + "/" + id + "/journal/replay").json();
         assertThat(replay.path("same").asBoolean()).as(replay.toString()).isTrue();
         assertThat(replay.path("entries").asInt()).isPositive();
+    }
+
+    @Test
+    void goTheSameWayThroughSoap() throws DronemapFault {
+        MAVLinkController soap = SoapClient.withKey(house, key);
+        assertThatThrownBy(() -> soap.startRun("nosuchplan", null, null, null))
+                .hasMessageContaining("There is no plan");
+
+        SoapRun started = soap.startRun(planned(), "askFirst", "rtl", "roofs");
+
+        assertThat(started.getDrone()).extracting(SoapRunDrone::getDroneId).containsExactly(falcon.id(), heron.id());
+        assertThat(soap.getRunsList()).extracting(SoapRun::getRunId).containsExactly(started.getRunId());
+        assertThat(soap.getRun(started.getRunId()).getWaypoint())
+                .extracting(SoapRunWaypoint::getWaypoint)
+                .containsExactly("1", "2", "3", "4");
+        assertThatThrownBy(() -> soap.addRunWaypoint(started.getRunId(), List.of(SoapVisit.at(95.0, LONGITUDE, 30.0))))
+                .hasMessageContaining("waypoints[0].latitude");
+        assertThatThrownBy(() -> soap.answerRun(started.getRunId(), null, true)).hasMessageContaining("proposal");
+        assertThatThrownBy(() -> soap.resumeRunDrone(started.getRunId(), "nobody"))
+                .hasMessageContaining("There is no drone");
+        assertThat(soap.stopRun(started.getRunId()).getRunId()).isEqualTo(started.getRunId());
+    }
+
+    @Test
+    void areToldOnTheStreamToWhoMaySeeThem() {
+        Member stranger = house.member(new OrganisationId("others"), "stranger", Role.SUPERVISOR);
+        try (StreamListener mine = StreamListener.withKey(house, key);
+                StreamListener theirs = StreamListener.withKey(house, stranger.key())) {
+            mine.await(message -> isOf(message, "drones"));
+            theirs.await(message -> isOf(message, "drones"));
+
+            String id = start("");
+
+            JsonNode told = mine.await(message -> isOf(message, "run")).path("run");
+            assertThat(told.path("id").asString()).isEqualTo(id);
+            try (StreamListener later = StreamListener.withKey(house, key)) {
+                assertThat(later.await(message -> isOf(message, "run"))
+                                .path("run")
+                                .path("id")
+                                .asString())
+                        .isEqualTo(id);
+            }
+            theirs.send("{\"type\":\"ping\"}");
+            theirs.await(message -> {
+                assertThat(isOf(message, "run")).isFalse();
+                return isOf(message, "pong");
+            });
+        }
+    }
+
+    private static boolean isOf(JsonNode message, String type) {
+        return message.path("type").asString().equals(type);
     }
 }

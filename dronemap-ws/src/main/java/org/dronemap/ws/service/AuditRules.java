@@ -20,6 +20,8 @@ public final class AuditRules {
             "getCommand",
             "getControl",
             "getPlan",
+            "getRunsList",
+            "getRun",
             "getVirtualDronesList",
             "getVirtualDrone",
             "getFlightsList",

@@ -18,6 +18,7 @@ import org.dronemap.cognitive.operation.run.Target;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.OperationListener;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.Operations.Picture;
 import org.dronemap.core.drone.DroneId;
@@ -68,8 +69,8 @@ public final class RunService {
         Roles.require(principal, Role.VIEWER);
         List<Picture<RunState>> runs = new ArrayList<>(operations.underWay(kind));
         operations.latest(principal.organisation(), MOST_LISTED).stream()
-                .filter(saved -> saved.kind().equals(kind.name()) && saved.endedAt() != null)
-                .map(saved -> new Picture<>(saved, kind.codec().state(saved.state())))
+                .filter(saved -> saved.endedAt() != null)
+                .flatMap(saved -> picture(saved).stream())
                 .forEach(runs::add);
         return runs.stream()
                 .filter(run -> isShownTo(principal, run))
@@ -88,9 +89,16 @@ public final class RunService {
         return operations.underWay(kind);
     }
 
-    /** Under way or over, for who shows it. */
-    public Optional<Picture<RunState>> picture(OperationId id) {
-        return operations.find(kind, id);
+    /** As it was stored, for who shows it; empty: it is another kind of operation. */
+    public Optional<Picture<RunState>> picture(SavedOperation saved) {
+        return saved.kind().equals(kind.name())
+                ? Optional.of(new Picture<>(saved, kind.codec().state(saved.state())))
+                : Optional.empty();
+    }
+
+    /** Hears of all operations. */
+    public void addListener(OperationListener listener) {
+        operations.addListener(listener);
     }
 
     /** Takes control of the plan's drones and has them fly it; from then on the cloud conducts it. */

@@ -38,6 +38,7 @@ public class ControllerService implements MAVLinkController {
     private final ControlService controls;
     private final ParameterService parameters;
     private final SoapPlans plans;
+    private final SoapRuns runs;
     private final SoapVirtualDrones virtuals;
     private final SoapFlights flights;
 
@@ -54,6 +55,7 @@ public class ControllerService implements MAVLinkController {
         this.controls = controls;
         this.parameters = parameters;
         this.plans = missions.plans();
+        this.runs = missions.runs();
         this.virtuals = missions.virtuals();
         this.flights = missions.flights();
     }
@@ -257,6 +259,42 @@ public class ControllerService implements MAVLinkController {
             plans.cancel(planId);
             return planId;
         });
+    }
+
+    @Override
+    public SoapRun startRun(String planId, @Nullable String mode, @Nullable String onCloudLoss, @Nullable String name)
+            throws DronemapFault {
+        return answer(() -> runs.start(planId, mode, onCloudLoss, name));
+    }
+
+    @Override
+    public List<SoapRun> getRunsList() throws DronemapFault {
+        return answer(runs::all);
+    }
+
+    @Override
+    public SoapRun getRun(String runId) throws DronemapFault {
+        return answer(() -> runs.run(runId));
+    }
+
+    @Override
+    public SoapRun addRunWaypoint(String runId, @Nullable List<SoapVisit> visits) throws DronemapFault {
+        return answer(() -> runs.add(runId, visits));
+    }
+
+    @Override
+    public SoapRun resumeRunDrone(String runId, @Nullable String droneId) throws DronemapFault {
+        return answer(() -> runs.resume(runId, droneId));
+    }
+
+    @Override
+    public SoapRun answerRun(String runId, @Nullable Integer proposal, @Nullable Boolean accept) throws DronemapFault {
+        return answer(() -> runs.answer(runId, proposal, accept));
+    }
+
+    @Override
+    public SoapRun stopRun(String runId) throws DronemapFault {
+        return answer(() -> runs.stop(runId));
     }
 
     @Override

@@ -15,6 +15,8 @@ public interface MAVLinkController {
     String CONTROL = "control";
     String PLAN = "plan";
     String PLAN_ID = "planId";
+    String RUN = "run";
+    String RUN_ID = "runId";
     String VIRTUAL = "virtualDrone";
     String VIRTUAL_ID = "virtualDroneId";
     String FLIGHT = "flight";
@@ -205,6 +207,51 @@ public interface MAVLinkController {
     /** Cancels one that is searched for; forgets one that has ended. */
     @WebMethod
     void cancelPlan(@WebParam(name = PLAN_ID) String planId) throws DronemapFault;
+
+    /** Has the cloud fly a finished plan; {@code mode}: automatic or askFirst, {@code onCloudLoss}: continue or rtl. */
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun startRun(
+            @WebParam(name = PLAN_ID) String planId,
+            @WebParam(name = "mode") @Nullable String mode,
+            @WebParam(name = "onCloudLoss") @Nullable String onCloudLoss,
+            @WebParam(name = "name") @Nullable String name)
+            throws DronemapFault;
+
+    /** Under way, and the newest that are over, the newest first. */
+    @WebMethod
+    @WebResult(name = RUN)
+    List<SoapRun> getRunsList() throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun getRun(@WebParam(name = RUN_ID) String runId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun addRunWaypoint(
+            @WebParam(name = RUN_ID) String runId, @WebParam(name = "visit") @Nullable List<SoapVisit> visits)
+            throws DronemapFault;
+
+    /** Gives a drone back that a pilot or somebody else took. */
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun resumeRunDrone(@WebParam(name = RUN_ID) String runId, @WebParam(name = DRONE) @Nullable String droneId)
+            throws DronemapFault;
+
+    /** Whether what a run proposes is to be flown. */
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun answerRun(
+            @WebParam(name = RUN_ID) String runId,
+            @WebParam(name = "proposal") @Nullable Integer proposal,
+            @WebParam(name = "accept") @Nullable Boolean accept)
+            throws DronemapFault;
+
+    /** All of its drones come home. */
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun stopRun(@WebParam(name = RUN_ID) String runId) throws DronemapFault;
 
     /** One's own; of all of the organisation for its supervisors. */
     @WebMethod

@@ -16,15 +16,20 @@ import org.jspecify.annotations.Nullable;
 /** Notes which operation a call is of, and of which drone, for the record that it leaves. */
 final class NamedCalls extends AbstractPhaseInterceptor<Message> {
     /** The first value of these is no drone's id. */
-    private static final Map<String, String> OF_OTHER_THINGS = Map.of(
-            "acceptPlan", MAVLinkController.PLAN_ID,
-            "stopPlan", MAVLinkController.PLAN_ID,
-            "cancelPlan", MAVLinkController.PLAN_ID,
-            "createVirtualDrone", "name",
-            "startVirtualDrone", MAVLinkController.VIRTUAL_ID,
-            "stopVirtualDrone", MAVLinkController.VIRTUAL_ID,
-            "resumeVirtualDrone", MAVLinkController.VIRTUAL_ID,
-            "removeVirtualDrone", MAVLinkController.VIRTUAL_ID);
+    private static final Map<String, String> OF_OTHER_THINGS = Map.ofEntries(
+            Map.entry("acceptPlan", MAVLinkController.PLAN_ID),
+            Map.entry("stopPlan", MAVLinkController.PLAN_ID),
+            Map.entry("cancelPlan", MAVLinkController.PLAN_ID),
+            Map.entry("startRun", MAVLinkController.PLAN_ID),
+            Map.entry("addRunWaypoint", MAVLinkController.RUN_ID),
+            Map.entry("resumeRunDrone", MAVLinkController.RUN_ID),
+            Map.entry("answerRun", MAVLinkController.RUN_ID),
+            Map.entry("stopRun", MAVLinkController.RUN_ID),
+            Map.entry("createVirtualDrone", "name"),
+            Map.entry("startVirtualDrone", MAVLinkController.VIRTUAL_ID),
+            Map.entry("stopVirtualDrone", MAVLinkController.VIRTUAL_ID),
+            Map.entry("resumeVirtualDrone", MAVLinkController.VIRTUAL_ID),
+            Map.entry("removeVirtualDrone", MAVLinkController.VIRTUAL_ID));
 
     NamedCalls() {
         super(Phase.PRE_INVOKE);

@@ -41,6 +41,7 @@ import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
@@ -60,6 +61,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private final DroneFeed feed;
     private final VirtualFeed virtualFeed;
     private final PlanFeed planFeed;
+    private final RunFeed runFeed;
     private final Clock clock;
     private final Pump pump = new Pump("stream-pump", this::round);
     private final Queue<DroneId> removed = new ConcurrentLinkedQueue<>();
@@ -89,7 +91,12 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     public record Bounds(Budgets budgets, StreamCrowd crowd) {}
 
     /** What is shown, and how. */
-    public record Pictures(DroneViews drones, VirtualDrones virtuals, VirtualDroneViews virtualViews, PlanDesk plans) {}
+    public record Pictures(
+            DroneViews drones,
+            VirtualDrones virtuals,
+            VirtualDroneViews virtualViews,
+            PlanDesk plans,
+            RunService runs) {}
 
     public StreamFace(
             CloudManager cloud,
@@ -104,6 +111,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.sight = new StreamSight(cloud, services.entrance().grants(), feed, services.json());
         this.virtualFeed = new VirtualFeed(services.pictures(), services.json(), this::wake);
         this.planFeed = new PlanFeed(services.pictures().plans(), services.json(), this::wake);
+        this.runFeed = new RunFeed(services.pictures().runs(), services.json(), this::wake);
         this.requests = new StreamRequests(services);
         services.entrance().accounts().onChange(this::judgeAnew);
         this.server = new StreamServer(
@@ -124,6 +132,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         cloud.zones().onChange(this::zonesChanged);
         services.pictures().virtuals().addListener(virtualFeed);
         services.pictures().plans().addListener(planFeed);
+        services.pictures().runs().addListener(runFeed);
         pump.start();
         return port;
     }
@@ -249,6 +258,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         sight.settle(server.clients());
         virtualFeed.publish(server.clients(), now);
         planFeed.publish(server.clients(), now);
+        runFeed.publish(server.clients(), now);
         Pump.Pause pause = feed.publish(server.clients(), now);
         boolean pingDue = now - lastPingNanos >= PING_NANOS;
         if (pingDue) {

@@ -9,6 +9,7 @@ import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.PlanView;
 import org.dronemap.ws.service.Problem;
+import org.dronemap.ws.service.RunView;
 import org.dronemap.ws.service.VirtualDroneView;
 import org.dronemap.ws.service.ZoneFeature;
 import org.jspecify.annotations.Nullable;
@@ -88,6 +89,12 @@ final class StreamMessage {
     record PlanRemoved(String type, String id) {
         PlanRemoved(String id) {
             this("planRemoved", id);
+        }
+    }
+
+    record RunChanged(String type, RunView run) {
+        RunChanged(RunView run) {
+            this("run", run);
         }
     }
 

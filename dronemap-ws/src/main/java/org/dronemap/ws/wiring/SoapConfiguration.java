@@ -14,6 +14,7 @@ import org.dronemap.ws.service.FlightService;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PlanService;
+import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.VirtualDroneService;
 import org.dronemap.ws.soap.ControllerService;
 import org.dronemap.ws.soap.KnownServices;
@@ -22,6 +23,7 @@ import org.dronemap.ws.soap.SoapEndpoint;
 import org.dronemap.ws.soap.SoapFlights;
 import org.dronemap.ws.soap.SoapMissions;
 import org.dronemap.ws.soap.SoapPlans;
+import org.dronemap.ws.soap.SoapRuns;
 import org.dronemap.ws.soap.SoapVirtualDrones;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
 import org.springframework.boot.web.servlet.ServletRegistrationBean;
@@ -57,11 +59,13 @@ public class SoapConfiguration {
     SoapMissions soapMissions(
             SoapCaller caller,
             PlanService plans,
+            RunService runs,
             VirtualDroneService virtuals,
             FlightService flights,
             Outages outages) {
         return new SoapMissions(
                 new SoapPlans(caller, plans),
+                new SoapRuns(caller, runs),
                 new SoapVirtualDrones(caller, virtuals),
                 new SoapFlights(caller, flights, outages));
     }

@@ -18,6 +18,7 @@ import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.PlanDesk;
+import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.stream.StreamCrowd;
@@ -68,8 +69,9 @@ public class StreamConfiguration {
     }
 
     @Bean
-    StreamFace.Pictures streamPictures(House house, DroneViews views, VirtualDroneViews virtualViews, PlanDesk plans) {
-        return new StreamFace.Pictures(views, house.virtuals(), virtualViews, plans);
+    StreamFace.Pictures streamPictures(
+            House house, DroneViews views, VirtualDroneViews virtualViews, PlanDesk plans, RunService runs) {
+        return new StreamFace.Pictures(views, house.virtuals(), virtualViews, plans, runs);
     }
 
     @Bean

@@ -80,7 +80,8 @@ public final class Faces {
     public static String elementOf(String operation) {
         return switch (operation) {
             case "getCommand" -> "commandId";
-            case "getPlan", "acceptPlan", "stopPlan", "cancelPlan" -> "planId";
+            case "getPlan", "acceptPlan", "stopPlan", "cancelPlan", "startRun" -> "planId";
+            case "getRun", "addRunWaypoint", "resumeRunDrone", "answerRun", "stopRun" -> "runId";
             case "getFlight" -> "flightId";
             case "createVirtualDrone" -> "name";
             case "getVirtualDrone",
@@ -103,6 +104,7 @@ public final class Faces {
             case "commandId" -> "commands";
             case "planId" -> "plans";
             case "flightId" -> "flights";
+            case "runId" -> "runs";
             case "name" -> "nothing";
             // Not what an organisation has: they are their owner's alone.
             case "virtualDroneId" -> "virtual drones of one's own";
