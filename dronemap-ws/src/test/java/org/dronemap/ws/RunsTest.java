@@ -8,11 +8,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.cognitive.operation.run.RunInput;
+import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.Replay;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
@@ -273,5 +279,75 @@ class RunsTest {
 
     private static boolean isOf(JsonNode message, String type) {
         return message.path("type").asString().equals(type);
+    }
+
+    private static List<String> kinds(WillingCopter copter) {
+        return copter.performed().stream()
+                .map(command -> command.getClass().getSimpleName())
+                .toList();
+    }
+
+    /** Its whole mission, once it was started, and down. */
+    private static void fly(WillingCopter copter) {
+        Waiting.until("it is started", () -> Optional.of(kinds(copter)).filter(all -> all.contains("StartMission")));
+        int items = copter.performed().stream()
+                .filter(Command.UploadMission.class::isInstance)
+                .map(Command.UploadMission.class::cast)
+                .findFirst()
+                .orElseThrow()
+                .mission()
+                .items()
+                .size();
+        for (int item = 0; item < items; item++) {
+            copter.reaches(item);
+        }
+        copter.isOnGround();
+    }
+
+    private JsonNode over(String id) {
+        return Waiting.until(
+                "the run is over",
+                () -> Optional.of(run(id))
+                        .filter(run -> run.path("state").asString().equals("over")));
+    }
+
+    @Test
+    void flyAPlanToItsEndAndVouchForWhatTheyDecided() {
+        String id = start("");
+        fly(falcon);
+        fly(heron);
+
+        JsonNode run = over(id);
+
+        assertThat(run.path("counts").path("visited").asInt())
+                .as(run.toString())
+                .isEqualTo(4);
+        assertThat(run.path("end").asString()).isEqualTo("The run is over: all 4 waypoints visited.");
+        assertThat(kinds(falcon)).containsExactly("UploadMission", "Arm", "StartMission");
+        assertThat(isHeldByARun(falcon)).isFalse();
+        assertThat(operator.post(PATH + "/" + id + "/stop", "").status()).isEqualTo(409);
+        JsonNode replay = operator.get(PATH + "/" + id + "/journal/replay").json();
+        assertThat(replay.path("same").asBoolean()).as(replay.toString()).isTrue();
+        assertThat(replay.path("entries").asLong())
+                .isEqualTo(run.path("journal").asLong() + 1)
+                .isGreaterThan(10);
+    }
+
+    @Test
+    void noticeASingleLetterOfAJournalThatWasChanged() {
+        String id = start("");
+        fly(falcon);
+        fly(heron);
+        over(id);
+        List<JournalEntry> journal = new ArrayList<>(house.runs().operations().journal(new OperationId(id), 0, 10_000));
+        JournalEntry last = journal.get(journal.size() - 1);
+        String other = last.decision().endsWith("0\"}") ? "1\"}" : "0\"}";
+        String changed = last.decision().substring(0, last.decision().length() - 3) + other;
+        journal.set(journal.size() - 1, new JournalEntry(last.number(), last.at(), last.input(), changed));
+
+        Replay<RunState, RunInput> replay = new Replay<>(house.runs().kind());
+        replay.take(journal);
+
+        assertThat(replay.difference()).contains(new Replay.Difference(last.number(), changed, last.decision()));
     }
 }

@@ -1,6 +1,7 @@
 package org.dronemap.ws.house;
 
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 
@@ -41,13 +42,27 @@ public final class RunDeeds extends Deeds {
         can("POST /api/v1/runs/{id}/stop", () -> deed("POST", started().path("/stop"), ""));
     }
 
+    /** Somebody took it and gave it back: it waits for this. */
     private Deed resume() {
         Started run = started();
+        String control = "/api/v1/drones/" + run.copter().id() + "/control";
+        root.http().post(control + "/take-over", "{\"reason\":\"a look\"}");
+        await(run, answer -> answer.raw().body().contains("\"suspended\""));
         return deed("POST", run.path("/drones/" + run.copter().id() + "/resume"), "");
     }
 
     private Deed answer() {
-        return deed("POST", started("askFirst").path("/answers/1"), "{\"accept\":true}");
+        Started run = started("askFirst");
+        root.http().post("/api/v1/" + run.path("/waypoints"), waypoints());
+        Http.Answer asks = await(run, answer -> answer.json().path("proposal").has("number"));
+        String number = asks.json().path("proposal").path("number").asString();
+        return deed("POST", run.path("/answers/" + number), "{\"accept\":true}");
+    }
+
+    private Http.Answer await(Started run, Predicate<Http.Answer> what) {
+        return Waiting.until(
+                "the run goes on",
+                () -> Optional.of(root.http().get("/api/v1/" + run.path(""))).filter(what));
     }
 
     private Started started() {

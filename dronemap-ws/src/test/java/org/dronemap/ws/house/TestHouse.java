@@ -268,6 +268,10 @@ public final class TestHouse implements AutoCloseable {
         return new House.LinkSide(links, linkStore, new DtlsKeyRing(linkStore, sealing));
     }
 
+    public RunSide runs() {
+        return runs;
+    }
+
     /** The time that grants go by. */
     public SteppingClock clock() {
         return clock;
