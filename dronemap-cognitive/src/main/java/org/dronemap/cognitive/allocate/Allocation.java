@@ -37,6 +37,11 @@ public final class Allocation {
         return new Allocation(orders, unserved, tours.longest(), tours.total(), iterations);
     }
 
+    /** The same plan, after so many iterations in all. */
+    Allocation after(long others) {
+        return new Allocation(orders, unserved, longestSeconds, sum, others);
+    }
+
     /** For each drone the numbers of its waypoints. */
     public int[][] orders() {
         return Arrays.stream(orders).map(int[]::clone).toArray(int[][]::new);

@@ -26,6 +26,11 @@ public interface Budget {
         return iterations -> (nanoTime.getAsLong() - began) / nanos;
     }
 
+    /** The part of it between two shares of it. */
+    default Budget part(double from, double to) {
+        return iterations -> (used(iterations) - from) / (to - from);
+    }
+
     /** Ends sooner when asked to. */
     default Budget orWhen(BooleanSupplier cancelled) {
         return iterations -> cancelled.getAsBoolean() ? Double.POSITIVE_INFINITY : used(iterations);

@@ -33,7 +33,7 @@ public final class Crew {
     public Allocation search(long seed, Budget budget, Consumer<Allocation> improved) {
         AtomicBoolean failed = new AtomicBoolean();
         Budget whole = budget.orWhen(failed::get);
-        Best best = new Best(improved);
+        Best best = new Best(allocator::worth, improved);
         List<CompletableFuture<Allocation>> others = new ArrayList<>();
         for (int number = 1; number < searches; number++) {
             long its = seed + BETWEEN_SEEDS * number;
@@ -66,23 +66,5 @@ public final class Crew {
             least = allocator.worth(one) < allocator.worth(least) ? one : least;
         }
         return least;
-    }
-
-    /** What was told so far. Guarded by itself. */
-    private final class Best {
-        private final Consumer<Allocation> improved;
-        private double worth = Double.POSITIVE_INFINITY;
-
-        Best(Consumer<Allocation> improved) {
-            this.improved = improved;
-        }
-
-        synchronized void offer(Allocation found) {
-            double its = allocator.worth(found);
-            if (its < worth) {
-                worth = its;
-                improved.accept(found);
-            }
-        }
     }
 }

@@ -18,13 +18,16 @@ final class StringRemoval {
     private final Tours tours;
     private final Neighbours near;
     private final SplittableRandom random;
+    private final boolean longFirst;
     private final int[] ruinedIn;
     private int turn;
 
-    StringRemoval(Tours tours, Neighbours near, SplittableRandom random) {
+    /** {@code longFirst}: long tours are what counts, and are ruined more often than short ones. */
+    StringRemoval(Tours tours, Neighbours near, SplittableRandom random, boolean longFirst) {
         this.tours = tours;
         this.near = near;
         this.random = random;
+        this.longFirst = longFirst;
         ruinedIn = new int[tours.drones];
     }
 
@@ -35,7 +38,7 @@ final class StringRemoval {
         double removed = Math.min(MEAN_REMOVED, SHARE_REMOVED * tours.waypoints);
         int strings = (int) (1 + random.nextDouble() * Math.max(0, 4 * removed / (1 + longest) - 1));
         boolean again = mean > 2 * LONGEST;
-        int seed = random.nextInt(tours.waypoints);
+        int seed = seed();
         for (int rank = -1; rank < near.length() && strings > 0; rank++) {
             int waypoint = rank < 0 ? seed : near.get(seed, rank);
             int r = tours.drone(waypoint);
@@ -45,6 +48,19 @@ final class StringRemoval {
                 removeString(waypoint, r, (int) (1 + random.nextDouble() * Math.min(longest, tours.size(r))));
             }
         }
+    }
+
+    /** Any waypoint, or of two the one in the longer tour: a drone with time to spare is no part of the difficulty. */
+    private int seed() {
+        int one = random.nextInt(tours.waypoints);
+        if (!longFirst) {
+            return one;
+        }
+        int other = random.nextInt(tours.waypoints);
+        int r = tours.drone(one);
+        int s = tours.drone(other);
+        boolean both = r != Tours.NONE && s != Tours.NONE;
+        return both && tours.seconds(s) > tours.seconds(r) ? other : one;
     }
 
     private double meanSize() {
