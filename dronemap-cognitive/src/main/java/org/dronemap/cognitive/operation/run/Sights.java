@@ -59,7 +59,7 @@ final class Sights {
                         : Double.valueOf(Math.max(Math.abs(attitude.rollDegrees()), Math.abs(attitude.pitchDegrees()))),
                 battery == null ? null : battery.percent(),
                 can.commands().contains(Capability.RETURN_TO_LAUNCH),
-                progress(drone, state.mission()));
+                progress(drone, state));
     }
 
     /** The mode in which it can be armed; empty when it is in one. */
@@ -87,14 +87,21 @@ final class Sights {
                 : new Place(position.point(), meters);
     }
 
-    private static Look.Progress progress(RunDrone drone, MissionProgress mission) {
+    private static Look.Progress progress(RunDrone drone, DroneState state) {
+        MissionProgress mission = state.mission();
         int passed =
                 mission.reached().stream().mapToInt(index -> index + 1).max().orElse(0);
-        if (mission.current() != null && mission.phase() != MissionPhase.COMPLETE) {
+        if (mission.current() != null && mission.phase() != MissionPhase.COMPLETE && isBegun(state)) {
             passed = Math.max(passed, mission.current());
         }
         return new Look.Progress(
                 carries(drone.sortie(), mission), carries(drone.next(), mission), passed, mission.complete());
+    }
+
+    /** A mission that was brought to it and not started yet keeps the place where it was in the one before. */
+    private static boolean isBegun(DroneState state) {
+        return !state.mission().reached().isEmpty()
+                || state.capabilities().steering(state.mode()).equals(Optional.of(Steering.MISSION));
     }
 
     private static @Nullable Boolean carries(@Nullable Sortie sortie, MissionProgress mission) {
