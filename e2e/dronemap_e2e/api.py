@@ -45,6 +45,11 @@ class Api:
         assert answer.ok, answer.text
         return answer.text
 
+    def content(self, path: str) -> bytes:
+        answer = self.call("GET", path)
+        assert answer.ok, answer.text
+        return answer.content
+
     def ended(self, command: str, seconds: float) -> Json:
         """The command's record once it has its outcome."""
 

@@ -2,11 +2,10 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from datetime import datetime
 
+from .api import Api, Json
 from .tap import Heard, Tap
-
-Json = dict[str, Any]
 
 EARTH_RADIUS_METERS = 6_371_008.8
 ARMED = 0x80
@@ -72,3 +71,13 @@ def _passed(track: list[Heard], start: int, point: Point, number: int, tolerance
             if away <= tolerance:
                 return index
     raise AssertionError(f"waypoint {number} was passed at {nearest:.1f} m, not within {tolerance} m")
+
+
+def seconds_of(iso: str) -> float:
+    return datetime.fromisoformat(iso.replace("Z", "+00:00")).timestamp()
+
+
+def flight_of(api: Api, drone: str, state: str) -> Json | None:
+    """The newest flight that is remembered of the drone, when it is in that state."""
+    flights = api.get(f"/flights?drone={drone}")["flights"]
+    return flights[0] if flights and flights[0]["state"] == state else None

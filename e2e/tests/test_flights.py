@@ -2,22 +2,25 @@
 
 import csv
 import io
+import math
 import os
+import re
 import secrets
+import struct
 import time
 import xml.etree.ElementTree as ElementTree
 from bisect import bisect_left
 from collections.abc import Iterator
-from datetime import datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
+import duckdb
 import pytest
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.flight import Point, triangle
+from dronemap_e2e.flight import Point, flight_of, seconds_of, triangle
 from dronemap_e2e.server import Server
-from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, launch
 from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
@@ -28,6 +31,7 @@ SECONDS = 0.2
 STALL_SECONDS = 5.0
 IN_TIME = 0.9
 SEEKS = 20
+EPOCH = datetime.fromtimestamp(0, UTC)
 # Notes where the drone is whenever that changes: a slow machine looks on too seldom to see it from outside.
 WATCH = """map => {
   window.seenPlaces = [];
@@ -44,10 +48,12 @@ class Wire:
         offset = time.time() - time.monotonic()
         heard = tap.heard("GLOBAL_POSITION_INT", up=True)
         self._times = [h.at + offset for h in heard]
-        self._places = [(h.message.lat / 1e7, h.message.lon / 1e7) for h in heard]
+        self._places = [
+            (h.message.lat / 1e7, h.message.lon / 1e7, h.message.relative_alt / 1e3) for h in heard
+        ]
 
     def check(self, places: list[tuple[float, ...]]) -> None:
-        """Each (time, latitude, longitude) lies on the way that was flown, nearly all at their time."""
+        """Each (time, latitude, longitude, height) lies on the way flown, nearly all at their time."""
         assert len(places) > 5, f"only {len(places)} places"
         off = [self._metres_off(STALL_SECONDS, *place) for place in places]
         assert max(off) < METRES, f"{max(off):.2f} m off the wire"
@@ -55,27 +61,24 @@ class Wire:
         share = sum(in_time) / len(places)
         assert share >= IN_TIME, f"{share:.0%} of {len(places)} places at their time"
 
-    def _metres_off(self, seconds: float, at: float, latitude: float, longitude: float) -> float:
+    def _metres_off(
+        self, seconds: float, at: float, latitude: float, longitude: float, height: float
+    ) -> float:
         """From the nearest place of the way that it flew within the tolerated time."""
-        here = Point(latitude, longitude, 0)
+        here = Point(latitude, longitude, height)
         steps = range(-round(seconds / 0.02), round(seconds / 0.02) + 1)
-        return min(here.metres_to(*self._at(at + step * 0.02)) for step in steps)
+        return min(self._apart(here, at + step * 0.02) for step in steps)
 
-    def _at(self, at: float) -> tuple[float, float]:
+    def _apart(self, here: Point, at: float) -> float:
+        latitude, longitude, height = self._at(at)
+        return math.hypot(here.metres_to(latitude, longitude), here.altitude - height)
+
+    def _at(self, at: float) -> tuple[float, ...]:
         after = min(max(1, bisect_left(self._times, at)), len(self._times) - 1)
         begin, end = self._times[after - 1], self._times[after]
         share = min(1.0, max(0.0, (at - begin) / max(1e-9, end - begin)))
-        (lat, lon), (lat2, lon2) = self._places[after - 1], self._places[after]
-        return lat + (lat2 - lat) * share, lon + (lon2 - lon) * share
-
-
-def seconds_of(iso: str) -> float:
-    return datetime.fromisoformat(iso.replace("Z", "+00:00")).timestamp()
-
-
-def flight_of(api: Api, drone: str, state: str) -> Json | None:
-    flights = api.get(f"/flights?drone={drone}")["flights"]
-    return flights[0] if flights and flights[0]["state"] == state else None
+        both = zip(self._places[after - 1], self._places[after], strict=True)
+        return tuple(one + (other - one) * share for one, other in both)
 
 
 def fly(api: Api, copter: Json) -> Json:
@@ -120,12 +123,12 @@ def picture(page: Page, name: str) -> None:
 
 
 def test_a_flight_is_remembered_as_it_was_on_the_wire(
-    server: Server, api: Api, tap: Tap, copter: Json, page: Page
+    server: Server, api: Api, tap: Tap, copter: Json, page: Page, tmp_path: Path
 ) -> None:
     flight = fly(api, copter)
     wire = Wire(tap)
     check_what_is_remembered(api, flight, wire)
-    check_files(api, flight)
+    check_files(api, flight, tmp_path)
     check_replay(server, api, page, copter, wire)
 
 
@@ -136,7 +139,7 @@ def check_what_is_remembered(api: Api, flight: Json, wire: Wire) -> None:
     assert len(flight["recordings"]) == 1
     points = api.get(f"/flights/{flight['id']}/telemetry/points")["points"]
     assert len(points) > flight["seconds"]
-    wire.check([(seconds_of(p["at"]), p["latitude"], p["longitude"]) for p in points])
+    wire.check([(seconds_of(p["at"]), p["latitude"], p["longitude"], p["altitudeAboveHome"]) for p in points])
     # States and events are written in batches of their own, a moment later than the flight.
     events: list[Json] = wait_for("its end is told", lambda: with_end(api, flight), 30)
     commands = {e["text"]: e["result"] for e in events if e["kind"] == "command"}
@@ -152,7 +155,7 @@ def with_end(api: Api, flight: Json) -> list[Json] | None:
     return events if any(e["kind"] == "disarmed" for e in events) else None
 
 
-def check_files(api: Api, flight: Json) -> None:
+def check_files(api: Api, flight: Json, folder: Path) -> None:
     path = f"/flights/{flight['id']}/telemetry/file?form="
     rows = list(csv.DictReader(io.StringIO(api.text(path + "csv"))))
     assert len(rows) == len(api.get(f"/flights/{flight['id']}/telemetry/points?most=20000")["points"])
@@ -162,6 +165,48 @@ def check_files(api: Api, flight: Json) -> None:
     assert len(kml.findall(".//{http://www.google.com/kml/ext/2.2}coord")) == len(rows)
     assert api.get(path + "geojson")["features"][0]["geometry"]["type"] == "LineString"
     assert flight["id"] in api.text("/flights/logbook")
+    parquet = folder / "flight.parquet"
+    parquet.write_bytes(api.content(path + "parquet"))
+    check_columns(parquet, rows, flight["drone"])
+
+
+def check_columns(parquet: Path, rows: list[dict[str, str]], drone: str) -> None:
+    """What another program reads in the columns is, row by row, what stands in the table."""
+    with duckdb.connect() as database:
+        database.execute("SET TimeZone = 'UTC'")
+        answer = database.execute(
+            'SELECT epoch_us("at") AS micros, * EXCLUDE ("at") FROM read_parquet(?)', [str(parquet)]
+        )
+        names = [str(column[0]) for column in answer.description or []]
+        columns = [dict(zip(names, values, strict=True)) for values in answer.fetchall()]
+    assert len(columns) == len(rows)
+    for found, row in zip(columns, rows, strict=True):
+        assert found["drone_id"] == drone
+        assert found["micros"] == (datetime.fromisoformat(row.pop("at")) - EPOCH) // timedelta(microseconds=1)
+        assert (found["gps_fix"] is None) == (row.pop("gpsFix") == "")
+        for name, text in row.items():
+            value = found["phase" if name == "flight" else snake(name)]
+            assert text == as_text(name, value, text), f"{name} is {value!r}, not {text!r}"
+
+
+def snake(name: str) -> str:
+    return re.sub("[A-Z]", lambda letter: "_" + letter[0].lower(), name)
+
+
+def as_text(name: str, value: object, text: str) -> str:
+    """As the table writes it, when it is the same."""
+    if value is None:
+        return ""
+    if name in {"flight", "link"}:
+        first, *others = str(value).lower().split("_")
+        return first + "".join(word.capitalize() for word in others)
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, int | float):
+        # The columns have seven digits of most numbers.
+        same = value == float(text) or struct.pack("f", value) == struct.pack("f", float(text))
+        return text if same else str(value)
+    return str(value)
 
 
 def check_replay(server: Server, api: Api, page: Page, copter: Json, wire: Wire) -> None:
@@ -193,39 +238,3 @@ def check_replay(server: Server, api: Api, page: Page, copter: Json, wire: Wire)
         [(int(at) / 1000, *(float(part) for part in place.split())) for at, place in seen.items() if place]
     )
     picture(page, "flights-2-played")
-
-
-def test_a_flight_goes_on_over_a_crash_and_loses_a_second_at_most(tmp_path: Path) -> None:
-    server = Server(tmp_path / "data")
-    server.start()
-    simulator = Simulator(
-        tmp_path / "sim.log", f"udp://127.0.0.1:{server.udp_port}", "--count", "1", "--speedup", "3"
-    )
-    try:
-        api = Api(server.address, server.local_key())
-        drone = wait_for("the copter is ready", lambda: api.ready(1), 90)["id"]
-        api.do(drone, type="arm")
-        api.do(drone, type="takeOff", altitude=8)
-        before = wait_for("the flight is known", lambda: flight_of(api, drone, "running"), 30)
-        wait_for("telemetry is kept", lambda: len(points(api, before)) > 20, 60)
-        killed = time.time()
-        server.kill()
-        server.start()
-        api = Api(server.address, server.local_key())
-        lost = killed - max(seconds_of(p["at"]) for p in points(api, before) if seconds_of(p["at"]) < killed)
-        # Half a second by itself; the rest is for machines that are slow to write it down.
-        assert lost < 4, f"{lost:.1f} s of telemetry are missing"
-        wait_for("it is heard again", lambda: flight_of(api, drone, "running"), 60)
-        api.do(drone, type="land")
-        after = wait_for("the flight has ended", lambda: flight_of(api, drone, "ended"), 120)
-        assert after["id"] == before["id"]
-        assert after["start"] == before["start"]
-        assert len(api.get(f"/flights?drone={drone}")["flights"]) == 1
-    finally:
-        simulator.stop()
-        server.stop()
-
-
-def points(api: Api, flight: Json) -> list[Json]:
-    found: list[Json] = api.get(f"/flights/{flight['id']}/telemetry/points")["points"]
-    return found

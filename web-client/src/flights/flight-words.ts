@@ -41,11 +41,28 @@ export function facts(flight: Flight): [string, string][] {
 
 /** What the flight can be taken along as; what was on the wire only where it was recorded. */
 export function trackForms(flight: Flight): TrackForm[] {
-  return ['csv', 'geojson', 'kml', 'gpx', 'parquet', ...(flight.recordings.length > 0 ? (['tlog'] as const) : [])];
+  return [
+    'csv',
+    'geojson',
+    'kml',
+    'gpx',
+    'parquet',
+    ...(flight.recordings.length > 0 ? (['tlog'] as const) : []),
+  ];
 }
 
+/** How people write the names of forms. */
+export const FORM_NAMES: Record<TrackForm, string> = {
+  csv: 'CSV',
+  geojson: 'GeoJSON',
+  kml: 'KML',
+  gpx: 'GPX',
+  parquet: 'Parquet',
+  tlog: 'tlog of this flight',
+};
+
 export function eventLine(event: FlightEvent): string {
-  const by = event.by === null ? '' : ` by ${event.by}`;
+  const by = event.by === null || event.text.includes(event.by) ? '' : ` by ${event.by}`;
   const result = event.result === null ? '' : `: ${event.result}`;
   return `${event.text}${by}${result}${event.reason === null ? '' : `, ${event.reason}`}`;
 }

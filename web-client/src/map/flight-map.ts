@@ -100,7 +100,7 @@ export class FlightMap {
   }
 
   /** Shows all these places; one place alone is not zoomed into further than a neighbourhood. */
-  fit(places: readonly Coordinates[]): void {
+  fit(places: readonly Coordinates[], maxZoom = 15): void {
     const longitudes = places.map((place) => place.longitude);
     const latitudes = places.map((place) => place.latitude);
     this.#map.fitBounds(
@@ -108,7 +108,7 @@ export class FlightMap {
         [Math.min(...longitudes), Math.min(...latitudes)],
         [Math.max(...longitudes), Math.max(...latitudes)],
       ],
-      { padding: 80, maxZoom: 15, duration: 0 },
+      { padding: 80, maxZoom, duration: 0 },
     );
   }
 
