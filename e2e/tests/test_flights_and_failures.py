@@ -1,0 +1,163 @@
+"""A flight while the database is away, and over a crash: counted telemetry is the most that is lost."""
+
+import os
+import signal
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+import zeep.exceptions
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import flight_of, seconds_of, triangle
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.soap import soap
+from dronemap_e2e.waiting import wait_for
+
+# What a crash of the server may cost, and at how many moments it is looked how much it would be.
+MOST_LOST_SECONDS = 1.0
+LOOKS = 100
+
+
+@dataclass
+class Aloft:
+    """A copter in the air, and the flight that is remembered of it."""
+
+    server: Server
+    api: Api
+    drone: str
+    flight: Json
+
+
+@pytest.fixture(scope="module")
+def aloft(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Aloft]:
+    folder = tmp_path_factory.mktemp("aloft")
+    server = Server(folder / "data")
+    server.start()
+    simulator = Simulator(
+        folder / "sim.log", f"udp://127.0.0.1:{server.udp_port}", "--count", "1", "--speedup", "3"
+    )
+    try:
+        api = Api(server.address, server.local_key())
+        drone = wait_for("the copter is ready", lambda: api.ready(1), 90)["id"]
+        api.do(drone, type="arm")
+        api.do(drone, type="takeOff", altitude=8)
+        flight = wait_for("the flight is known", lambda: flight_of(api, drone, "running"), 30)
+        wait_for("telemetry is kept", lambda: kept_until(api, drone), 60)
+        yield Aloft(server, api, drone, flight)
+    finally:
+        simulator.stop()
+        server.stop()
+
+
+def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(aloft: Aloft) -> None:
+    api, drone = aloft.api, aloft.drone
+    begin = time.time()
+    far = triangle(api.drone(drone)["home"], side=30)[1]
+    go_to = {"type": "goTo", "latitude": far.latitude, "longitude": far.longitude, "altitude": 12}
+    service = soap(aloft.server, aloft.server.local_key())
+    before = api.command(drone, go_to)
+    with database_away(aloft.server.data), ThreadPoolExecutor() as at_once:
+        wait_for("it is said", lambda: api.get("/health")["history"] == "down", 10)
+        flight = at_once.submit(api.call, "GET", f"/flights/{aloft.flight['id']}")
+        flights = at_once.submit(service.getFlightsList, droneId=drone)
+        # Nothing is sent that is not written down first; and it is said at once.
+        command = at_once.submit(
+            Api(aloft.server.address, api.key).call, "POST", f"/drones/{drone}/commands", go_to
+        )
+        assert flight.result().status_code == 503, flight.result().text
+        assert command.result().status_code == 503, command.result().text
+        fault = flights.exception()
+        assert isinstance(fault, zeep.exceptions.Fault) and "cannot be reached" in str(fault), fault
+        away_until = time.time()
+
+    wait_for("it is well again", lambda: api.get("/health")["history"] == "up", 30)
+    wait_for("what waited is written", lambda: (kept_until(api, drone) or 0) > away_until, 30)
+    history = api.get("/history")
+    times = [begin, *kept_times(api, drone, begin)]
+    longest = max(after - before for before, after in zip(times, times[1:], strict=False))
+    assert longest < 1 or history["dropped"] > 0, f"{longest:.1f} s are missing, and not counted: {history}"
+    assert api.command(drone, go_to)["outcome"]["result"] == "succeeded"
+    wait_for("the command from before is remembered", lambda: remembered(aloft, before["id"]), 30)
+
+
+def test_a_flight_goes_on_over_a_crash_and_loses_a_second_at_most(aloft: Aloft) -> None:
+    drone, before = aloft.drone, aloft.flight
+    wait_for("all that waited is written", lambda: is_well(aloft.api), 60)
+    shown, behind = watch_what_is_kept(aloft.api, drone)
+    aloft.server.kill()
+    aloft.server.start()
+    api = aloft.api = Api(aloft.server.address, aloft.server.local_key())
+    lost = shown - max(at for at in kept_times(api, drone, shown - 60) if at <= shown)
+    print(
+        f"A kill cost {lost:.2f} s of telemetry; at the worst of {LOOKS} moments it would have been {behind:.2f} s"
+    )
+    assert lost <= MOST_LOST_SECONDS, f"{lost:.2f} s of what was shown are missing"
+    assert behind <= MOST_LOST_SECONDS, f"{behind:.2f} s of what was shown were not kept yet"
+    wait_for("it is heard again", lambda: flight_of(api, drone, "running"), 60)
+    api.do(drone, type="land")
+    after = wait_for("the flight has ended", lambda: flight_of(api, drone, "ended"), 120)
+    assert after["id"] == before["id"]
+    assert after["start"] == before["start"]
+    assert len(api.get(f"/flights?drone={drone}")["flights"]) == 1
+
+
+@contextmanager
+def database_away(data: Path) -> Iterator[None]:
+    """The server's own database is killed, and cannot be started again."""
+    (program,) = (path for path in data.rglob("bin/postgres") if path.is_file())
+    hidden = program.with_name("postgres-away")
+    program.rename(hidden)
+    for process in processes_in(data):
+        os.kill(process, signal.SIGKILL)
+    try:
+        yield
+    finally:
+        hidden.rename(program)
+
+
+def processes_in(data: Path) -> list[int]:
+    """The database's: they alone work in a folder below the server's data."""
+    found = []
+    for process in Path("/proc").iterdir():
+        try:
+            inside = process.name.isdigit() and (process / "cwd").readlink().is_relative_to(data)
+        except OSError:
+            continue
+        if inside:
+            found.append(int(process.name))
+    return found
+
+
+def is_well(api: Api) -> bool:
+    history = api.call("GET", "/history")
+    return history.ok and bool(history.json()["up"])
+
+
+def remembered(aloft: Aloft, command: str) -> bool:
+    events = aloft.api.get(f"/flights/{aloft.flight['id']}/events")["events"]
+    return any(e["command"] == command and e["result"] == "succeeded" for e in events)
+
+
+def watch_what_is_kept(api: Api, drone: str) -> tuple[float, float]:
+    """The newest state shown, and how far what is kept was ever behind it, as a kill would show."""
+    shown = worst = 0.0
+    for _ in range(LOOKS):
+        shown = seconds_of(api.drone(drone)["lastUpdate"])
+        worst = max(worst, shown - (kept_until(api, drone) or 0))
+    return shown, worst
+
+
+def kept_until(api: Api, drone: str) -> float | None:
+    return max(kept_times(api, drone, time.time() - 30), default=None)
+
+
+def kept_times(api: Api, drone: str, since: float) -> list[float]:
+    begin = datetime.fromtimestamp(since, UTC).isoformat().replace("+00:00", "Z")
+    return [seconds_of(p["at"]) for p in api.get(f"/drones/{drone}/telemetry/points?from={begin}")["points"]]
