@@ -50,7 +50,8 @@ final class Crafts {
         };
     }
 
-    private static boolean isTakingOff(RunDrone drone) {
+    /** It climbs straight up, and is left to that. */
+    static boolean isTakingOff(RunDrone drone) {
         Sortie sortie = drone.sortie();
         return drone.passed() == 0 && sortie != null && sortie.mission().items().get(0) instanceof MissionItem.TakeOff;
     }

@@ -94,6 +94,7 @@ public final class MissionRun implements Operation<RunState, RunInput> {
         looks.forEach(look -> Watch.look(draft, look));
         Planning.ask(draft, looks);
         Launch.prepare(draft);
+        Guard.watch(draft, looks);
         looks.forEach(look -> Steps.go(draft, look));
         Closing.close(draft);
     }

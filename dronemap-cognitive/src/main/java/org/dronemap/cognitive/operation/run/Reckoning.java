@@ -27,10 +27,11 @@ final class Reckoning {
 
     /** While a mission is being brought to it, what it says may be of the one before or of the next. */
     private static boolean counts(RunDrone drone) {
-        return switch (drone.stage()) {
-            case FLYING, HOLDING, RETURNING, SILENT, SUSPENDED, GONE, LEFT -> true;
-            default -> false;
-        };
+        return drone.signs().begun()
+                && switch (drone.stage()) {
+                    case FLYING, HOLDING, RETURNING, SILENT, SUSPENDED, GONE, LEFT -> true;
+                    default -> false;
+                };
     }
 
     private static void visited(Draft draft, RunDrone drone, String id) {

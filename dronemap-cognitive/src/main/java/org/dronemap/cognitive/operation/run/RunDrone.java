@@ -72,6 +72,7 @@ public record RunDrone(
      * What lasts.
      *
      * @param held control of it was seen since it came to the run, or was resumed
+     * @param begun it has been seen on the mission that it has on board, so that what it tells of it counts
      * @param falling since when it falls, or leans as nothing that flies does
      * @param astray since when it is off its path
      * @param silence what it may still do while it is not heard
@@ -81,44 +82,49 @@ public record RunDrone(
      */
     public record Signs(
             boolean held,
+            boolean begun,
             @Nullable Instant falling,
             @Nullable Instant astray,
             @Nullable Silence silence,
             @Nullable DroneId yields,
             List<Trigger> told,
             @Nullable Double joulesPerPercent) {
-        static final Signs NONE = new Signs(false, null, null, null, null, List.of(), null);
+        static final Signs NONE = new Signs(false, false, null, null, null, null, List.of(), null);
 
         public Signs {
             told = List.copyOf(told);
         }
 
         Signs held(boolean now) {
-            return new Signs(now, falling, astray, silence, yields, told, joulesPerPercent);
+            return new Signs(now, begun, falling, astray, silence, yields, told, joulesPerPercent);
+        }
+
+        Signs begun(boolean now) {
+            return new Signs(held, now, falling, astray, silence, yields, told, joulesPerPercent);
         }
 
         Signs falling(@Nullable Instant from) {
-            return new Signs(held, from, astray, silence, yields, told, joulesPerPercent);
+            return new Signs(held, begun, from, astray, silence, yields, told, joulesPerPercent);
         }
 
         Signs astray(@Nullable Instant from) {
-            return new Signs(held, falling, from, silence, yields, told, joulesPerPercent);
+            return new Signs(held, begun, falling, from, silence, yields, told, joulesPerPercent);
         }
 
         Signs silent(@Nullable Silence what) {
-            return new Signs(held, falling, astray, what, yields, told, joulesPerPercent);
+            return new Signs(held, begun, falling, astray, what, yields, told, joulesPerPercent);
         }
 
         Signs yields(@Nullable DroneId other) {
-            return new Signs(held, falling, astray, silence, other, told, joulesPerPercent);
+            return new Signs(held, begun, falling, astray, silence, other, told, joulesPerPercent);
         }
 
         Signs told(List<Trigger> all) {
-            return new Signs(held, falling, astray, silence, yields, all, joulesPerPercent);
+            return new Signs(held, begun, falling, astray, silence, yields, all, joulesPerPercent);
         }
 
         Signs joulesPerPercent(double joules) {
-            return new Signs(held, falling, astray, silence, yields, told, joules);
+            return new Signs(held, begun, falling, astray, silence, yields, told, joules);
         }
     }
 
@@ -160,7 +166,8 @@ public record RunDrone(
 
     /** A new step begins. */
     RunDrone to(DroneStage step, Instant now) {
-        return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Tries.NONE, note, signs);
+        Signs seen = step == DroneStage.FLYING ? signs.begun(true) : signs;
+        return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Tries.NONE, note, seen);
     }
 
     RunDrone noted(@Nullable String why) {

@@ -70,7 +70,9 @@ final class Steps {
     }
 
     static RunDrone onBoard(RunDrone drone, Sortie next) {
-        return drone.flying(next, 0).getting(null).with(drone.signs().told(List.of()));
+        return drone.flying(next, 0)
+                .getting(null)
+                .with(drone.signs().told(List.of()).begun(false));
     }
 
     private static void arm(Draft draft, RunDrone drone, Look look) {
@@ -101,7 +103,7 @@ final class Steps {
 
     private static void fly(Draft draft, RunDrone drone, Look look) {
         Sortie next = drone.next();
-        if (next == null || !look.isOnMission()) {
+        if (next == null || !look.isOnMission() || Crafts.isTakingOff(drone)) {
             return;
         }
         if (Transfer.gives(drone, next) || Transfer.isFree(draft, drone, next)) {

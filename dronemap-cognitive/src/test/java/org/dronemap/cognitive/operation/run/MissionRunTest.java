@@ -6,7 +6,11 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
+import org.dronemap.cognitive.Scenes;
 import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.Action;
 import org.junit.jupiter.api.Test;
 
@@ -188,5 +192,30 @@ class MissionRunTest {
 
         assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
         assertThat(Duration.between(TestFleet.START, fleet.now)).isLessThan(Duration.ofMinutes(20));
+    }
+
+    @Test
+    void makesADroneWaitForOneThatIsWhereItsPlanDoesNotSay() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestVehicle slow = fleet.vehicle(0);
+        TestVehicle other = fleet.vehicle(1);
+        slow.cruise = 0;
+        slow.east = other.east + 60 * Math.signum(next(fleet, other).eastMeters() - other.east);
+        slow.north = other.north
+                + (next(fleet, other).northMeters() - other.north)
+                        / Math.abs(next(fleet, other).eastMeters() - other.east)
+                        * 60;
+        slow.altitude = other.altitude;
+        fleet.closest = Double.POSITIVE_INFINITY;
+        fleet.fly(8);
+
+        assertThat(triggers(fleet)).contains(Trigger.TOO_NEAR);
+        assertThat(fleet.closest).isGreaterThan(10);
+    }
+
+    private static Spot next(TestFleet fleet, TestVehicle vehicle) {
+        MissionItem.Waypoint item = (MissionItem.Waypoint) vehicle.items.get(vehicle.current);
+        return new LocalPlane(Scenes.point(0, 0)).spot(item.point());
     }
 }

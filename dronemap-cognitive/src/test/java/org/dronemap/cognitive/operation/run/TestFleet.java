@@ -47,6 +47,7 @@ final class TestFleet {
     Predicate<Action.Give<RunInput>> loses = give -> false;
 
     double closest = Double.POSITIVE_INFINITY;
+    String where = "";
     private final Map<DroneId, DroneState> heard = new HashMap<>();
     private final Map<DroneId, Integer> counted = new HashMap<>();
     private final List<Due> due = new ArrayList<>();
@@ -262,8 +263,10 @@ final class TestFleet {
                 double vertical = Math.abs(one.altitude - other.altitude);
                 double meters = Math.hypot(one.east - other.east, one.north - other.north);
                 boolean wreck = one.falling || other.falling;
-                if (vertical < 4.5 && !wreck) {
-                    closest = Math.min(closest, meters);
+                if (vertical < 4.5 && !wreck && meters < closest) {
+                    closest = meters;
+                    where = one.id + " in " + one.mode + " and " + other.id + " in " + other.mode + " after "
+                            + Duration.between(START, now).toSeconds() + " s";
                 }
             }
         }

@@ -1,0 +1,204 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Speeds;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/** Where drones in the air will be in the next seconds, as far as that is known. */
+final class Tracks {
+    static final double STRIDE_SECONDS = 0.5;
+    /** Vehicles climb to this before they fly home, in m over it. */
+    private static final double RETURN_METERS = 15;
+
+    private final LocalPlane plane;
+    private final int strides;
+
+    Tracks(LocalPlane plane, double seconds) {
+        this.plane = plane;
+        this.strides = (int) Math.ceil(seconds / STRIDE_SECONDS);
+    }
+
+    /** Where it is at a moment: at any height between those two, since climbs and ways are not flown at one pace. */
+    record At(Spot spot, double low, double high) {
+        At(Spot spot, double meters) {
+            this(spot, meters, meters);
+        }
+
+        private boolean isStacked(At other, double vertical) {
+            return low - other.high >= vertical || other.low - high >= vertical;
+        }
+    }
+
+    /** One place for each stride, from now on. */
+    record Track(List<At> places) {
+        Track {
+            places = List.copyOf(places);
+        }
+
+        /** As if it stopped after so many strides. */
+        Track stopping(int after) {
+            List<At> stands = new ArrayList<>();
+            for (int i = 0; i < places.size(); i++) {
+                stands.add(places.get(Math.min(i, after)));
+            }
+            return new Track(stands);
+        }
+
+        boolean meets(Track other, double horizontal, double vertical) {
+            for (int i = 0; i < Math.min(places.size(), other.places().size()); i++) {
+                At here = places.get(i);
+                At there = other.places().get(i);
+                if (!here.isStacked(there, vertical) && here.spot().distanceMeters(there.spot()) < horizontal) {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+
+    /** What it may do; none where it is on the ground, or nobody knows where it is. */
+    List<Track> of(Draft draft, RunDrone drone, @Nullable Look look) {
+        RunDrone.Silence silence = drone.signs().silence();
+        if (drone.stage() == DroneStage.SILENT && silence != null && silence.place() != null) {
+            double gone = Duration.between(silence.heard(), draft.now()).toMillis() / 1_000.0;
+            return List.of(mission(drone, silence.place(), gone), homeward(drone, silence.place(), gone));
+        }
+        Place place = look == null ? null : look.place();
+        if (place == null || look == null || !look.airborne()) {
+            return List.of();
+        }
+        return switch (drone.stage()) {
+            case STARTING, FLYING, CONTINUING -> List.of(mission(drone, place, 0));
+            case HOLDING ->
+                List.of(
+                        look.isOnMission()
+                                ? mission(drone, place, 0).stopping(Guard.STRIDES_TO_STAND)
+                                : new Track(standing(place)));
+            case RETURNING -> List.of(homeward(drone, place, 0));
+            case CRASHED -> List.of();
+            default ->
+                List.of(
+                        look.comesDown()
+                                ? homeward(drone, place, 0)
+                                : look.isOnMission() ? mission(drone, place, 0) : new Track(standing(place)));
+        };
+    }
+
+    Track mission(RunDrone drone, Place from, double ago) {
+        Walk walk = new Walk(drone.craft().performance().speeds(), at(from), ago);
+        Sortie sortie = drone.sortie();
+        if (sortie != null) {
+            List<MissionItem> items = sortie.mission().items();
+            for (MissionItem item : items.subList(Math.min(drone.passed(), items.size()), items.size())) {
+                if (item instanceof MissionItem.Waypoint waypoint) {
+                    walk.to(at(Legs.place(waypoint)));
+                    walk.waitFor(waypoint.holdSeconds());
+                } else if (item instanceof MissionItem.TakeOff takeOff) {
+                    double top = drone.craft().homeAmslMeters() + takeOff.altitudeMeters();
+                    walk.to(new At(walk.last().spot(), top));
+                } else {
+                    walk.down(drone.craft().homeAmslMeters());
+                }
+            }
+        }
+        return walk.track();
+    }
+
+    private Track homeward(RunDrone drone, Place from, double ago) {
+        Place home = drone.craft().finish().place();
+        Walk walk = new Walk(drone.craft().performance().speeds(), at(from), ago);
+        double height = Math.max(from.altitudeAmslMeters(), home.altitudeAmslMeters() + RETURN_METERS);
+        boolean there = at(from).spot().distanceMeters(at(home).spot()) < 2;
+        if (!there) {
+            walk.to(new At(at(from).spot(), height));
+            walk.to(new At(at(home).spot(), height));
+        }
+        walk.down(home.altitudeAmslMeters());
+        return walk.track();
+    }
+
+    private List<At> standing(Place place) {
+        List<At> places = new ArrayList<>();
+        for (int i = 0; i <= strides; i++) {
+            places.add(at(place));
+        }
+        return places;
+    }
+
+    private At at(Place place) {
+        return new At(plane.spot(place.point()), place.altitudeAmslMeters());
+    }
+
+    /** Goes from place to place and notes where it is at each stride. */
+    private final class Walk {
+        private final Speeds speeds;
+        private final List<At> places = new ArrayList<>();
+        private final double ago;
+        private At here;
+        private double seconds;
+
+        Walk(Speeds speeds, At from, double ago) {
+            this.speeds = speeds;
+            this.here = from;
+            this.ago = ago;
+            note(from, 0);
+        }
+
+        At last() {
+            return here;
+        }
+
+        void to(At there) {
+            double meters = here.spot().distanceMeters(there.spot());
+            double climb = there.low() - here.low();
+            double vertical = climb > 0 ? climb / speeds.climb() : -climb / speeds.descent();
+            go(there, Math.max(meters / speeds.cruise(), vertical));
+        }
+
+        void down(double ground) {
+            go(new At(here.spot(), ground), Math.max(0, here.low() - ground) / speeds.descent());
+        }
+
+        void waitFor(double holdSeconds) {
+            go(here, holdSeconds);
+        }
+
+        private void go(At there, double takes) {
+            note(there, takes);
+            here = there;
+            seconds += takes;
+        }
+
+        /** What lies before now is passed over. */
+        private void note(At there, double takes) {
+            while (places.size() <= strides && ago + places.size() * STRIDE_SECONDS <= seconds + takes) {
+                double share = takes == 0 ? 1 : (ago + places.size() * STRIDE_SECONDS - seconds) / takes;
+                places.add(between(here, there, share));
+            }
+        }
+
+        private At between(At from, At there, double share) {
+            double east = there.spot().eastMeters() - from.spot().eastMeters();
+            double north = there.spot().northMeters() - from.spot().northMeters();
+            Spot spot = new Spot(
+                    from.spot().eastMeters() + share * east, from.spot().northMeters() + share * north);
+            boolean straightUp = Math.hypot(east, north) < 1;
+            return straightUp
+                    ? new At(spot, from.low() + share * (there.low() - from.low()))
+                    : new At(spot, Math.min(from.low(), there.low()), Math.max(from.low(), there.low()));
+        }
+
+        Track track() {
+            while (places.size() <= strides) {
+                places.add(here);
+            }
+            return new Track(places);
+        }
+    }
+}
