@@ -8,6 +8,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.Scenes;
 import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.MissionItem;
@@ -192,6 +193,21 @@ class MissionRunTest {
 
         assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
         assertThat(Duration.between(TestFleet.START, fleet.now)).isLessThan(Duration.ofMinutes(20));
+    }
+
+    @Test
+    void givesAWaypointToNobodyBeforeWhoHadItHasStopped() {
+        TestFleet fleet = fleet(3, 40);
+        AtomicInteger lost = new AtomicInteger();
+        fleet.loses = give -> give.command() instanceof Command.PauseMission
+                && !give.drone().value().equals("d2")
+                && lost.incrementAndGet() % 3 != 0;
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(2).falling = true;
+        fleet.flyToTheEnd();
+
+        assertThat(lost.get()).isGreaterThan(2);
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(40);
     }
 
     @Test

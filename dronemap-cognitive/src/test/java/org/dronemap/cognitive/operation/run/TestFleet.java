@@ -277,7 +277,10 @@ final class TestFleet {
         Map<String, DroneId> heads = new HashMap<>();
         for (TestVehicle vehicle : vehicles.values()) {
             RunDrone drone = state.drone(vehicle.id).orElse(null);
-            boolean counts = drone != null && vehicle.fliesMission() && !vehicle.cut && isInHand(drone);
+            boolean counts = drone != null
+                    && vehicle.fliesMission()
+                    && vehicle.heardFor > 10
+                    && drone.stage().takesOrders();
             if (!counts) {
                 continue;
             }
@@ -294,10 +297,6 @@ final class TestFleet {
                 }
             }
         }
-    }
-
-    private static boolean isInHand(RunDrone drone) {
-        return drone.stage().takesOrders() && drone.stage() != DroneStage.HOLDING;
     }
 
     /** What the run says was visited was visited, and what was visited more than once is counted. */

@@ -72,6 +72,7 @@ final class TestVehicle {
     boolean fallen;
     boolean cut;
     double cutFor;
+    double heardFor = 60;
 
     @Nullable
     String takenBy;
@@ -107,6 +108,7 @@ final class TestVehicle {
         double n = north;
         double a = altitude;
         cutFor = cut ? cutFor + seconds : 0;
+        heardFor = cut ? 0 : heardFor + seconds;
         if (cutFor > 5 && armed && isUp() && onCloudLoss == CloudLoss.RETURN_TO_LAUNCH && !mode.equals("LAND")) {
             mode = "RTL";
         }
