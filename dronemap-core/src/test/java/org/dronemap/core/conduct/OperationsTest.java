@@ -281,6 +281,8 @@ class OperationsTest {
         begin();
         cloud.controls().apply(link.id(), new LeaseEvent.PilotActed("LOITER"));
         cloud.controls().apply(link.id(), new LeaseEvent.PilotLeft());
+        // What is decided meanwhile must not ask for it again.
+        wish("note something");
 
         await().until(() -> heard().stream().anyMatch(one -> one.startsWith("taken")));
 
