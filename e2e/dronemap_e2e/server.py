@@ -25,6 +25,8 @@ class Server:
         self.stream_port = free_port()
         self.udp_port = free_port(socket.SOCK_DGRAM)
         self.tcp_port = free_port()
+        self.outlet_udp_port = free_port(socket.SOCK_DGRAM)
+        self.outlet_tcp_port = free_port()
         self._settings = settings
         self._process: subprocess.Popen[bytes] | None = None
 
@@ -53,6 +55,10 @@ class Server:
             "DRONEMAP_STREAM_PORT": str(self.stream_port),
             "DRONEMAP_ENDPOINTS": (
                 f"udpserver://127.0.0.1:{self.udp_port},tcpserver://127.0.0.1:{self.tcp_port}"
+            ),
+            "DRONEMAP_OUTLET": (
+                f"udpserver://127.0.0.1:{self.outlet_udp_port},"
+                f"tcpserver://127.0.0.1:{self.outlet_tcp_port}"
             ),
         }
         with (self.data / "server.log").open("ab") as log:

@@ -21,8 +21,15 @@ public final class MessageTable {
     // Most of what vehicles send has a low number: found without a box for the key.
     private static final @Nullable Entry[] LOW = low(ENTRIES);
 
-    /** Payload lengths in bytes without and with the version 2 extension fields. */
-    public record Entry(int id, String name, int checksumSeed, int shortestPayload, int longestPayload) {}
+    /**
+     * One message.
+     *
+     * @param shortestPayload in bytes, without the version 2 extension fields
+     * @param longestPayload in bytes, with them
+     * @param targetOffset where the payload names the system that it is for, which component follows; -1: it does not
+     */
+    public record Entry(
+            int id, String name, int checksumSeed, int shortestPayload, int longestPayload, int targetOffset) {}
 
     private MessageTable() {}
 
@@ -64,7 +71,8 @@ public final class MessageTable {
                                     parts[1],
                                     Integer.parseInt(parts[2]),
                                     Integer.parseInt(parts[3]),
-                                    Integer.parseInt(parts[4])));
+                                    Integer.parseInt(parts[4]),
+                                    Integer.parseInt(parts[5])));
                 }
             }
         } catch (IOException e) {

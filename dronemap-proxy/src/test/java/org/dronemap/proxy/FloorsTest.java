@@ -28,20 +28,24 @@ class FloorsTest {
             .definedBy("..proxy.signing")
             .layer("endpoint")
             .definedBy("..proxy.endpoint")
+            .layer("outlet")
+            .definedBy("..proxy.outlet")
+            .whereLayer("outlet")
+            .mayNotBeAccessedByAnyLayer()
             .whereLayer("door")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("record")
             .mayOnlyBeAccessedByLayers("door")
             .whereLayer("session")
-            .mayOnlyBeAccessedByLayers("door", "record")
+            .mayOnlyBeAccessedByLayers("door", "record", "outlet")
             .whereLayer("translate")
-            .mayOnlyBeAccessedByLayers("session")
+            .mayOnlyBeAccessedByLayers("session", "outlet")
             .whereLayer("procedure")
-            .mayOnlyBeAccessedByLayers("session", "translate")
+            .mayOnlyBeAccessedByLayers("session", "translate", "outlet")
             .whereLayer("signing")
             .mayOnlyBeAccessedByLayers("door", "session")
             .whereLayer("endpoint")
-            .mayOnlyBeAccessedByLayers("door", "session");
+            .mayOnlyBeAccessedByLayers("door", "session", "outlet");
 
     @ArchTest
     static final ArchRule THERE_ARE_NO_CYCLES =

@@ -57,6 +57,7 @@ final class FleetBuilder {
         int systemId = (options.firstSystemId() - 1 + index) % SYSTEM_IDS + 1;
         VehicleSettings settings = new VehicleSettings(
                 systemId,
+                options.firstHardware() == 0 ? systemId : options.firstHardware() + index,
                 options.mavlink1() ? 1 : 2,
                 options.rateHertz(),
                 options.stickLow() ? 1000 : 1500,

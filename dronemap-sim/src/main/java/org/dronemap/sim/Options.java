@@ -10,6 +10,7 @@ record Options(
         int count,
         LocalFrame home,
         int firstSystemId,
+        int firstHardware,
         ServerAddress server,
         String personality,
         double speedup,
@@ -29,6 +30,7 @@ record Options(
               --count N                vehicles, 1 to 10000 (default 1); beyond 254 system ids repeat on other ports
               --home LAT,LON[,ALT]     where the first one stands, altitude in metres AMSL (default 47.3977,8.5456,488)
               --sysid FIRST            system id of the first one, 1 to 254 (default 1)
+              --hardware FIRST         number of the first one's board, 1 to 1000000 (default: its system id)
               --connect ADDRESS        udp://HOST:PORT or tcp://HOST:PORT (default udp://127.0.0.1:14550)
               --personality KIND       arducopter, px4 or mixed (default arducopter)
               --speedup X              simulated seconds a second, 0.1 to 50 (default 1)
@@ -50,6 +52,7 @@ record Options(
                 1,
                 new LocalFrame(47.3977, 8.5456, 488),
                 1,
+                0,
                 new ServerAddress(false, "127.0.0.1", 14550),
                 "arducopter",
                 1,
@@ -77,6 +80,7 @@ record Options(
                 (int) reader.integer("--count", d.count, 1, 10_000),
                 reader.home("--home", d.home),
                 (int) reader.integer("--sysid", d.firstSystemId, 1, 254),
+                (int) reader.integer("--hardware", d.firstHardware, 1, 1_000_000),
                 reader.server("--connect", d.server),
                 reader.choice("--personality", d.personality, List.of("arducopter", "px4", "mixed")),
                 reader.number("--speedup", d.speedup, 0.1, 50),

@@ -25,7 +25,7 @@ class GeneratedSourcesTest {
                 .filteredOn(line -> !line.startsWith("#"))
                 .isNotEmpty()
                 .noneMatch(line -> definitions.containsKey(Integer.parseInt(line.split("\t", -1)[0])));
-        assertThat(MessageTable.find(53)).isEqualTo(new MessageTable.Entry(53, "MissionChecksum", 3, 5, 5));
+        assertThat(MessageTable.find(53)).isEqualTo(new MessageTable.Entry(53, "MissionChecksum", 3, 5, 5, -1));
     }
 
     @Test

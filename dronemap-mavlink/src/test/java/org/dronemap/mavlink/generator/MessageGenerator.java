@@ -76,7 +76,8 @@ public final class MessageGenerator {
     }
 
     static String table(Map<Integer, Class<?>> definitions) {
-        StringBuilder table = new StringBuilder("# id\tname\tchecksum seed\tshortest payload\tlongest payload\n");
+        StringBuilder table = new StringBuilder(
+                "# id\tname\tchecksum seed\tshortest payload\tlongest payload" + "\toffset of target system\n");
         definitions.forEach((id, type) -> table.append(id)
                 .append('\t')
                 .append(type.getSimpleName())
@@ -86,6 +87,8 @@ public final class MessageGenerator {
                 .append(MessageSources.lengthWithoutExtensions(type))
                 .append('\t')
                 .append(MessageSources.length(type))
+                .append('\t')
+                .append(MessageSources.targetSystemOffset(type))
                 .append('\n'));
         return table.toString();
     }

@@ -62,6 +62,15 @@ final class MessageSources {
                 .sum();
     }
 
+    /** Where the payload says whom it is for; -1: it does not. */
+    static int targetSystemOffset(Class<?> message) {
+        return wireOrder(message).stream()
+                .filter(field -> field.name().equals("targetSystem"))
+                .mapToInt(Field::offset)
+                .findFirst()
+                .orElse(-1);
+    }
+
     static String source(Class<?> message) {
         MavlinkMessageInfo info = message.getAnnotation(MavlinkMessageInfo.class);
         List<Field> wire = wireOrder(message);

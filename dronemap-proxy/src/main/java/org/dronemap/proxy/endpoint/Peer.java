@@ -27,6 +27,12 @@ public interface Peer {
         return false;
     }
 
+    /** Sends one frame; false, uncounted, when the link takes no more now. */
+    default boolean offer(byte[] frame) {
+        send(frame);
+        return true;
+    }
+
     /** Sends one frame, or drops and counts it when the link takes no more. */
     void send(byte[] frame);
 }

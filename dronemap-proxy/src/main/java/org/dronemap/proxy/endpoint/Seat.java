@@ -133,6 +133,15 @@ final class Seat implements Peer {
     }
 
     @Override
+    public boolean offer(byte[] frame) {
+        boolean taken = wire.send(frame);
+        if (taken) {
+            counters.sent(true);
+        }
+        return taken;
+    }
+
+    @Override
     public void send(byte[] frame) {
         counters.sent(wire.send(frame));
     }

@@ -1,5 +1,6 @@
 package org.dronemap.proxy.session;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -11,6 +12,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.CommandLedger;
 import org.dronemap.proxy.mavlink.procedure.MessageRates;
 import org.dronemap.proxy.mavlink.procedure.Target;
@@ -45,8 +47,16 @@ final class Conversation {
     private boolean known;
     private long lastHeartbeatNanos;
 
-    /** {@code first} is a heartbeat of that autopilot; {@code news} hears what it says. */
-    Conversation(LinkChoice links, Frame first, Consumer<DroneEvent> news, LongSupplier nanoTime) {
+    /**
+     * {@code first} is a heartbeat of that autopilot; {@code news} hears what it says, {@code missionRead} what it keeps as
+     * its mission.
+     */
+    Conversation(
+            LinkChoice links,
+            Frame first,
+            Consumer<DroneEvent> news,
+            Consumer<List<MissionItemInt>> missionRead,
+            LongSupplier nanoTime) {
         this.links = links;
         this.news = news;
         this.nanoTime = nanoTime;
@@ -57,7 +67,7 @@ final class Conversation {
         telemetry = new Telemetry(autopilot, status, this::tell);
         parameters = new ParameterTable(autopilot, this::tell);
         rates = new MessageRates(target);
-        missions = new MissionWatch(target, autopilot, status, this::tell);
+        missions = new MissionWatch(target, autopilot, status, this::tell, missionRead);
         time = new TimeAnswers(target);
         lastHeartbeatNanos = nanoTime.getAsLong() - SECOND_NANOS;
     }

@@ -1,8 +1,10 @@
 package org.dronemap.proxy.session;
 
+import java.util.List;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.MissionItemInt;
 
 /** Hears every frame of one session as it came and went, whatever becomes of it. Any thread; returns at once. */
 public interface FrameTap {
@@ -24,6 +26,12 @@ public interface FrameTap {
     /** A frame came from the vehicle. */
     void heard(Frame frame);
 
+    /** A frame from the vehicle that was heard was also let in: it is no echo, and what has to be signed is. */
+    default void admitted(Frame frame) {}
+
+    /** What the vehicle keeps as its mission was read, item by item as it lies there. */
+    default void missionRead(List<MissionItemInt> items) {}
+
     /** A frame, which belongs to the caller, went to the vehicle by that mandate. */
     void said(byte[] frame, Mandate mandate);
 
@@ -32,6 +40,11 @@ public interface FrameTap {
 
     /** The session is over. */
     void ended();
+
+    /** Both hear, the first one first. */
+    static FrameTap both(FrameTap first, FrameTap second) {
+        return first == NONE ? second : new TwoTaps(first, second);
+    }
 
     /** Makes a tap for each session; {@code componentId} is the autopilot's. */
     interface Factory {

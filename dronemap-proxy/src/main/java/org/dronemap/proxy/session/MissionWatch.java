@@ -38,6 +38,7 @@ final class MissionWatch {
     private final Autopilot autopilot;
     private final VehicleStatus status;
     private final Consumer<DroneEvent> out;
+    private final Consumer<List<MissionItemInt>> onRead;
     private final MissionStamps stamps = new MissionStamps();
     private @Nullable MissionDownload reading;
     private boolean readingWhole;
@@ -51,7 +52,14 @@ final class MissionWatch {
     private @Nullable String knownHash;
     private int lastTotal = -1;
 
-    MissionWatch(Target target, Autopilot autopilot, VehicleStatus status, Consumer<DroneEvent> out) {
+    /** {@code out} hears what the mission means, {@code onRead} each time what it is on the wire. */
+    MissionWatch(
+            Target target,
+            Autopilot autopilot,
+            VehicleStatus status,
+            Consumer<DroneEvent> out,
+            Consumer<List<MissionItemInt>> onRead) {
+        this.onRead = onRead;
         this.target = target;
         this.autopilot = autopilot;
         this.status = status;
@@ -205,6 +213,7 @@ final class MissionWatch {
         stamps.read(read.stamp());
         lookedUpTo = 0;
         status.missionRead(read.items());
+        onRead.accept(read.items());
         if (asUploaded || !mission.equals(known) || !Objects.equals(hash, knownHash)) {
             known = mission;
             knownHash = hash;

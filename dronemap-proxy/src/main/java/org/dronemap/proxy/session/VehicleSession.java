@@ -62,7 +62,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         componentId = first.componentId();
         tap = label.replay() ? FrameTap.NONE : surroundings.taps().open(componentId);
         firstLink.downlink().tapBy(tap);
-        conversation = new Conversation(links, first, this::tell, surroundings.nanoTime());
+        conversation = new Conversation(links, first, this::tell, tap::missionRead, surroundings.nanoTime());
         introduction = new Introduction(surroundings, links, conversation);
         lane = surroundings.lanes().registry();
         mailbox = new Mailbox(lane, this::take);
@@ -93,6 +93,7 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         if (admission == Admission.REFUSED) {
             return;
         }
+        tap.admitted(frame);
         if (frame.componentId() != componentId || admission == Admission.ASIDE) {
             // Other components speak for themselves; their sentences are shown while the autopilot lives.
             if (now - lastHeardNanos < 2 * SECOND_NANOS) {

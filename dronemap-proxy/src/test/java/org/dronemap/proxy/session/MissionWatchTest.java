@@ -27,8 +27,9 @@ class MissionWatchTest {
     private final Wire wire = new Wire();
     private final MissionVehicle vehicle = new MissionVehicle();
     private final List<DroneEvent> told = new ArrayList<>();
+    private final List<List<MissionItemInt>> onWire = new ArrayList<>();
     private final MissionWatch watch =
-            new MissionWatch(wire.target(), Autopilot.of(PX4), new VehicleStatus(2), told::add);
+            new MissionWatch(wire.target(), Autopilot.of(PX4), new VehicleStatus(2), told::add, onWire::add);
 
     /** The watch as something that is under way for ever. */
     private final Exchange watching = new Exchange() {

@@ -80,7 +80,7 @@ final class Desk {
         this.bootedAt = bootedAt;
         this.out = out;
         this.events = events;
-        this.telemetry = new Telemetry(autopilot, systemId, settings.epochMicros() + bootedAt * 1000);
+        this.telemetry = new Telemetry(autopilot, settings.hardware(), settings.epochMicros() + bootedAt * 1000);
         this.missions = new MissionProtocol(autopilot, alterations, out, events);
         this.logs = new LogProtocol(systemId, out);
         this.parameters = new ParameterProtocol(autopilot, alterations, out);

@@ -30,14 +30,14 @@ public final class Telemetry {
 
     private final Autopilot autopilot;
     private final Craft craft;
-    private final int systemId;
+    private final int hardware;
     private final long epochMicros;
 
-    /** {@code epochMicros} is the UTC time of the vehicle's boot. */
-    public Telemetry(Autopilot autopilot, int systemId, long epochMicros) {
+    /** {@code hardware} is the number of its board, {@code epochMicros} the UTC time of the vehicle's boot. */
+    public Telemetry(Autopilot autopilot, int hardware, long epochMicros) {
         this.autopilot = autopilot;
         this.craft = autopilot.craft();
-        this.systemId = systemId;
+        this.hardware = hardware;
         this.epochMicros = epochMicros;
     }
 
@@ -224,7 +224,7 @@ public final class Telemetry {
 
     private AutopilotVersion version() {
         int[] uid2 = new int[18];
-        long uid = 0x5D70_0000_0000_0000L | systemId;
+        long uid = 0x5D70_0000_0000_0000L | hardware;
         for (int i = 0; i < 8; i++) {
             uid2[i] = (int) (uid >>> (56 - 8 * i)) & 0xFF;
         }

@@ -12,6 +12,7 @@ import javax.sql.DataSource;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.access.LinkSecurityStore;
+import org.dronemap.core.access.OutletStore;
 import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.command.CommandStore;
@@ -110,6 +111,11 @@ public final class Database implements AutoCloseable {
     /** Keys are sealed with {@code box} on their way in. */
     public LinkSecurityStore linkSecurity(SecretBox box) {
         return new PostgresLinkSecurityStore(sql, box);
+    }
+
+    /** Keys are sealed with {@code box} on their way in. */
+    public OutletStore outlet(SecretBox box) {
+        return new PostgresOutletStore(sql, box);
     }
 
     public RecordingStore recordings() {

@@ -32,7 +32,8 @@ final class SharedDatabase {
                     "TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key, link_security,"
                             + " recording, link, link_key, control_lease, organisation, drone_owner, user_group,"
                             + " user_group_member, fleet, access_grant, only_granted, invitation, virtual_drone, warehouse_drone,"
-                            + " audit, telemetry, drone_event, flight, operation, operation_journal");
+                            + " audit, telemetry, drone_event, flight, operation, operation_journal, outlet_key,"
+                            + " outlet_number");
             return DATABASE;
         } catch (SQLException e) {
             throw new IllegalStateException(e);

@@ -21,6 +21,7 @@ import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.LinkSecurityControl;
+import org.dronemap.ws.service.OutletControl;
 import org.dronemap.ws.service.Recordings;
 import org.dronemap.ws.service.VehicleLinks;
 import org.jspecify.annotations.Nullable;
@@ -51,6 +52,9 @@ public record House(
         }
     }
 
-    /** The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with. */
-    public record LinkSide(VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys) {}
+    /**
+     * The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with; and the way in
+     * for ground stations of other makers.
+     */
+    public record LinkSide(VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys, OutletControl outlet) {}
 }

@@ -33,7 +33,9 @@ import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
+import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.record.Recorder;
+import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.proxy.signing.Keyrings;
 import org.dronemap.store.mongo.MongoTelemetryStore;
 import org.dronemap.store.postgres.BackupSummary;
@@ -56,6 +58,8 @@ final class HouseBuilder {
     private final Closing closing;
     private final List<EndpointUrl> endpoints;
     private final Lanes lanes = new Lanes(LANES);
+    private final OutletBuilder outlets;
+    private @Nullable Outlet outlet;
     private @Nullable Proxy proxy;
     private @Nullable LinkStore savedLinks;
 
@@ -65,6 +69,7 @@ final class HouseBuilder {
         this.closing = closing;
         this.endpoints =
                 settings.endpoints().stream().map(HouseBuilder::endpoint).toList();
+        this.outlets = new OutletBuilder(settings.outlet());
     }
 
     /** Everything but the links: nothing is heard and nothing sent yet. */
@@ -79,17 +84,13 @@ final class HouseBuilder {
         CloudManager cloud = cloud(database, commands, journal, clock);
         GrantBook grants = grants(database, cloud, clock);
         cloud.addListener(new AuditedControl(audit.store(), clock, grants::owner));
-        History history = new HistoryBuilder(settings.history(), clock)
-                .open(telemetry(database), database.flights(), cloud, closing);
+        History history = history(database, cloud, clock);
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
-        Proxy.Policy policy = new Proxy.Policy(
-                keyrings(cloud, database, journal, box), recorder, doors(dtlsKeys), settings.enrolment());
-        Proxy links = new Proxy(cloud, lanes, endpoints, policy);
-        closing.add("the links", links);
-        proxy = links;
-        savedLinks = database.links();
+        Outlet clients = outlet(cloud, database, journal, box, grants, doors(dtlsKeys));
+        Keyrings keyrings = keyrings(cloud, database, journal, box);
+        Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), database.links());
         return new House(
                 cloud,
                 database.access(),
@@ -98,7 +99,7 @@ final class HouseBuilder {
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
                 history,
-                new House.LinkSide(new ProxyLinks(links), database.links(), dtlsKeys),
+                new House.LinkSide(new ProxyLinks(links), database.links(), dtlsKeys, new ProxyOutlet(clients)),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()),
@@ -107,6 +108,36 @@ final class HouseBuilder {
                 virtualDrones(cloud, database, grants, audit),
                 runs(cloud, database, grants),
                 audit);
+    }
+
+    private History history(Database database, CloudManager cloud, Clock clock) {
+        return new HistoryBuilder(settings.history(), clock)
+                .open(telemetry(database), database.flights(), cloud, closing);
+    }
+
+    private Proxy links(
+            CloudManager cloud, Keyrings keyrings, FrameTap.Factory taps, Doors doors, LinkStore saved) {
+        Proxy.Policy policy = new Proxy.Policy(keyrings, taps, doors, settings.enrolment());
+        Proxy links = new Proxy(cloud, lanes, endpoints, policy);
+        closing.add("the links", links);
+        proxy = links;
+        savedLinks = saved;
+        return links;
+    }
+
+    private Outlet outlet(
+            CloudManager cloud, Database database, Journal journal, SecretBox box, GrantBook grants, Doors doors) {
+        OutletBuilder.AccountOutletRights rights = new OutletBuilder.AccountOutletRights(database.access(), grants);
+        Outlet clients = outlets.build(cloud, database.outlet(box), journal, rights, doors);
+        closing.add("the outlet", clients);
+        outlet = clients;
+        return clients;
+    }
+
+    private FrameTap.Factory taps(Recorder recorder, Outlet clients) {
+        return settings.outlet().urls().isEmpty()
+                ? recorder
+                : component -> FrameTap.both(recorder.open(component), clients.open(component));
     }
 
     private CloudManager cloud(Database database, CommandStore commands, Journal journal, Clock clock) {
@@ -266,8 +297,11 @@ final class HouseBuilder {
         return url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
     }
 
-    /** Lets vehicles in. */
+    /** Lets vehicles in, and ground stations. */
     void connect() {
+        if (outlet != null) {
+            outlets.open(outlet);
+        }
         try {
             if (proxy != null && savedLinks != null) {
                 proxy.start();

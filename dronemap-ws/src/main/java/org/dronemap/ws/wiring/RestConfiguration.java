@@ -33,6 +33,7 @@ import org.dronemap.ws.rest.MetricsController;
 import org.dronemap.ws.rest.MissionController;
 import org.dronemap.ws.rest.OidcController;
 import org.dronemap.ws.rest.OrganisationController;
+import org.dronemap.ws.rest.OutletController;
 import org.dronemap.ws.rest.ParameterController;
 import org.dronemap.ws.rest.ProblemAdvice;
 import org.dronemap.ws.rest.RecordingController;
@@ -95,6 +96,7 @@ import tools.jackson.databind.DeserializationFeature;
     ParameterController.class,
     BackupController.class,
     LinkSecurityController.class,
+    OutletController.class,
     RecordingController.class,
     ReplayController.class,
     LinkController.class,

@@ -37,6 +37,7 @@ import org.dronemap.ws.service.LogService;
 import org.dronemap.ws.service.LogShelf;
 import org.dronemap.ws.service.MissionService;
 import org.dronemap.ws.service.OrganisationService;
+import org.dronemap.ws.service.OutletService;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.RecordingService;
@@ -292,6 +293,11 @@ public class ServiceConfiguration {
     @Bean
     ReplayService replayService(House house, ReplayOwners owners, Settings settings) {
         return new ReplayService(house.recordings(), owners, settings.dataDirectory());
+    }
+
+    @Bean
+    OutletService outletService(House house, Accounts accounts, Secrets secrets) {
+        return new OutletService(house.links().outlet(), house.access(), accounts, secrets);
     }
 
     @Bean

@@ -21,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Everything that can be set, from the environment; checked here, so that a wrong value ends the start with a sentence.
  *
+ * @param outlet where ground stations of other makers attach
  * @param enrolment from where unknown vehicles come in by themselves
  * @param databaseUrl null: the server runs its own database in the data directory
  * @param tls null: plain HTTP and WebSocket
@@ -41,6 +42,7 @@ public record Settings(
         int httpPort,
         int streamPort,
         List<String> endpoints,
+        OutletSettings outlet,
         Enrolment enrolment,
         @Nullable String databaseUrl,
         boolean publicMode,
@@ -114,6 +116,7 @@ public record Settings(
                 port(environment, "DRONEMAP_HTTP_PORT", DEFAULT_HTTP_PORT),
                 port(environment, "DRONEMAP_STREAM_PORT", DEFAULT_STREAM_PORT),
                 endpoints(environment, bind),
+                OutletSettings.of(environment, host(bind)),
                 enrolment(environment),
                 text(environment, "DRONEMAP_DATABASE_URL"),
                 publicMode,
@@ -190,13 +193,17 @@ public record Settings(
     private static List<String> endpoints(Map<String, String> environment, String bind) {
         String value = text(environment, "DRONEMAP_ENDPOINTS");
         if (value == null) {
-            String host = bind.contains(":") && !bind.startsWith("[") ? "[" + bind + "]" : bind;
-            return List.of("udpserver://" + host + ":14550", "tcpserver://" + host + ":5760");
+            return List.of("udpserver://" + host(bind) + ":14550", "tcpserver://" + host(bind) + ":5760");
         }
         return Arrays.stream(value.split(",", -1))
                 .map(String::strip)
                 .filter(endpoint -> !endpoint.isEmpty())
                 .toList();
+    }
+
+    /** As it stands in a URL. */
+    private static String host(String bind) {
+        return bind.contains(":") && !bind.startsWith("[") ? "[" + bind + "]" : bind;
     }
 
     private static Enrolment enrolment(Map<String, String> environment) {

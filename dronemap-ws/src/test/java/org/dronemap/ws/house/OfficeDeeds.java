@@ -77,6 +77,9 @@ public final class OfficeDeeds extends Deeds {
                 "DELETE /api/v1/invitations/{id}",
                 () -> deed(
                         "DELETE", "invitations/" + made("invitations", "{\"label\":\"x\",\"role\":\"viewer\"}"), ""));
+        can("PUT /api/v1/outlet/passphrase", () -> deed("PUT", "outlet/passphrase", "{}"));
+        can("DELETE /api/v1/outlet/passphrase", () -> deed("DELETE", "outlet/passphrase", ""));
+        can("DELETE /api/v1/outlet/clients/{id}", () -> deed("DELETE", "outlet/clients/client-1", ""));
         can("POST /api/v1/dtls-keys", () -> deed("POST", "dtls-keys", "{\"label\":\"a copter\"}"));
         can(
                 "DELETE /api/v1/dtls-keys/{identity}",

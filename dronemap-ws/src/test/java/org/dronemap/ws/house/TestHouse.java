@@ -70,6 +70,7 @@ import org.dronemap.ws.wiring.AccountRights;
 import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
 import org.dronemap.ws.wiring.House;
+import org.dronemap.ws.wiring.OutletSettings;
 import org.dronemap.ws.wiring.RunSide;
 import org.dronemap.ws.wiring.Settings;
 import org.jspecify.annotations.Nullable;
@@ -228,6 +229,7 @@ public final class TestHouse implements AutoCloseable {
                 0,
                 0,
                 List.of(),
+                OutletSettings.OFF,
                 Enrolment.LOOPBACK,
                 null,
                 choices.publicMode(),
@@ -265,7 +267,7 @@ public final class TestHouse implements AutoCloseable {
 
     private House.LinkSide linkSide() {
         BoxSealing sealing = new BoxSealing(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
-        return new House.LinkSide(links, linkStore, new DtlsKeyRing(linkStore, sealing));
+        return new House.LinkSide(links, linkStore, new DtlsKeyRing(linkStore, sealing), new ListedClients());
     }
 
     public RunSide runs() {

@@ -1,0 +1,25 @@
+package org.dronemap.core.access;
+
+import java.util.List;
+
+/**
+ * Keeps what users attach their own ground stations with. Goes with its user, and a number with its drone as well. Every
+ * write returns only after it is durable.
+ */
+public interface OutletStore {
+    List<OutletKey> keys();
+
+    /** Inserts or replaces; a stored stamp that is later stays. The user must be known. */
+    void saveKey(OutletKey key);
+
+    /** Raises the stamp; a stamp that is not later, or a user without a key, changes nothing. */
+    void saveStamp(String user, long stamp);
+
+    /** True when there was one. */
+    boolean deleteKey(String user);
+
+    List<OutletNumber> numbers();
+
+    /** Nothing changes when that user has given the drone a number already, or the number to another drone, or either is gone. */
+    void saveNumber(OutletNumber number);
+}

@@ -1,0 +1,144 @@
+package org.dronemap.proxy.outlet;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.endpoint.Links;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerCounters;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.session.FrameTap;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where ground stations and programs of other makers attach. Endpoints bring what clients send, taps what vehicles say, and
+ * one thread of its own serves the clients: no vehicle's path ever waits for one of them. Any thread.
+ */
+public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, AutoCloseable {
+    private final List<EndpointUrl> urls;
+    private final OutletKeys keys;
+    private final OutletCounts counts = new OutletCounts();
+    private final OutletRoom room;
+    private final RightsWatch rights;
+    private final Links links;
+    private final Map<DroneId, VehicleTap> vehicles = new ConcurrentHashMap<>();
+
+    /** Opens nothing before {@link #start}; clients come in over listeners that prove nothing of their own. */
+    public Outlet(List<EndpointUrl> urls, OutletPolicy policy, Doors doors) {
+        this.urls = List.copyOf(urls);
+        keys = new OutletKeys(policy.store(), policy.clock(), policy.nanoTime());
+        rights = new RightsWatch(policy.rights(), keys);
+        room = new OutletRoom(policy, counts, vehicles, rights);
+        links = new Links(this, doors);
+    }
+
+    /**
+     * Opens all endpoints or none.
+     *
+     * @param patient a port that is taken is tried again later, and no failure
+     * @throws IOException with a sentence that says which one and why
+     */
+    public void start(boolean patient) throws IOException {
+        room.start();
+        rights.start(room);
+        for (int number = 0; number < urls.size(); number++) {
+            String id = "outlet-" + (number + 1);
+            if (patient) {
+                links.keep(id, urls.get(number));
+            } else {
+                links.open(id, urls.get(number));
+            }
+        }
+    }
+
+    /** Where it really listens. */
+    public List<EndpointUrl> endpoints() {
+        return links.all().stream().map(Links.LinkStatus::url).toList();
+    }
+
+    /** Whether that user has a passphrase. */
+    public boolean hasKey(String user) {
+        return keys.has(user);
+    }
+
+    /** From now on the user's programs sign with this; false when somebody else uses it already. Waits for the store. */
+    public boolean putKey(String user, LinkKey key) {
+        boolean done = keys.put(user, key);
+        room.keysChanged();
+        return done;
+    }
+
+    /** The user's programs stay outside from now on; false when they did already. Waits for the store. */
+    public boolean removeKey(String user) {
+        boolean removed = keys.remove(user);
+        room.keysChanged();
+        return removed;
+    }
+
+    public OutletStatus status() {
+        return room.status();
+    }
+
+    /** Ends a client, which may come back in a minute; false when there is no such client. */
+    public boolean disconnect(String id) {
+        return room.disconnect(id);
+    }
+
+    /** A drone is removed: its numbers are free. */
+    public void forget(DroneId drone) {
+        vehicles.remove(drone);
+        room.forget(drone);
+    }
+
+    @Override
+    public PeerHandler opened(Peer peer, PeerCounters counters) {
+        return new OutletPeer(this, keys, counts, peer, counters);
+    }
+
+    @Override
+    public FrameTap open(int componentId) {
+        return new VehicleTap(this, componentId);
+    }
+
+    /** A client sent what its key has signed; false when there was no room. */
+    boolean heard(Peer peer, UserKey key, Frame frame) {
+        return room.heard(peer, key, frame);
+    }
+
+    /** A client's address has fallen silent, or its connection has ended. */
+    void gone(Peer peer) {
+        room.gone(peer);
+    }
+
+    /** A vehicle said something. */
+    void said(DroneId drone, Frame frame) {
+        room.said(drone, frame);
+    }
+
+    void speaks(DroneId drone, VehicleTap tap) {
+        vehicles.put(drone, tap);
+    }
+
+    void silent(DroneId drone, VehicleTap tap) {
+        vehicles.remove(drone, tap);
+    }
+
+    /** Null when that drone is not heard. */
+    @Nullable
+    VehicleTap vehicle(DroneId drone) {
+        return vehicles.get(drone);
+    }
+
+    @Override
+    public void close() {
+        links.close();
+        rights.close();
+        room.close();
+    }
+}

@@ -1,0 +1,233 @@
+package org.dronemap.proxy.outlet;
+
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.Set;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.FrameWriter;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.endpoint.Peer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One ground station or program that is attached: what it may see, and the way to it. Owned by the outlet's thread; only
+ * {@link #rightsAre} comes from another one.
+ */
+final class OutletClient {
+    /** MAV_COMP_ID_MISSIONPLANNER: what speaks for a ground station. */
+    private static final int OWN_COMPONENT = 190;
+
+    private static final int OWN_SYSTEM = 255;
+    private static final int OTHER_SYSTEM = 254;
+    private static final Heartbeat HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
+
+    private final String id;
+    private final Peer peer;
+    private final UserKey key;
+    private final SystemNumbers numbers;
+    private final Instant since;
+    private final int systemId;
+    private final Outbox outbox = new Outbox();
+    private final Map<Integer, FrameWriter> writers = new HashMap<>();
+    private final Rate in = new Rate();
+    private final Rate out = new Rate();
+    private final Set<DroneId> shown = new HashSet<>();
+    private byte @Nullable [] ready;
+    private long lastHeardNanos;
+    private volatile @Nullable Principal principal;
+
+    /** What makes a client: whose it is, the system id that it gives itself, since when. */
+    record Entry(String id, UserKey key, int systemId, Instant since, long nowNanos) {}
+
+    OutletClient(Entry entry, Peer peer, SystemNumbers numbers, Principal principal) {
+        this.id = entry.id();
+        this.key = entry.key();
+        this.systemId = entry.systemId();
+        this.since = entry.since();
+        this.lastHeardNanos = entry.nowNanos();
+        this.peer = peer;
+        this.numbers = numbers;
+        this.principal = principal;
+    }
+
+    String id() {
+        return id;
+    }
+
+    UserKey key() {
+        return key;
+    }
+
+    String user() {
+        return key.user();
+    }
+
+    Peer peer() {
+        return peer;
+    }
+
+    Outbox outbox() {
+        return outbox;
+    }
+
+    /** What its user may do from now on; null: nothing any more. Any thread. */
+    void rightsAre(@Nullable Principal now) {
+        principal = now;
+    }
+
+    /** Null when its user may do nothing any more. */
+    @Nullable
+    Principal principal() {
+        return principal;
+    }
+
+    boolean sees(DroneId drone) {
+        Principal now = principal;
+        return now != null && now.may(Role.VIEWER, drone);
+    }
+
+    void heard(long nowNanos) {
+        lastHeardNanos = nowNanos;
+        in.count();
+    }
+
+    long silenceNanos(long nowNanos) {
+        return nowNanos - lastHeardNanos;
+    }
+
+    /** Shows what a vehicle said; what finds no room waits as the newest of its kind, or as an event in order. */
+    void show(Letter.OfVehicle letter, boolean isEvent) {
+        if (!sees(letter.drone())) {
+            return;
+        }
+        if (outbox.isEmpty() && ready == null) {
+            send(letter);
+        } else if (isEvent) {
+            outbox.add(letter);
+        } else {
+            outbox.addNewest(letter);
+        }
+    }
+
+    /** Says something of the cloud's own, after what waits already. */
+    void say(Letter letter) {
+        outbox.add(letter);
+        flush();
+    }
+
+    /** Sends what waits until the link takes no more. */
+    void flush() {
+        if (ready != null && !offer(ready)) {
+            return;
+        }
+        ready = null;
+        outbox.drain(this::send);
+    }
+
+    /** A sign of life of the cloud itself, for whoever sees no vehicle. */
+    void beat() {
+        say(new Letter.OfCloud(HEARTBEAT));
+    }
+
+    /** False when the link took no more before: nothing was begun. */
+    private boolean send(Letter letter) {
+        if (ready != null) {
+            return false;
+        }
+        byte[] frame = frame(letter);
+        if (frame != null && !offer(frame)) {
+            // It has its number and its signature already: it goes first.
+            ready = frame;
+        }
+        return true;
+    }
+
+    private boolean offer(byte[] frame) {
+        boolean taken = peer.offer(frame);
+        if (taken) {
+            out.count();
+        }
+        return taken;
+    }
+
+    /** Null when it must not, or cannot, be shown any more. */
+    private byte @Nullable [] frame(Letter letter) {
+        if (letter instanceof Letter.OfVehicle vehicle) {
+            return copy(vehicle);
+        }
+        if (letter instanceof Letter.ForVehicle spoken) {
+            int number = numberOf(spoken.drone(), 0);
+            return number == 0 ? null : writer(number, spoken.component()).frame(spoken.message(), key);
+        }
+        Message message = ((Letter.OfCloud) letter).message();
+        return writer(systemId == OWN_SYSTEM ? OTHER_SYSTEM : OWN_SYSTEM, OWN_COMPONENT)
+                .frame(message, key);
+    }
+
+    private byte @Nullable [] copy(Letter.OfVehicle letter) {
+        int number = numberOf(letter.drone(), letter.frame().systemId());
+        return number == 0
+                ? null
+                : writer(number, letter.frame().componentId())
+                        .copy(letter.frame(), key)
+                        .orElse(null);
+    }
+
+    /** Under which system id this program knows a drone; 0: under none. */
+    private int numberOf(DroneId drone, int vehiclesOwn) {
+        if (!sees(drone)) {
+            shown.remove(drone);
+            return 0;
+        }
+        OptionalInt number = numbers.of(user(), drone, vehiclesOwn);
+        if (number.isEmpty()) {
+            return 0;
+        }
+        shown.add(drone);
+        return number.getAsInt() == systemId ? SystemNumbers.SPARE : number.getAsInt();
+    }
+
+    /** The drone that this program calls so, if its user may see it. */
+    @Nullable
+    DroneId drone(int number) {
+        int kept = number == SystemNumbers.SPARE ? systemId : number;
+        boolean itself = number == systemId;
+        DroneId drone = itself ? null : numbers.drone(user(), kept);
+        return drone != null && sees(drone) ? drone : null;
+    }
+
+    private FrameWriter writer(int number, int component) {
+        return writers.computeIfAbsent(number << 8 | component, key -> new FrameWriter(number, component, 2));
+    }
+
+    /** Ends a second of counting. */
+    void second() {
+        in.second();
+        out.second();
+        shown.removeIf(drone -> !sees(drone));
+    }
+
+    OutletStatus.Client status(long nowNanos) {
+        return new OutletStatus.Client(
+                id,
+                user(),
+                peer.address().toString(),
+                peer.transport(),
+                systemId,
+                shown.size(),
+                since,
+                in.total(),
+                out.total(),
+                in.perSecond(),
+                out.perSecond(),
+                outbox.dropped(),
+                outbox.waiting() + (ready == null ? 0 : 1),
+                silenceNanos(nowNanos) / 1e9);
+    }
+}

@@ -1,0 +1,54 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.concurrent.atomic.LongAdder;
+import org.dronemap.mavlink.signing.Verdict;
+
+/** What was turned away at the outlet since its start. Any thread. */
+final class OutletCounts {
+    private final LongAdder unsigned = new LongAdder();
+    private final LongAdder badSignature = new LongAdder();
+    private final LongAdder replayed = new LongAdder();
+    private final LongAdder tooOld = new LongAdder();
+    private final LongAdder turnedAway = new LongAdder();
+    private final LongAdder unread = new LongAdder();
+    private final LongAdder notPassed = new LongAdder();
+
+    void refused(Verdict verdict) {
+        switch (verdict) {
+            case UNSIGNED -> unsigned.increment();
+            case BAD_SIGNATURE -> badSignature.increment();
+            case REPLAYED -> replayed.increment();
+            case TOO_OLD -> tooOld.increment();
+            case TOO_MANY_STREAMS -> turnedAway.increment();
+            case VALID -> throw new IllegalArgumentException("a valid frame is not refused");
+        }
+    }
+
+    /** The key is right, but its user may not look, was disconnected, or there are too many. */
+    void turnedAway() {
+        turnedAway.increment();
+    }
+
+    /** A vehicle's frame found no room on its way to the clients. */
+    void unread() {
+        unread.increment();
+    }
+
+    /** A client's frame is of a kind that does not pass. */
+    void notPassed() {
+        notPassed.increment();
+    }
+
+    OutletStatus.Refused refused() {
+        return new OutletStatus.Refused(
+                unsigned.sum(), badSignature.sum(), replayed.sum(), tooOld.sum(), turnedAway.sum());
+    }
+
+    long unreadFrames() {
+        return unread.sum();
+    }
+
+    long notPassedFrames() {
+        return notPassed.sum();
+    }
+}

@@ -1,0 +1,108 @@
+package org.dronemap.proxy.outlet;
+
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.LongSupplier;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.access.OutletKey;
+import org.dronemap.core.access.OutletStore;
+import org.dronemap.mavlink.Frame;
+
+/**
+ * The keys of all users, and whose a signature is: a frame does not say, so that every key is tried, within a budget that
+ * strangers share. Any thread; changes wait for the store.
+ */
+final class OutletKeys {
+    /** About a twentieth of a processor. */
+    private static final long TRIALS_PER_SECOND = 50_000;
+
+    private static final long SECOND_NANOS = 1_000_000_000L;
+
+    private final OutletStore store;
+    private final InstantSource clock;
+    private final LongSupplier nanoTime;
+    private final Map<String, UserKey> keys = new ConcurrentHashMap<>();
+    // guarded by this
+    private long trials;
+    private long filledNanos;
+
+    OutletKeys(OutletStore store, InstantSource clock, LongSupplier nanoTime) {
+        this.store = store;
+        this.clock = clock;
+        this.nanoTime = nanoTime;
+        trials = TRIALS_PER_SECOND;
+        filledNanos = nanoTime.getAsLong();
+        store.keys().forEach(kept -> keys.put(kept.user(), new UserKey(kept, clock)));
+    }
+
+    boolean has(String user) {
+        return keys.containsKey(user);
+    }
+
+    /** Whose key made this frame's signature; empty also when too much was tried lately. */
+    Optional<UserKey> owner(Frame frame) {
+        List<UserKey> all = List.copyOf(keys.values());
+        if (!frame.signed() || !mayTry(all.size())) {
+            return Optional.empty();
+        }
+        return all.stream().filter(key -> key.signed(frame)).findFirst();
+    }
+
+    private synchronized boolean mayTry(int count) {
+        long now = nanoTime.getAsLong();
+        long elapsedMicros = Math.min(now - filledNanos, SECOND_NANOS) / 1_000;
+        long earned = elapsedMicros * TRIALS_PER_SECOND / 1_000_000;
+        if (earned > 0) {
+            filledNanos = now;
+            trials = Math.min(TRIALS_PER_SECOND, trials + earned);
+        }
+        if (trials <= 0) {
+            return false;
+        }
+        trials -= Math.max(1, count);
+        return true;
+    }
+
+    /** False when somebody else uses that very key: it would not tell them apart. */
+    synchronized boolean put(String user, LinkKey key) {
+        boolean taken = store.keys().stream()
+                .anyMatch(other -> !other.user().equals(user) && other.key().equals(key));
+        if (taken) {
+            return false;
+        }
+        store.saveKey(new OutletKey(user, key, 0));
+        UserKey before = keys.put(user, new UserKey(new OutletKey(user, key, 0), clock));
+        if (before != null) {
+            before.withdraw();
+        }
+        return true;
+    }
+
+    /** False when there was none. */
+    synchronized boolean remove(String user) {
+        boolean removed = store.deleteKey(user);
+        drop(user);
+        return removed;
+    }
+
+    /** The user is gone, and the stored key already. */
+    void drop(String user) {
+        UserKey before = keys.remove(user);
+        if (before != null) {
+            before.withdraw();
+        }
+    }
+
+    /** Keeps how far the times of signatures have come, so that nothing is taken twice after a restart. */
+    void storeStamps() {
+        for (UserKey key : keys.values()) {
+            long stamp = key.unstoredStamp();
+            if (stamp > 0) {
+                store.saveStamp(key.user(), stamp);
+            }
+        }
+    }
+}

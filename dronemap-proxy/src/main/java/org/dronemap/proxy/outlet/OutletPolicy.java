@@ -1,0 +1,23 @@
+package org.dronemap.proxy.outlet;
+
+import java.time.Clock;
+import java.util.function.LongSupplier;
+import org.dronemap.core.access.OutletStore;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Journal;
+
+/**
+ * What the outlet goes by.
+ *
+ * @param store keys of users, and what they call drones
+ * @param journal writes to it in the background
+ * @param rights what users may do now
+ * @param nanoTime monotonic, in ns
+ */
+public record OutletPolicy(
+        CloudManager cloud,
+        OutletStore store,
+        Journal journal,
+        OutletRights rights,
+        Clock clock,
+        LongSupplier nanoTime) {}

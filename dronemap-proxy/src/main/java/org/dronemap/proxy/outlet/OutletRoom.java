@@ -1,0 +1,279 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.locks.LockSupport;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.proxy.endpoint.Peer;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The clients of the outlet and the one thread that serves them. What comes in waits in bounded queues; what happens to
+ * clients belongs to the thread.
+ */
+final class OutletRoom implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(OutletRoom.class);
+    private static final int MOST_CLIENTS = 200;
+    private static final int MOST_FROM_CLIENTS = 4_096;
+    private static final int MOST_FROM_VEHICLES = 16_384;
+    private static final int AT_ONCE = 512;
+    private static final long NAP_NANOS = 2_000_000L;
+    private static final long SECOND_NANOS = 1_000_000_000L;
+    /** A datagram client that says nothing for so long gets nothing more: its address may be somebody else's by now. */
+    private static final long SILENCE_NANOS = 30 * SECOND_NANOS;
+    /** Whoever was disconnected stays outside for so long. */
+    private static final long OUTSIDE_NANOS = 60 * SECOND_NANOS;
+    /** Whoever may not look is not asked about again for so long. */
+    private static final long REFUSED_NANOS = 2 * SECOND_NANOS;
+
+    private static final int MOST_OF_A_USER = 20;
+
+    private final OutletPolicy policy;
+    private final OutletCounts counts;
+    private final Map<DroneId, VehicleTap> vehicles;
+    private final RightsWatch rights;
+    private final Queue<Heard> fromClients = new ArrayBlockingQueue<>(MOST_FROM_CLIENTS);
+    private final Queue<Said> fromVehicles = new ArrayBlockingQueue<>(MOST_FROM_VEHICLES);
+    private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+    private final Thread thread = new Thread(this::run, "outlet");
+    private volatile boolean closed;
+    private volatile List<OutletClient> all = List.of();
+    private volatile List<OutletStatus.Client> shown = List.of();
+    // From here on owned by the thread.
+    private final Map<Peer, OutletClient> clients = new LinkedHashMap<>();
+    private final Map<Peer, Long> outsideUntil = new HashMap<>();
+    private final SystemNumbers numbers;
+    private int lastId;
+    private long secondNanos;
+
+    private record Heard(Peer peer, UserKey key, Frame frame) {}
+
+    private record Said(DroneId drone, Frame frame) {}
+
+    /** {@code vehicles}: those that are heard now. */
+    OutletRoom(OutletPolicy policy, OutletCounts counts, Map<DroneId, VehicleTap> vehicles, RightsWatch rights) {
+        this.rights = rights;
+        this.policy = policy;
+        this.counts = counts;
+        this.vehicles = vehicles;
+        numbers = new SystemNumbers(
+                policy.store().numbers(),
+                number -> policy.journal()
+                        .write(
+                                "what " + number.user() + " calls a drone",
+                                () -> policy.store().saveNumber(number),
+                                () -> {}));
+        thread.setDaemon(true);
+    }
+
+    void start() {
+        secondNanos = policy.nanoTime().getAsLong();
+        thread.start();
+    }
+
+    /** False when there was no room. Any thread. */
+    boolean heard(Peer peer, UserKey key, Frame frame) {
+        boolean taken = fromClients.offer(new Heard(peer, key, frame));
+        LockSupport.unpark(thread);
+        return taken;
+    }
+
+    /** Dropped and counted when the clients' thread is behind. Any thread. */
+    void said(DroneId drone, Frame frame) {
+        if (!all.isEmpty() && !fromVehicles.offer(new Said(drone, frame))) {
+            counts.unread();
+        }
+    }
+
+    /** Any thread. */
+    void gone(Peer peer) {
+        tasks.add(() -> {
+            outsideUntil.remove(peer);
+            end(peer, "its link has ended");
+        });
+    }
+
+    /** Clients whose key was changed or taken away end. Any thread. */
+    void keysChanged() {
+        tasks.add(() -> List.copyOf(clients.values()).stream()
+                .filter(client -> client.key().isWithdrawn())
+                .forEach(client -> end(client.peer(), "its passphrase is no longer good")));
+    }
+
+    /** Any thread. */
+    void forget(DroneId drone) {
+        tasks.add(() -> numbers.forget(drone));
+    }
+
+    /** False when there is no such client. Any thread. */
+    boolean disconnect(String id) {
+        OutletClient found = all.stream()
+                .filter(client -> client.id().equals(id))
+                .findFirst()
+                .orElse(null);
+        if (found == null) {
+            return false;
+        }
+        tasks.add(() -> {
+            outsideUntil.put(found.peer(), policy.nanoTime().getAsLong() + OUTSIDE_NANOS);
+            end(found.peer(), "somebody disconnected it");
+        });
+        LockSupport.unpark(thread);
+        return true;
+    }
+
+    /** Any thread. */
+    List<OutletClient> clients() {
+        return all;
+    }
+
+    /** At most a second old. Any thread. */
+    OutletStatus status() {
+        return new OutletStatus(shown, counts.refused(), counts.unreadFrames(), counts.notPassedFrames());
+    }
+
+    private void run() {
+        while (!closed) {
+            try {
+                if (!turn()) {
+                    LockSupport.parkNanos(this, NAP_NANOS);
+                }
+            } catch (RuntimeException e) {
+                LOG.error("A turn of the outlet failed", e);
+            }
+        }
+    }
+
+    /** True when there may be more to do at once. */
+    private boolean turn() {
+        for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
+            task.run();
+        }
+        long now = policy.nanoTime().getAsLong();
+        int count = 0;
+        for (Heard heard = fromClients.poll(); heard != null; heard = count < AT_ONCE ? fromClients.poll() : null) {
+            take(heard, now);
+            count++;
+        }
+        for (Said said = fromVehicles.poll(); said != null; said = count < 2 * AT_ONCE ? fromVehicles.poll() : null) {
+            show(said);
+            count++;
+        }
+        clients.values().forEach(OutletClient::flush);
+        if (now - secondNanos >= SECOND_NANOS) {
+            secondNanos = now;
+            second(now);
+        }
+        return count >= AT_ONCE;
+    }
+
+    private void show(Said said) {
+        boolean event = DownlinkRules.isEvent(said.frame());
+        Letter.OfVehicle letter = new Letter.OfVehicle(said.drone(), said.frame());
+        for (OutletClient client : clients.values()) {
+            client.show(letter, event);
+        }
+    }
+
+    private void take(Heard heard, long now) {
+        if (heard.key().isWithdrawn()) {
+            return;
+        }
+        OutletClient client = clients.get(heard.peer());
+        if (client != null && client.key() == heard.key()) {
+            client.heard(now);
+        } else {
+            knock(heard, now);
+        }
+    }
+
+    /** Asks once what a new client's user may do; what it sends meanwhile is lost, and is sent again by all who need it. */
+    private void knock(Heard heard, long now) {
+        Long until = outsideUntil.get(heard.peer());
+        if (until != null && now - until < 0) {
+            counts.turnedAway();
+            return;
+        }
+        outsideUntil.put(heard.peer(), now + REFUSED_NANOS);
+        rights.ask(heard.key().user(), principal -> tasks.add(() -> welcome(heard, principal)));
+    }
+
+    private void welcome(Heard heard, @Nullable Principal principal) {
+        UserKey key = heard.key();
+        long ofUser = clients.values().stream()
+                .filter(client -> client.user().equals(key.user()))
+                .count();
+        if (principal == null
+                || !principal.may(Role.VIEWER)
+                || key.isWithdrawn()
+                || clients.size() >= MOST_CLIENTS
+                || ofUser >= MOST_OF_A_USER) {
+            counts.turnedAway();
+            return;
+        }
+        end(heard.peer(), "another user's program speaks from there now");
+        outsideUntil.remove(heard.peer());
+        long now = policy.nanoTime().getAsLong();
+        OutletClient.Entry entry = new OutletClient.Entry(
+                "client-" + ++lastId,
+                key,
+                heard.frame().systemId(),
+                policy.clock().instant(),
+                now);
+        OutletClient client = new OutletClient(entry, heard.peer(), numbers, principal);
+        clients.put(heard.peer(), client);
+        all = List.copyOf(clients.values());
+        LOG.info(
+                "{} attached to the outlet from {} as {}",
+                client.user(),
+                heard.peer().address(),
+                client.id());
+    }
+
+    private void end(Peer peer, String why) {
+        OutletClient client = clients.remove(peer);
+        if (client != null) {
+            all = List.copyOf(clients.values());
+            LOG.info("{} of {} left the outlet: {}", client.id(), client.user(), why);
+        }
+    }
+
+    private void second(long now) {
+        for (OutletClient client : List.copyOf(clients.values())) {
+            Principal principal = client.principal();
+            if (principal == null || !principal.may(Role.VIEWER)) {
+                end(client.peer(), "its user may look no more");
+            } else if (client.peer().isDatagram() && client.silenceNanos(now) > SILENCE_NANOS) {
+                end(client.peer(), "it said nothing for half a minute");
+            } else {
+                client.second();
+                if (vehicles.keySet().stream().noneMatch(client::sees)) {
+                    client.beat();
+                }
+            }
+        }
+        outsideUntil.values().removeIf(until -> now - until > 0);
+        shown = clients.values().stream().map(client -> client.status(now)).toList();
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        LockSupport.unpark(thread);
+        try {
+            thread.join(1_000);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.outlet;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,74 @@
+package org.dronemap.ws.rest;
+
+import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.tags.Tag;
+import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.OutletService;
+import org.dronemap.ws.service.OutletView;
+import org.springframework.http.CacheControl;
+import org.springframework.http.HttpStatus;
+import org.springframework.http.ResponseEntity;
+import org.springframework.web.bind.annotation.DeleteMapping;
+import org.springframework.web.bind.annotation.GetMapping;
+import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PutMapping;
+import org.springframework.web.bind.annotation.RequestBody;
+import org.springframework.web.bind.annotation.RequestMapping;
+import org.springframework.web.bind.annotation.ResponseStatus;
+import org.springframework.web.bind.annotation.RestController;
+
+/** Attaching one's own ground station, and who has done so. */
+@RestController
+@RequestMapping("/api/v1/outlet")
+@Tag(name = "Outlet", description = "Attach QGroundControl, Mission Planner, MAVProxy or a program of one's own.")
+public class OutletController {
+    private final OutletService outlet;
+    private final CurrentPrincipal current;
+
+    public OutletController(OutletService outlet, CurrentPrincipal current) {
+        this.outlet = outlet;
+        this.current = current;
+    }
+
+    @GetMapping
+    @Operation(summary = "Where to attach, whether a passphrase is set, and one's own programs that are attached")
+    public OutletService.OwnOutletView own() {
+        return outlet.own(current.principal());
+    }
+
+    @PutMapping("/passphrase")
+    @Operation(
+            summary = "Set one's own signing passphrase",
+            description = "Without one given it is made up. It is in this answer and never shown again; programs that"
+                    + " use the one before are disconnected.")
+    public ResponseEntity<OutletService.PassphraseView> set(@RequestBody OutletService.PassphraseRequest request) {
+        return ResponseEntity.ok()
+                .cacheControl(CacheControl.noStore())
+                .body(outlet.setPassphrase(current.principal(), request));
+    }
+
+    @DeleteMapping("/passphrase")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(
+            summary = "Take one's own signing passphrase away",
+            description = "Programs that use it are disconnected.")
+    public void clear() {
+        outlet.clearPassphrase(current.principal());
+    }
+
+    @GetMapping("/clients")
+    @Operation(summary = "List all that is attached, and what was refused (administrator)")
+    public OutletView clients() {
+        return outlet.all(current.principal());
+    }
+
+    @DeleteMapping("/clients/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(
+            summary = "Disconnect what is attached (administrator)",
+            description = "It may attach again after a minute; taking the passphrase away, or disabling the user, is"
+                    + " what keeps it out.")
+    public void disconnect(@PathVariable String id) {
+        outlet.disconnect(current.principal(), id);
+    }
+}

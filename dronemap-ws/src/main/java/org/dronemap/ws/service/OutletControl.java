@@ -1,0 +1,23 @@
+package org.dronemap.ws.service;
+
+import java.util.List;
+import org.dronemap.core.access.LinkKey;
+
+/** Where ground stations of other makers attach, as the links have it. Any thread. */
+public interface OutletControl {
+    /** Addresses that it listens on; empty: there is none. */
+    List<String> endpoints();
+
+    boolean hasKey(String user);
+
+    /** Replaces the one before, durably, and ends its clients; false when somebody else uses that very key. */
+    boolean putKey(String user, LinkKey key);
+
+    /** Ends its clients; false when there was none. */
+    boolean removeKey(String user);
+
+    OutletView status();
+
+    /** Ends a client, which may come back in a minute; false when there is no such client. */
+    boolean disconnect(String id);
+}

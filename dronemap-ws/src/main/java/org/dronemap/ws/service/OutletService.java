@@ -1,0 +1,149 @@
+package org.dronemap.ws.service;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.EnumSet;
+import java.util.List;
+import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.jspecify.annotations.Nullable;
+
+/** Use cases around attaching one's own ground station: everybody's own passphrase, and who is attached. Any thread. */
+public final class OutletService {
+    private static final int SHORTEST = 16;
+    private static final int LONGEST = 64;
+    private static final String FORM = "16 to 64 printable ASCII characters, without blanks at the ends";
+
+    private final OutletControl outlet;
+    private final AccessStore store;
+    private final Secrets secrets;
+
+    /** A passphrase of one's own choice; without one it is made up. */
+    public record PassphraseRequest(@Nullable String passphrase) {
+
+        /** It holds a secret. */
+        @Override
+        public String toString() {
+            return "PassphraseRequest[]";
+        }
+    }
+
+    /** A passphrase that was just set; this is the only time that it is shown. */
+    public record PassphraseView(String passphrase) {
+
+        @Override
+        public String toString() {
+            return "PassphraseView[]";
+        }
+    }
+
+    /** One's own side of the outlet. */
+    public record OwnOutletView(List<String> endpoints, boolean passphraseSet, List<OutletView.ClientView> clients) {}
+
+    /** {@code accounts}: a user who is gone takes the passphrase along. */
+    public OutletService(OutletControl outlet, AccessStore store, Accounts accounts, Secrets secrets) {
+        this.outlet = outlet;
+        this.store = store;
+        this.secrets = secrets;
+        accounts.onChange(this::changed);
+    }
+
+    private void changed(String user) {
+        if (outlet.hasKey(user) && store.user(user).isEmpty()) {
+            outlet.removeKey(user);
+        }
+    }
+
+    public OwnOutletView own(Principal principal) {
+        Roles.require(principal, Role.VIEWER);
+        OutletView status = outlet.status();
+        return new OwnOutletView(
+                status.endpoints(),
+                outlet.hasKey(principal.name()),
+                status.clients().stream()
+                        .filter(client -> client.user().equals(principal.name()))
+                        .toList());
+    }
+
+    /** Replaces the one before; programs that use that are disconnected. */
+    public PassphraseView setPassphrase(Principal principal, PassphraseRequest request) {
+        Roles.require(principal, Role.VIEWER);
+        requireAllRights(principal);
+        String given = request.passphrase();
+        String passphrase = given == null ? secrets.password() : checked(given);
+        if (!outlet.putKey(principal.name(), key(passphrase))) {
+            throw Rejection.conflict("This passphrase cannot be used; take another one.");
+        }
+        return new PassphraseView(passphrase);
+    }
+
+    public void clearPassphrase(Principal principal) {
+        Roles.require(principal, Role.VIEWER);
+        outlet.removeKey(principal.name());
+    }
+
+    public OutletView all(Principal principal) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        return outlet.status();
+    }
+
+    public void disconnect(Principal principal, String id) {
+        Roles.requireServer(principal, Role.ADMINISTRATOR);
+        if (!outlet.disconnect(id)) {
+            throw Rejection.unknown("client", id);
+        }
+    }
+
+    /** A passphrase lets programs do all that its user may: no key that may less, or ends, can set one. */
+    private void requireAllRights(Principal principal) {
+        String id = principal.key();
+        if (id == null) {
+            return;
+        }
+        boolean whole = store.accessKeys(principal.name()).stream()
+                .filter(key -> key.id().equals(id))
+                .anyMatch(key -> isWhole(key, store.user(principal.name()).orElse(null)));
+        if (!whole) {
+            throw Rejection.forbidden(
+                    "This access key may less than you; sign in with your password to set the passphrase.");
+        }
+    }
+
+    private static boolean isWhole(AccessKey key, @Nullable User owner) {
+        KeyScope scope = key.rights().scope();
+        return owner != null
+                && key.rights().role().includes(owner.role())
+                && key.rights().expiresAt() == null
+                && scope.coversAllDrones()
+                && !scope.isBounded()
+                && scope.permissions().containsAll(EnumSet.allOf(Permission.class));
+    }
+
+    private static String checked(String passphrase) {
+        boolean printable = passphrase.chars().allMatch(letter -> letter >= ' ' && letter <= '~');
+        boolean fits = passphrase.length() >= SHORTEST
+                && passphrase.length() <= LONGEST
+                && passphrase.equals(passphrase.strip());
+        if (!printable || !fits) {
+            throw new InvalidInput("passphrase", FORM, "\"passphrase\" must be " + FORM + ".");
+        }
+        return passphrase;
+    }
+
+    /** As ground stations make it. */
+    private static LinkKey key(String passphrase) {
+        try {
+            return new LinkKey(
+                    MessageDigest.getInstance("SHA-256").digest(passphrase.getBytes(StandardCharsets.US_ASCII)));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+}

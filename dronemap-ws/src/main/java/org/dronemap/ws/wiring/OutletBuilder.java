@@ -1,0 +1,84 @@
+package org.dronemap.ws.wiring;
+
+import java.io.IOException;
+import java.time.Clock;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.OutletStore;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.User;
+import org.dronemap.core.cloud.CloudListener;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.outlet.Outlet;
+import org.dronemap.proxy.outlet.OutletPolicy;
+import org.dronemap.proxy.outlet.OutletRights;
+
+/** Builds where ground stations of other makers attach. */
+final class OutletBuilder {
+    private final OutletSettings settings;
+    private final List<EndpointUrl> urls;
+
+    OutletBuilder(OutletSettings settings) {
+        this.settings = settings;
+        urls = settings.urls().stream().map(OutletBuilder::url).toList();
+    }
+
+    private static EndpointUrl url(String text) {
+        try {
+            EndpointUrl url = EndpointUrl.parse(text);
+            if (url.kind().isListener() && url.kind() != EndpointUrl.Kind.DTLSSERVER) {
+                return url;
+            }
+        } catch (IllegalArgumentException e) {
+            throw new SetupException("DRONEMAP_OUTLET: " + e.getMessage(), e);
+        }
+        throw new SetupException(
+                "DRONEMAP_OUTLET: \"" + text + "\" cannot be an outlet; write udpserver://, tcpserver://,"
+                        + " wsserver:// or wssserver://, or off.");
+    }
+
+    Outlet build(CloudManager cloud, OutletStore store, Journal journal, AccountOutletRights rights, Doors doors) {
+        OutletPolicy policy = new OutletPolicy(cloud, store, journal, rights, Clock.systemUTC(), System::nanoTime);
+        Outlet outlet = new Outlet(urls, policy, doors);
+        cloud.addListener(new ForgottenDrones(outlet));
+        return outlet;
+    }
+
+    /** Lets clients in. A port of a setting must be free; the usual ones may be another server's for now. */
+    void open(Outlet outlet) {
+        try {
+            outlet.start(settings.usual());
+        } catch (IOException e) {
+            throw new SetupException(e.getMessage() + " (DRONEMAP_OUTLET)", e);
+        }
+    }
+
+    private record ForgottenDrones(Outlet outlet) implements CloudListener {
+        @Override
+        public void droneRemoved(DroneId id) {
+            outlet.forget(id);
+        }
+    }
+
+    /** What a user may do who attaches: the same as anywhere. */
+    record AccountOutletRights(AccessStore store, GrantBook grants) implements OutletRights {
+        @Override
+        public Optional<Principal> principal(String user) {
+            return store.user(user)
+                    .filter(User::isActive)
+                    .map(active -> new Principal(
+                            active.name(),
+                            active.role(),
+                            KeyScope.ALL,
+                            null,
+                            grants.reach(active.organisation(), active.name())));
+        }
+    }
+}

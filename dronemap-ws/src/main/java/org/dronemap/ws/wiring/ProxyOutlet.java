@@ -1,0 +1,72 @@
+package org.dronemap.ws.wiring;
+
+import java.util.List;
+import org.dronemap.core.access.LinkKey;
+import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.outlet.Outlet;
+import org.dronemap.proxy.outlet.OutletStatus;
+import org.dronemap.ws.service.OutletControl;
+import org.dronemap.ws.service.OutletView;
+
+/** The outlet as the links have it. */
+record ProxyOutlet(Outlet outlet) implements OutletControl {
+    @Override
+    public List<String> endpoints() {
+        return outlet.endpoints().stream().map(EndpointUrl::toString).toList();
+    }
+
+    @Override
+    public boolean hasKey(String user) {
+        return outlet.hasKey(user);
+    }
+
+    @Override
+    public boolean putKey(String user, LinkKey key) {
+        return outlet.putKey(user, key);
+    }
+
+    @Override
+    public boolean removeKey(String user) {
+        return outlet.removeKey(user);
+    }
+
+    @Override
+    public OutletView status() {
+        OutletStatus status = outlet.status();
+        OutletStatus.Refused refused = status.refused();
+        return new OutletView(
+                endpoints(),
+                status.clients().stream().map(ProxyOutlet::client).toList(),
+                new OutletView.RefusedView(
+                        refused.unsigned(),
+                        refused.badSignature(),
+                        refused.replayed(),
+                        refused.tooOld(),
+                        refused.turnedAway()),
+                status.unread(),
+                status.notPassed());
+    }
+
+    @Override
+    public boolean disconnect(String id) {
+        return outlet.disconnect(id);
+    }
+
+    private static OutletView.ClientView client(OutletStatus.Client client) {
+        return new OutletView.ClientView(
+                client.id(),
+                client.user(),
+                client.address(),
+                client.transport(),
+                client.systemId(),
+                client.drones(),
+                client.since(),
+                client.framesIn(),
+                client.framesOut(),
+                client.framesPerSecondIn(),
+                client.framesPerSecondOut(),
+                client.dropped(),
+                client.waiting(),
+                client.silentSeconds());
+    }
+}

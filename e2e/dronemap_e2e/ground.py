@@ -1,0 +1,116 @@
+"""A ground station of another maker, with pymavlink's own signing, attached to the outlet."""
+
+import hashlib
+import os
+import secrets
+import threading
+import time
+from typing import Any, NamedTuple
+
+os.environ.setdefault("MAVLINK20", "1")
+
+from pymavlink import mavutil
+
+from .api import Api
+from .server import Server
+from .waiting import wait_for
+
+GROUND_STATION = 6
+NO_AUTOPILOT = 8
+
+
+class User(NamedTuple):
+    """Somebody with a passphrase."""
+
+    name: str
+    api: Api
+    passphrase: str
+
+
+def new_user(server: Server, api: Api, role: str) -> User:
+    """A user who has signed in once and set a passphrase."""
+    name, first, own = f"{role}-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(10)
+    answer = api.call("POST", "/users", {"name": name, "password": first, "role": role})
+    assert answer.status_code == 201, answer.text
+    session = Api(server.address)
+    assert session.call("POST", "/session", {"name": name, "password": first}).ok
+    answer = session.call("POST", "/session/password", {"current": first, "next": own})
+    assert answer.status_code == 204, answer.text
+    answer = session.call("PUT", "/outlet/passphrase", {})
+    assert answer.ok, answer.text
+    return User(name, session, str(answer.json()["passphrase"]))
+
+
+class Ground:
+    """Says that it is there twice a second, and keeps what it hears; signs by a passphrase or not at all."""
+
+    def __init__(self, address: str, passphrase: str | None, system_id: int = 255) -> None:
+        self.link: Any = mavutil.mavlink_connection(
+            address, source_system=system_id, source_component=190, dialect="ardupilotmega"
+        )
+        if passphrase is not None:
+            key = hashlib.sha256(passphrase.encode()).digest()
+            self.link.setup_signing(key, sign_outgoing=True, allow_unsigned_callback=lambda *_: False)
+        self.messages: list[Any] = []
+        self.arrived: dict[int, float] = {}
+        self.silent = False
+        self._lock = threading.Lock()
+        self._closed = False
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        beat = 0.0
+        while not self._closed:
+            if time.monotonic() - beat > 0.5 and not self.silent:
+                beat = time.monotonic()
+                self.say("heartbeat", GROUND_STATION, NO_AUTOPILOT, 0, 0, 4)
+            try:
+                message = self.link.recv_match(blocking=True, timeout=0.05)
+            except (ConnectionError, OSError):
+                return
+            if message is not None and message.get_type() != "BAD_DATA":
+                self.arrived[message.get_srcSystem()] = time.monotonic()
+                self.messages.append(message)
+
+    def say(self, message: str, *fields: Any) -> None:
+        """Sends what pymavlink calls `message`_send."""
+        with self._lock:
+            getattr(self.link.mav, f"{message}_send")(*fields)
+
+    def heard(self, kind: str, system_id: int | None = None) -> list[Any]:
+        return [
+            m
+            for m in list(self.messages)
+            if m.get_type() == kind and system_id in (None, m.get_srcSystem())
+        ]
+
+    def vehicles(self) -> set[int]:
+        """The system ids of all whose autopilot was heard."""
+        beats = self.heard("HEARTBEAT")
+        return {m.get_srcSystem() for m in beats if m.type != GROUND_STATION}
+
+    def wait_vehicles(self, count: int = 1, seconds: float = 20) -> set[int]:
+        return wait_for(
+            f"{count} vehicles are heard",
+            lambda: self.vehicles() if len(self.vehicles()) >= count else None,
+            seconds,
+        )
+
+    def gaps(self, system_id: int) -> int:
+        """Messages that are missing from the numbers of the autopilot's."""
+        numbers = [
+            m.get_seq()
+            for m in list(self.messages)
+            if m.get_srcSystem() == system_id and m.get_srcComponent() == 1
+        ]
+        pairs = zip(numbers, numbers[1:], strict=False)
+        return sum((after - before - 1) % 256 for before, after in pairs)
+
+    def texts(self) -> str:
+        return "\n".join(m.text for m in self.heard("STATUSTEXT"))
+
+    def close(self) -> None:
+        self._closed = True
+        self._thread.join(5)
+        self.link.close()
