@@ -78,11 +78,14 @@ class Ground:
         with self._lock:
             getattr(self.link.mav, f"{message}_send")(*fields)
 
+    def send(self, message: Any) -> None:
+        """Sends a message that pymavlink has made."""
+        with self._lock:
+            self.link.mav.send(message)
+
     def heard(self, kind: str, system_id: int | None = None) -> list[Any]:
         return [
-            m
-            for m in list(self.messages)
-            if m.get_type() == kind and system_id in (None, m.get_srcSystem())
+            m for m in list(self.messages) if m.get_type() == kind and system_id in (None, m.get_srcSystem())
         ]
 
     def vehicles(self) -> set[int]:

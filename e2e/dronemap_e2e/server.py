@@ -57,8 +57,7 @@ class Server:
                 f"udpserver://127.0.0.1:{self.udp_port},tcpserver://127.0.0.1:{self.tcp_port}"
             ),
             "DRONEMAP_OUTLET": (
-                f"udpserver://127.0.0.1:{self.outlet_udp_port},"
-                f"tcpserver://127.0.0.1:{self.outlet_tcp_port}"
+                f"udpserver://127.0.0.1:{self.outlet_udp_port},tcpserver://127.0.0.1:{self.outlet_tcp_port}"
             ),
         }
         with (self.data / "server.log").open("ab") as log:

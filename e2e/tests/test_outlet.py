@@ -26,9 +26,7 @@ def attach(server: Server) -> Iterator[Attach]:
 
     def make(user: User | None, tcp: bool = False, **options: Any) -> Ground:
         address = (
-            f"tcp:127.0.0.1:{server.outlet_tcp_port}"
-            if tcp
-            else f"udpout:127.0.0.1:{server.outlet_udp_port}"
+            f"tcp:127.0.0.1:{server.outlet_tcp_port}" if tcp else f"udpout:127.0.0.1:{server.outlet_udp_port}"
         )
         attached.append(Ground(address, user.passphrase if user else None, **options))
         return attached[-1]
@@ -110,9 +108,7 @@ def _place(ground: Ground, number: int) -> tuple[int, int]:
     return round(last.lat / 1e3), round(last.lon / 1e3)
 
 
-def test_a_client_never_has_the_number_of_a_vehicle(
-    twins: list[Json], attach: Attach, viewer: User
-) -> None:
+def test_a_client_never_has_the_number_of_a_vehicle(twins: list[Json], attach: Attach, viewer: User) -> None:
     taken = attach(viewer).wait_vehicles(len(twins))
     for number in sorted(taken)[:1]:
         twin = attach(viewer, tcp=True, system_id=number)
@@ -200,9 +196,7 @@ def test_a_disabled_user_is_silenced_within_a_second_and_stays_outside(
     assert api.call("PATCH", f"/users/{viewer.name}", {"state": "disabled"}).ok
     taken = time.monotonic()
     wait_for("the client is gone", lambda: not own(api, viewer))
-    throughout(
-        "nothing more comes", lambda: max(ground.arrived[number] for number in seen) < taken + 1.0, 2
-    )
+    throughout("nothing more comes", lambda: max(ground.arrived[number] for number in seen) < taken + 1.0, 2)
 
 
 def test_a_client_follows_to_another_address_and_a_disconnected_one_stays_outside(

@@ -24,6 +24,7 @@ final class OutletClient {
     private static final int OWN_COMPONENT = 190;
 
     private static final int OWN_SYSTEM = 255;
+    private static final int MOST_ORDERS = 50;
     private static final int OTHER_SYSTEM = 254;
     private static final Heartbeat HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
 
@@ -39,6 +40,9 @@ final class OutletClient {
     private final Rate out = new Rate();
     private final Set<DroneId> shown = new HashSet<>();
     private byte @Nullable [] ready;
+    private int orders;
+    private int lastText;
+    private long saidOfSteeringNanos = Long.MIN_VALUE;
     private long lastHeardNanos;
     private volatile @Nullable Principal principal;
 
@@ -206,8 +210,27 @@ final class OutletClient {
         return writers.computeIfAbsent(number << 8 | component, key -> new FrameWriter(number, component, 2));
     }
 
+    /** False when it has given more commands within this second than anybody does by hand or by a sane program. */
+    boolean mayOrder() {
+        return ++orders <= MOST_ORDERS;
+    }
+
+    /** Numbers texts that come in parts, 1 to 65535. */
+    int nextText() {
+        lastText = lastText % 65_535 + 1;
+        return lastText;
+    }
+
+    /** True at most once in so long. */
+    boolean mayHearOfSteering(long nowNanos, long everyNanos) {
+        boolean due = saidOfSteeringNanos == Long.MIN_VALUE || nowNanos - saidOfSteeringNanos > everyNanos;
+        saidOfSteeringNanos = due ? nowNanos : saidOfSteeringNanos;
+        return due;
+    }
+
     /** Ends a second of counting. */
     void second() {
+        orders = 0;
         in.second();
         out.second();
         shown.removeIf(drone -> !sees(drone));

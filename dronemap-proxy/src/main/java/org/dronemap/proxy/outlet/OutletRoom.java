@@ -29,6 +29,7 @@ final class OutletRoom implements AutoCloseable {
     private static final int AT_ONCE = 512;
     private static final long NAP_NANOS = 2_000_000L;
     private static final long SECOND_NANOS = 1_000_000_000L;
+    private static final long TICK_NANOS = 10_000_000L;
     /** A datagram client that says nothing for so long gets nothing more: its address may be somebody else's by now. */
     private static final long SILENCE_NANOS = 30 * SECOND_NANOS;
     /** Whoever was disconnected stays outside for so long. */
@@ -53,7 +54,9 @@ final class OutletRoom implements AutoCloseable {
     private final Map<Peer, OutletClient> clients = new LinkedHashMap<>();
     private final Map<Peer, Long> outsideUntil = new HashMap<>();
     private final SystemNumbers numbers;
+    private final Uplink uplink;
     private int lastId;
+    private long tickNanos;
     private long secondNanos;
 
     private record Heard(Peer peer, UserKey key, Frame frame) {}
@@ -73,7 +76,14 @@ final class OutletRoom implements AutoCloseable {
                                 "what " + number.user() + " calls a drone",
                                 () -> policy.store().saveNumber(number),
                                 () -> {}));
+        uplink = new Uplink(policy.cloud(), counts, vehicles, this::later);
         thread.setDaemon(true);
+    }
+
+    /** On the clients' thread, soon. Any thread. */
+    private void later(Runnable task) {
+        tasks.add(task);
+        LockSupport.unpark(thread);
     }
 
     void start() {
@@ -169,6 +179,10 @@ final class OutletRoom implements AutoCloseable {
             show(said);
             count++;
         }
+        if (now - tickNanos >= TICK_NANOS) {
+            tickNanos = now;
+            uplink.tick(now);
+        }
         clients.values().forEach(OutletClient::flush);
         if (now - secondNanos >= SECOND_NANOS) {
             secondNanos = now;
@@ -192,6 +206,7 @@ final class OutletRoom implements AutoCloseable {
         OutletClient client = clients.get(heard.peer());
         if (client != null && client.key() == heard.key()) {
             client.heard(now);
+            uplink.take(client, heard.frame(), now);
         } else {
             knock(heard, now);
         }
@@ -244,6 +259,7 @@ final class OutletRoom implements AutoCloseable {
         OutletClient client = clients.remove(peer);
         if (client != null) {
             all = List.copyOf(clients.values());
+            uplink.forget(client);
             LOG.info("{} of {} left the outlet: {}", client.id(), client.user(), why);
         }
     }
@@ -269,6 +285,7 @@ final class OutletRoom implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
+        uplink.close();
         LockSupport.unpark(thread);
         try {
             thread.join(1_000);

@@ -115,8 +115,7 @@ final class HouseBuilder {
                 .open(telemetry(database), database.flights(), cloud, closing);
     }
 
-    private Proxy links(
-            CloudManager cloud, Keyrings keyrings, FrameTap.Factory taps, Doors doors, LinkStore saved) {
+    private Proxy links(CloudManager cloud, Keyrings keyrings, FrameTap.Factory taps, Doors doors, LinkStore saved) {
         Proxy.Policy policy = new Proxy.Policy(keyrings, taps, doors, settings.enrolment());
         Proxy links = new Proxy(cloud, lanes, endpoints, policy);
         closing.add("the links", links);

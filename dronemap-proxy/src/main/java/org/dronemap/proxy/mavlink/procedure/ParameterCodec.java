@@ -14,14 +14,15 @@ public record ParameterCodec(boolean bytewise) {
     private static final ParameterType[] TYPES = ParameterType.values();
 
     /** MAV_PARAM_TYPE; what is not known is taken for a decimal. */
-    static ParameterType type(int number) {
+    public static ParameterType type(int number) {
         return Arrays.stream(TYPES)
                 .filter(type -> number(type) == number)
                 .findFirst()
                 .orElse(ParameterType.REAL32);
     }
 
-    static int number(ParameterType type) {
+    /** MAV_PARAM_TYPE. */
+    public static int number(ParameterType type) {
         return switch (type) {
             case UINT8 -> 1;
             case INT8 -> 2;
@@ -41,7 +42,8 @@ public record ParameterCodec(boolean bytewise) {
         return new Parameter(message.paramId(), type, decode(type, message.paramValue()));
     }
 
-    double decode(ParameterType type, float raw) {
+    /** What that number of the wire means. */
+    public double decode(ParameterType type, float raw) {
         if (!bytewise || type.decimal()) {
             return type.decimal() ? raw : Math.rint(raw);
         }
@@ -56,7 +58,8 @@ public record ParameterCodec(boolean bytewise) {
         };
     }
 
-    float encode(ParameterType type, double value) {
+    /** As the wire carries it. */
+    public float encode(ParameterType type, double value) {
         return bytewise && !type.decimal() ? Float.intBitsToFloat((int) (long) value) : (float) value;
     }
 

@@ -10,7 +10,7 @@ import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.procedure.Target;
 
 /** Fences and rally points to items of the wire and back; items of other kinds are left out. */
-final class FenceCodec {
+public final class FenceCodec {
     private static final int POLYGON_INSIDE = 5001;
     private static final int POLYGON_OUTSIDE = 5002;
     private static final int CIRCLE_INSIDE = 5003;
@@ -20,7 +20,7 @@ final class FenceCodec {
 
     private FenceCodec() {}
 
-    static List<MissionItemInt> fenceToWire(List<FenceZone> zones, Target target) {
+    public static List<MissionItemInt> fenceToWire(List<FenceZone> zones, Target target) {
         List<MissionItemInt> items = new ArrayList<>();
         for (FenceZone zone : zones) {
             if (zone instanceof FenceZone.Polygon polygon) {
@@ -37,7 +37,7 @@ final class FenceCodec {
         return items;
     }
 
-    static List<FenceZone> fenceFromWire(List<MissionItemInt> items) {
+    public static List<FenceZone> fenceFromWire(List<MissionItemInt> items) {
         List<FenceZone> zones = new ArrayList<>();
         List<Geodetic> corners = new ArrayList<>();
         for (MissionItemInt item : items) {
@@ -61,7 +61,7 @@ final class FenceCodec {
         return zones;
     }
 
-    static List<MissionItemInt> rallyToWire(List<RallyPoint> points, Target target) {
+    public static List<MissionItemInt> rallyToWire(List<RallyPoint> points, Target target) {
         List<MissionItemInt> items = new ArrayList<>();
         for (RallyPoint point : points) {
             items.add(item(target, items.size(), RALLY_POINT, 0, point.point(), point.altitudeMeters()));
@@ -69,7 +69,7 @@ final class FenceCodec {
         return items;
     }
 
-    static List<RallyPoint> rallyFromWire(List<MissionItemInt> items) {
+    public static List<RallyPoint> rallyFromWire(List<MissionItemInt> items) {
         return items.stream()
                 .filter(item -> item.command() == RALLY_POINT && Math.abs(item.z()) <= 10_000)
                 .map(item -> new RallyPoint(point(item), Math.round(item.z() * 1000.0) / 1000.0))

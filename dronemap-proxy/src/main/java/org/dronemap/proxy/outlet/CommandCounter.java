@@ -1,0 +1,245 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItem;
+import org.dronemap.mavlink.message.SetMode;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Takes commands of clients: gives those that pass at the gate, and answers each with a result and, when it is not done, with
+ * a sentence that says why. A command that is sent again while it waits acts once. Owned by the outlet's thread.
+ */
+final class CommandCounter {
+    private static final long LATE_NANOS = 3_000_000_000L;
+    private static final int MOST_REMEMBERED = 1_024;
+    private static final double E7 = 1e7;
+
+    private final CloudManager cloud;
+    private final Orders orders;
+    private final Map<Place, Given> given = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Place, Given> eldest) {
+            return size() > MOST_REMEMBERED;
+        }
+    };
+
+    private record Place(String client, DroneId drone, int number) {}
+
+    /** {@code result} null: not answered yet. */
+    private record Given(Command command, @Nullable Integer result, long nanos) {}
+
+    CommandCounter(CloudManager cloud, Orders orders) {
+        this.cloud = cloud;
+        this.orders = orders;
+    }
+
+    /** COMMAND_LONG, COMMAND_INT or SET_MODE. */
+    void take(Asked asked, long now) {
+        Frame frame = asked.frame();
+        Frame beat = asked.vehicle().newest(Heartbeat.ID);
+        DroneState state = cloud.drone(asked.drone()).orElse(null);
+        if (beat == null || state == null) {
+            return;
+        }
+        CommandInt command = command(frame);
+        CommandWords.Context context = new CommandWords.Context(command, Heartbeat.decode(beat), state);
+        Wish wish = CommandWords.of(context);
+        int number = command.command();
+        if (frame.messageId() == SetMode.ID) {
+            SetMode mode = SetMode.decode(frame);
+            wish = new Wish.Order(
+                    new Command.SetMode(CommandWords.modeName(context, mode.baseMode(), mode.customMode())));
+            number = SetMode.ID;
+        }
+        boolean again =
+                frame.messageId() == CommandLong.ID && CommandLong.decode(frame).confirmation() > 0;
+        grant(asked, number, wish, again, now);
+    }
+
+    /** MISSION_ITEM that is no part of a mission: where to go now, as autopilots take it in GUIDED. */
+    void goTo(Asked asked) {
+        MissionItem item = MissionItem.decode(asked.frame());
+        Altitude altitude = CommandWords.altitude(item.frame(), item.z());
+        Principal principal = asked.client().principal();
+        boolean place = Math.abs(item.x()) <= 90 && Math.abs(item.y()) <= 180;
+        if (altitude == null || !place || principal == null || !asked.client().mayOrder()) {
+            MissionCounter.acknowledge(asked, MissionCounter.ACK_DENIED, 0);
+            return;
+        }
+        Command command = new Command.GoTo(new Geodetic(item.x(), item.y()), altitude);
+        orders.give(principal, asked.drone(), command, new Going(asked));
+    }
+
+    private void grant(Asked asked, int number, Wish wish, boolean again, long now) {
+        if (wish instanceof Wish.Order order) {
+            order(asked, number, order.command(), again, now);
+        } else if (wish instanceof Wish.Show show) {
+            Frame newest = asked.vehicle().newest(show.messageId());
+            acknowledge(asked, number, newest == null ? Reasons.TEMPORARILY_REJECTED : Reasons.ACCEPTED);
+            if (newest != null) {
+                asked.client().say(new Letter.OfVehicle(asked.drone(), newest));
+            }
+        } else if (wish instanceof Wish.Granted) {
+            acknowledge(asked, number, Reasons.ACCEPTED);
+        } else if (wish instanceof Wish.Denied denied) {
+            acknowledge(asked, number, Reasons.DENIED);
+            asked.explain(denied.sentence());
+        } else {
+            acknowledge(asked, number, Reasons.UNSUPPORTED);
+            asked.explain("Command " + number + " does not pass the cloud.");
+        }
+    }
+
+    private void order(Asked asked, int number, Command command, boolean again, long now) {
+        Place place = new Place(asked.client().id(), asked.drone(), number);
+        Given before = given.get(place);
+        if (before != null && before.command().equals(command)) {
+            Integer result = before.result();
+            if (result == null) {
+                return;
+            }
+            if (again && now - before.nanos() < LATE_NANOS) {
+                acknowledge(asked, number, result);
+                return;
+            }
+        }
+        Principal principal = asked.client().principal();
+        if (principal == null) {
+            return;
+        }
+        if (!asked.client().mayOrder()) {
+            acknowledge(asked, number, Reasons.TEMPORARILY_REJECTED);
+            return;
+        }
+        Given mine = new Given(command, null, now);
+        given.put(place, mine);
+        orders.give(principal, asked.drone(), command, new Acknowledging(asked, place, mine));
+    }
+
+    /** Acknowledges once: when the vehicle has taken the command, or when it is over before. */
+    private final class Acknowledging implements Orders.Answer {
+        private final Asked asked;
+        private final Place place;
+        private final Given mine;
+        private boolean answered;
+
+        Acknowledging(Asked asked, Place place, Given mine) {
+            this.asked = asked;
+            this.place = place;
+            this.mine = mine;
+        }
+
+        @Override
+        public void accepted() {
+            // What comes next counts on it: only what was seen to be so is said to be.
+            if (!isSoonSeen(mine.command())) {
+                answer(Reasons.ACCEPTED);
+            }
+        }
+
+        @Override
+        public void ended(Outcome outcome) {
+            answer(Reasons.result(outcome));
+            String why = Reasons.sentence(outcome);
+            if (!why.isEmpty()) {
+                asked.explain(why);
+            }
+        }
+
+        private void answer(int result) {
+            if (!answered) {
+                answered = true;
+                // A newer command of the same kind has the place by now.
+                given.replace(place, mine, new Given(mine.command(), result, mine.nanos()));
+                acknowledge(asked, place.number(), result);
+            }
+        }
+    }
+
+    private static boolean isSoonSeen(Command command) {
+        return command instanceof Command.Arm
+                || command instanceof Command.Disarm
+                || command instanceof Command.SetMode;
+    }
+
+    /** Acknowledges a place to go to as the item that it came as. */
+    private static final class Going implements Orders.Answer {
+        private final Asked asked;
+        private boolean answered;
+
+        Going(Asked asked) {
+            this.asked = asked;
+        }
+
+        @Override
+        public void accepted() {
+            answer(MissionCounter.ACK_ACCEPTED);
+        }
+
+        @Override
+        public void ended(Outcome outcome) {
+            boolean done = outcome instanceof Outcome.Succeeded;
+            answer(done ? MissionCounter.ACK_ACCEPTED : MissionCounter.ACK_DENIED);
+            if (!done) {
+                asked.explain(Reasons.sentence(outcome));
+            }
+        }
+
+        private void answer(int type) {
+            if (!answered) {
+                answered = true;
+                MissionCounter.acknowledge(asked, type, 0);
+            }
+        }
+    }
+
+    private static void acknowledge(Asked asked, int number, int result) {
+        asked.answer(new CommandAck(number, result, 0, 0, asked.fromSystem(), asked.fromComponent()));
+    }
+
+    private static CommandInt command(Frame frame) {
+        if (frame.messageId() == CommandInt.ID) {
+            return CommandInt.decode(frame);
+        }
+        if (frame.messageId() == SetMode.ID) {
+            SetMode mode = SetMode.decode(frame);
+            return new CommandInt(mode.targetSystem(), 0, 0, CommandWords.SET_MODE, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        }
+        CommandLong command = CommandLong.decode(frame);
+        return new CommandInt(
+                command.targetSystem(),
+                command.targetComponent(),
+                0,
+                command.command(),
+                0,
+                0,
+                command.param1(),
+                command.param2(),
+                command.param3(),
+                command.param4(),
+                degrees7(command.param5()),
+                degrees7(command.param6()),
+                command.param7());
+    }
+
+    /** What is no place on Earth stays none. */
+    private static int degrees7(float degrees) {
+        return Math.abs(degrees) <= 200 ? (int) Math.round(degrees * E7) : Integer.MAX_VALUE;
+    }
+}

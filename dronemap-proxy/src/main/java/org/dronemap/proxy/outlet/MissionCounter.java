@@ -1,0 +1,190 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.MissionAck;
+import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItem;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionRequest;
+import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.mavlink.message.MissionRequestList;
+import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.translate.FenceCodec;
+import org.jspecify.annotations.Nullable;
+
+/** Serves missions, fences and rally points that the cloud knows to any number of clients. Owned by the outlet's thread. */
+final class MissionCounter {
+    static final int ACK_ACCEPTED = 0;
+    static final int ACK_ERROR = 1;
+    static final int ACK_UNSUPPORTED = 3;
+    static final int ACK_NO_SPACE = 4;
+    static final int ACK_INVALID_SEQUENCE = 13;
+    static final int ACK_DENIED = 14;
+    private static final int MOST_LISTS = 512;
+    private static final double E7 = 1e7;
+
+    private final CloudManager cloud;
+    private final Orders orders;
+    private final Map<Place, List<MissionItemInt>> lists = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Place, List<MissionItemInt>> eldest) {
+            return size() > MOST_LISTS;
+        }
+    };
+
+    private record Place(String client, DroneId drone, int kind) {}
+
+    MissionCounter(CloudManager cloud, Orders orders) {
+        this.cloud = cloud;
+        this.orders = orders;
+    }
+
+    /** MISSION_REQUEST_LIST: what is counted now is what the client gets, whatever changes meanwhile. */
+    void list(Asked asked) {
+        int kind = MissionRequestList.decode(asked.frame()).missionType();
+        if (kind < 0 || kind > MissionKind.RALLY.number()) {
+            acknowledge(asked, ACK_UNSUPPORTED, kind);
+            return;
+        }
+        List<MissionItemInt> items = items(asked, kind);
+        if (items != null) {
+            count(asked, kind, items);
+        } else if (kind != MissionKind.MISSION.number()) {
+            read(asked, kind);
+        }
+        // A mission that is not known yet is being read: clients ask again.
+    }
+
+    private void count(Asked asked, int kind, List<MissionItemInt> items) {
+        lists.put(new Place(asked.client().id(), asked.drone(), kind), items);
+        asked.answer(new MissionCount(asked.fromSystem(), asked.fromComponent(), items.size(), kind));
+    }
+
+    /** Null when the cloud does not know it. */
+    private @Nullable List<MissionItemInt> items(Asked asked, int kind) {
+        Target here = new Target(0, 0, message -> {});
+        if (kind == MissionKind.FENCE.number()) {
+            List<FenceZone> fence = cloud.onBoard(asked.drone()).fence();
+            return fence == null ? null : FenceCodec.fenceToWire(fence, here);
+        }
+        if (kind == MissionKind.RALLY.number()) {
+            List<RallyPoint> points = cloud.onBoard(asked.drone()).rallyPoints();
+            return points == null ? null : FenceCodec.rallyToWire(points, here);
+        }
+        return asked.vehicle().mission();
+    }
+
+    /** Has it read by the vehicle's only reader, if the user may. */
+    private void read(Asked asked, int kind) {
+        Principal principal = asked.client().principal();
+        if (principal == null || !asked.client().mayOrder()) {
+            return;
+        }
+        Command command = kind == MissionKind.FENCE.number() ? new Command.ReadFence() : new Command.ReadRallyPoints();
+        orders.give(principal, asked.drone(), command, new Orders.Answer() {
+            @Override
+            public void accepted() {
+                // The list itself is the answer.
+            }
+
+            @Override
+            public void ended(Outcome outcome) {
+                List<MissionItemInt> items = items(asked, kind);
+                if (items != null) {
+                    count(asked, kind, items);
+                } else {
+                    acknowledge(asked, ACK_DENIED, kind);
+                    asked.explain(Reasons.sentence(outcome));
+                }
+            }
+        });
+    }
+
+    /** MISSION_REQUEST_INT. */
+    void item(Asked asked) {
+        MissionRequestInt wanted = MissionRequestInt.decode(asked.frame());
+        MissionItemInt item = item(asked, wanted.missionType(), wanted.seq());
+        if (item != null) {
+            asked.answer(item);
+        }
+    }
+
+    /** MISSION_REQUEST, as older clients ask. */
+    void olderItem(Asked asked) {
+        MissionRequest wanted = MissionRequest.decode(asked.frame());
+        MissionItemInt item = item(asked, wanted.missionType(), wanted.seq());
+        if (item != null) {
+            asked.answer(older(item));
+        }
+    }
+
+    private @Nullable MissionItemInt item(Asked asked, int kind, int seq) {
+        List<MissionItemInt> items = lists.get(new Place(asked.client().id(), asked.drone(), kind));
+        if (items == null || seq >= items.size()) {
+            acknowledge(asked, ACK_INVALID_SEQUENCE, kind);
+            return null;
+        }
+        return addressed(items.get(seq), asked, seq);
+    }
+
+    static void acknowledge(Asked asked, int type, int kind) {
+        asked.answer(new MissionAck(asked.fromSystem(), asked.fromComponent(), type, kind));
+    }
+
+    private static MissionItemInt addressed(MissionItemInt item, Asked asked, int seq) {
+        return new MissionItemInt(
+                asked.fromSystem(),
+                asked.fromComponent(),
+                seq,
+                item.frame(),
+                item.command(),
+                item.current(),
+                item.autocontinue(),
+                item.param1(),
+                item.param2(),
+                item.param3(),
+                item.param4(),
+                item.x(),
+                item.y(),
+                item.z(),
+                item.missionType());
+    }
+
+    private static Message older(MissionItemInt item) {
+        boolean place = item.frame() != 1 && item.frame() != 2;
+        return new MissionItem(
+                item.targetSystem(),
+                item.targetComponent(),
+                item.seq(),
+                item.frame(),
+                item.command(),
+                item.current(),
+                item.autocontinue(),
+                item.param1(),
+                item.param2(),
+                item.param3(),
+                item.param4(),
+                (float) (place ? item.x() / E7 : item.x()),
+                (float) (place ? item.y() / E7 : item.y()),
+                item.z(),
+                item.missionType());
+    }
+
+    /** The client has gone. */
+    void forget(String client) {
+        lists.keySet().removeIf(place -> place.client().equals(client));
+    }
+}

@@ -1,0 +1,265 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.CommandRules;
+import org.dronemap.core.cloud.RoleRules;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionClearAll;
+import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItem;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionRequest;
+import org.dronemap.mavlink.message.MissionRequestInt;
+import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.translate.Autopilot;
+
+/**
+ * Takes missions, fences and rally points of clients in, item by item, and puts them on vehicles by commands of the cloud.
+ * What the cloud cannot keep as it came is refused, never shortened. Owned by the outlet's thread.
+ */
+final class MissionIntake {
+    private static final int MOST_ITEMS = Mission.MAX_ITEMS + 1;
+    private static final int ALL_KINDS = 255;
+    private static final long ASK_AGAIN_NANOS = 1_000_000_000L;
+    private static final int MOST_TRIES = 8;
+    private static final double E7 = 1e7;
+
+    private final CloudManager cloud;
+    private final Orders orders;
+    private final Map<Place, Intake> intakes = new LinkedHashMap<>();
+
+    private record Place(String client, DroneId drone) {}
+
+    /** What one client is sending for one drone. */
+    private static final class Intake {
+        private final Asked asked;
+        private final int kind;
+        private final int count;
+        private final List<MissionItemInt> items = new ArrayList<>();
+        private int tries;
+        private long askedNanos;
+        private boolean given;
+
+        Intake(Asked asked, int kind, int count) {
+            this.asked = asked;
+            this.kind = kind;
+            this.count = count;
+        }
+    }
+
+    MissionIntake(CloudManager cloud, Orders orders) {
+        this.cloud = cloud;
+        this.orders = orders;
+    }
+
+    /** MISSION_COUNT. */
+    void begin(Asked asked, long now) {
+        MissionCount announced = MissionCount.decode(asked.frame());
+        int kind = announced.missionType();
+        if (kind > MissionKind.RALLY.number()) {
+            MissionCounter.acknowledge(asked, MissionCounter.ACK_UNSUPPORTED, kind);
+            return;
+        }
+        Optional<String> why =
+                whyNot(asked, announced.count() == 0 && kind == 0 ? Capability.CLEAR_MISSION : capability(kind));
+        if (why.isPresent()) {
+            refuse(asked, MissionCounter.ACK_DENIED, kind, why.get());
+            return;
+        }
+        Place place = new Place(asked.client().id(), asked.drone());
+        Intake before = intakes.get(place);
+        if (before != null && before.given) {
+            return;
+        }
+        if (announced.count() > MOST_ITEMS) {
+            refuse(asked, MissionCounter.ACK_NO_SPACE, kind, "A mission has at most " + Mission.MAX_ITEMS + " items.");
+            return;
+        }
+        Intake intake = new Intake(asked, kind, announced.count());
+        intakes.put(place, intake);
+        goOn(place, intake, now);
+    }
+
+    /** MISSION_CLEAR_ALL. */
+    void clear(Asked asked, long now) {
+        int kind = MissionClearAll.decode(asked.frame()).missionType();
+        int cleared = kind == ALL_KINDS ? 0 : kind;
+        if (cleared > MissionKind.RALLY.number()) {
+            MissionCounter.acknowledge(asked, MissionCounter.ACK_UNSUPPORTED, kind);
+            return;
+        }
+        Place place = new Place(asked.client().id(), asked.drone());
+        Intake before = intakes.get(place);
+        if (before == null || !before.given) {
+            Intake intake = new Intake(asked, cleared, 0);
+            intakes.put(place, intake);
+            goOn(place, intake, now);
+        }
+    }
+
+    /** MISSION_ITEM_INT. */
+    void item(Asked asked, long now) {
+        take(asked, MissionItemInt.decode(asked.frame()), now);
+    }
+
+    /** MISSION_ITEM, as older clients send it. */
+    void olderItem(Asked asked, long now) {
+        MissionItem item = MissionItem.decode(asked.frame());
+        boolean place = item.frame() != 1 && item.frame() != 2;
+        take(
+                asked,
+                new MissionItemInt(
+                        item.targetSystem(),
+                        item.targetComponent(),
+                        item.seq(),
+                        item.frame(),
+                        item.command(),
+                        item.current(),
+                        item.autocontinue(),
+                        item.param1(),
+                        item.param2(),
+                        item.param3(),
+                        item.param4(),
+                        (int) Math.round(item.x() * (place ? E7 : 1)),
+                        (int) Math.round(item.y() * (place ? E7 : 1)),
+                        item.z(),
+                        item.missionType()),
+                now);
+    }
+
+    private void take(Asked asked, MissionItemInt item, long now) {
+        Place place = new Place(asked.client().id(), asked.drone());
+        Intake intake = intakes.get(place);
+        if (intake == null || intake.given || item.seq() != intake.items.size() || item.missionType() != intake.kind) {
+            return;
+        }
+        intake.items.add(item);
+        intake.tries = 0;
+        goOn(place, intake, now);
+    }
+
+    private void goOn(Place place, Intake intake, long now) {
+        if (intake.items.size() < intake.count) {
+            ask(intake, intake.items.size(), now);
+            return;
+        }
+        intake.given = true;
+        intake.askedNanos = now;
+        MissionReading.Read read = read(intake);
+        Principal principal = intake.asked.client().principal();
+        if (read instanceof MissionReading.Foreign foreign) {
+            intakes.remove(place);
+            refuse(intake.asked, MissionCounter.ACK_UNSUPPORTED, intake.kind, foreign.why());
+        } else if (principal == null || !intake.asked.client().mayOrder()) {
+            intakes.remove(place);
+            MissionCounter.acknowledge(intake.asked, MissionCounter.ACK_DENIED, intake.kind);
+        } else {
+            Command command = ((MissionReading.Understood) read).command();
+            orders.give(principal, intake.asked.drone(), command, new Acknowledging(place, intake));
+        }
+    }
+
+    private static MissionReading.Read read(Intake intake) {
+        Frame beat = intake.asked.vehicle().newest(Heartbeat.ID);
+        int before = beat == null ? 0 : Autopilot.of(Heartbeat.decode(beat)).itemsBeforeMission();
+        return MissionReading.of(intake.kind, intake.items, before);
+    }
+
+    /** In the newer form first, and in the older one to who does not answer that. */
+    private static void ask(Intake intake, int seq, long now) {
+        Asked asked = intake.asked;
+        intake.askedNanos = now;
+        asked.answer(
+                intake.tries % 2 == 0
+                        ? new MissionRequestInt(asked.fromSystem(), asked.fromComponent(), seq, intake.kind)
+                        : new MissionRequest(asked.fromSystem(), asked.fromComponent(), seq, intake.kind));
+    }
+
+    /** Asks again for what does not come, and gives up; keeps those patient whose mission is on its way to the vehicle. */
+    void tick(long now) {
+        for (Iterator<Intake> each = intakes.values().iterator(); each.hasNext(); ) {
+            Intake intake = each.next();
+            if (now - intake.askedNanos < ASK_AGAIN_NANOS) {
+                continue;
+            }
+            if (intake.given) {
+                intake.askedNanos = now;
+                if (intake.count > 0) {
+                    ask(intake, intake.count - 1, now);
+                }
+            } else if (++intake.tries > MOST_TRIES) {
+                each.remove();
+                MissionCounter.acknowledge(intake.asked, MissionCounter.ACK_ERROR, intake.kind);
+            } else {
+                ask(intake, intake.items.size(), now);
+            }
+        }
+    }
+
+    private Optional<String> whyNot(Asked asked, Capability capability) {
+        Principal principal = asked.client().principal();
+        DroneState state = cloud.drone(asked.drone()).orElse(null);
+        if (principal == null || state == null) {
+            return Optional.of("There is no such drone.");
+        }
+        return RoleRules.whyNot(principal, state, capability).or(() -> CommandRules.whyNot(state, capability));
+    }
+
+    private static Capability capability(int kind) {
+        if (kind == MissionKind.FENCE.number()) {
+            return Capability.FENCE;
+        }
+        return kind == MissionKind.RALLY.number() ? Capability.RALLY_POINTS : Capability.UPLOAD_MISSION;
+    }
+
+    private static void refuse(Asked asked, int type, int kind, String why) {
+        MissionCounter.acknowledge(asked, type, kind);
+        asked.explain(why);
+    }
+
+    /** The client has gone; what was given goes on. */
+    void forget(String client) {
+        intakes.keySet().removeIf(place -> place.client().equals(client));
+    }
+
+    /** Acknowledges when the vehicle has it, or not. */
+    private final class Acknowledging implements Orders.Answer {
+        private final Place place;
+        private final Intake intake;
+
+        Acknowledging(Place place, Intake intake) {
+            this.place = place;
+            this.intake = intake;
+        }
+
+        @Override
+        public void accepted() {
+            // Only the whole counts.
+        }
+
+        @Override
+        public void ended(Outcome outcome) {
+            intakes.remove(place, intake);
+            if (outcome instanceof Outcome.Succeeded) {
+                MissionCounter.acknowledge(intake.asked, MissionCounter.ACK_ACCEPTED, intake.kind);
+            } else {
+                int type = outcome instanceof Outcome.Refused ? MissionCounter.ACK_DENIED : MissionCounter.ACK_ERROR;
+                refuse(intake.asked, type, intake.kind, Reasons.sentence(outcome));
+            }
+        }
+    }
+}

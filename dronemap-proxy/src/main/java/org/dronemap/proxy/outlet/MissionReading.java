@@ -1,0 +1,89 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.List;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.translate.FenceCodec;
+import org.dronemap.proxy.mavlink.translate.MissionCodec;
+
+/** What the items of a client mean as a command of the cloud: all of it, or nothing. Stateless. */
+final class MissionReading {
+    private static final int WAYPOINT = 16;
+
+    private MissionReading() {}
+
+    /** What came of it. */
+    sealed interface Read {}
+
+    record Understood(Command command) implements Read {}
+
+    record Foreign(String why) implements Read {}
+
+    /** {@code before}: items in front of a mission that are none of it, as the home that some autopilots keep there. */
+    static Read of(int kind, List<MissionItemInt> items, int before) {
+        try {
+            if (kind == MissionKind.FENCE.number()) {
+                return fence(items);
+            }
+            return kind == MissionKind.RALLY.number() ? rally(items) : mission(items, before);
+        } catch (IllegalArgumentException e) {
+            return new Foreign("This cannot be put on the vehicle: " + e.getMessage() + ".");
+        }
+    }
+
+    private static Read mission(List<MissionItemInt> items, int before) {
+        if (items.size() <= before) {
+            return new Understood(new Command.ClearMission());
+        }
+        List<MissionItem> mission = MissionCodec.fromWire(items, before);
+        for (int index = 0; index < mission.size(); index++) {
+            MissionItemInt item = items.get(before + index);
+            if (mission.get(index) instanceof MissionItem.Other other) {
+                return new Foreign("Item " + (before + index) + " (" + other.description()
+                        + ") is none that the cloud can put on a vehicle.");
+            }
+            if (hasMore(item)) {
+                return new Foreign(
+                        "Item " + (before + index) + " has settings that the cloud would lose; leave them empty.");
+            }
+        }
+        return new Understood(new Command.UploadMission(new Mission(mission)));
+    }
+
+    /** Settings beside place, altitude and, for a waypoint, the time to wait there. */
+    private static boolean hasMore(MissionItemInt item) {
+        return (item.command() != WAYPOINT && isSet(item.param1()))
+                || isSet(item.param2())
+                || isSet(item.param3())
+                || isSet(item.param4());
+    }
+
+    private static boolean isSet(float value) {
+        return !Float.isNaN(value) && value != 0;
+    }
+
+    private static Read fence(List<MissionItemInt> items) {
+        List<FenceZone> zones = FenceCodec.fenceFromWire(items);
+        int read = zones.stream()
+                .mapToInt(zone -> zone instanceof FenceZone.Polygon polygon
+                        ? polygon.corners().size()
+                        : 1)
+                .sum();
+        return read == items.size()
+                ? new Understood(new Command.SetFence(zones))
+                : new Foreign(
+                        "A fence is of areas with 3 to 100 corners and of circles; there is something else in it.");
+    }
+
+    private static Read rally(List<MissionItemInt> items) {
+        List<RallyPoint> points = FenceCodec.rallyFromWire(items);
+        return points.size() == items.size()
+                ? new Understood(new Command.SetRallyPoints(points))
+                : new Foreign("There is something else among the rally points.");
+    }
+}

@@ -1,0 +1,106 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudListener;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.CommandGate;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Gives the commands of clients at the cloud's gate, in their users' names and in order, on a thread of its own that may wait
+ * for the store. Any thread.
+ */
+final class Orders implements CloudListener, AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Orders.class);
+    private static final String FACE = "outlet";
+    private static final int MOST_WAITING = 256;
+
+    private final CloudManager cloud;
+    private final Consumer<Runnable> answering;
+    private final Map<CommandId, Answer> open = new ConcurrentHashMap<>();
+    private final ThreadPoolExecutor thread;
+
+    /** Hears what becomes of a command, where clients are answered. */
+    interface Answer {
+        /** The vehicle took it and is at it. */
+        void accepted();
+
+        /** The end; nothing follows. */
+        void ended(Outcome outcome);
+    }
+
+    /** {@code answering} runs what is to be answered. */
+    Orders(CloudManager cloud, Consumer<Runnable> answering) {
+        this.cloud = cloud;
+        this.answering = answering;
+        thread = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(MOST_WAITING), task -> {
+            Thread created = new Thread(task, "outlet-orders");
+            created.setDaemon(true);
+            return created;
+        });
+        cloud.addListener(this);
+    }
+
+    /** Gives a command; whatever becomes of it is answered. */
+    void give(Principal principal, DroneId drone, Command command, Answer answer) {
+        CommandId id = new CommandId("outlet-" + UUID.randomUUID());
+        open.put(id, answer);
+        try {
+            thread.execute(() -> submit(principal, drone, id, command));
+        } catch (RejectedExecutionException e) {
+            LOG.warn("The outlet had no room for a command of {}", principal.name());
+            end(id, new Outcome.Refused("gate", "The server is overloaded; nothing was sent."));
+        }
+    }
+
+    private void submit(Principal principal, DroneId drone, CommandId id, Command command) {
+        try {
+            commandChanged(cloud.gate().submit(new CommandGate.Source(principal, FACE), drone, id, command));
+        } catch (RuntimeException e) {
+            LOG.error("A command of {} at the outlet could not be given", principal.name(), e);
+            end(id, new Outcome.Failed("The server could not take the command down; nothing was sent."));
+        }
+    }
+
+    @Override
+    public void commandChanged(CommandRecord command) {
+        Answer answer = open.get(command.id());
+        if (answer == null) {
+            return;
+        }
+        Outcome outcome = command.outcome();
+        if (outcome != null) {
+            end(command.id(), outcome);
+        } else if (command.phase() == CommandPhase.ACCEPTED) {
+            answering.accept(answer::accepted);
+        }
+    }
+
+    private void end(CommandId id, Outcome outcome) {
+        Answer answer = open.remove(id);
+        if (answer != null) {
+            answering.accept(() -> answer.ended(outcome));
+        }
+    }
+
+    @Override
+    public void close() {
+        cloud.removeListener(this);
+        thread.shutdownNow();
+    }
+}

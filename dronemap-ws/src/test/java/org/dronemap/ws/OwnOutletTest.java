@@ -1,0 +1,90 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Set;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** One's own passphrase for the outlet. */
+class OwnOutletTest {
+    private static final String PATH = "/api/v1/outlet/passphrase";
+
+    @TempDir
+    static Path data;
+
+    private static TestHouse house;
+
+    @BeforeAll
+    static void open() {
+        house = new TestHouse(data, false);
+    }
+
+    @AfterAll
+    static void close() {
+        house.close();
+    }
+
+    private static Http.Answer set(Http who, String body) {
+        return who.send(
+                PATH,
+                request -> request.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    @Test
+    void isMadeUpAndShownOnce() {
+        Http ann = new Http(house, house.key(Role.VIEWER));
+        assertThat(ann.get("/api/v1/outlet").json().path("passphraseSet").asBoolean(true))
+                .isFalse();
+        Http.Answer answer = set(ann, "{}");
+        assertThat(answer.status()).isEqualTo(200);
+        assertThat(answer.raw().headers().firstValue("Cache-Control")).hasValue("no-store");
+        assertThat(answer.json().path("passphrase").asString("")).hasSizeGreaterThan(16);
+        Http.Answer own = ann.get("/api/v1/outlet");
+        assertThat(own.json().path("passphraseSet").asBoolean(false)).isTrue();
+        assertThat(own.raw().body())
+                .doesNotContain(answer.json().path("passphrase").asString(""));
+    }
+
+    @Test
+    void isLongEnoughAndNobodyElses() {
+        Http ann = new Http(house, house.key(Role.VIEWER));
+        for (String bad : new String[] {"fifteen letters", " sixteen letters", "sixteen letters\\u00e4"}) {
+            Http.Answer answer = set(ann, "{\"passphrase\":\"" + bad + "\"}");
+            assertThat(answer.status()).isEqualTo(422);
+            assertThat(answer.json().path("field").asString("")).isEqualTo("passphrase");
+        }
+        String good = "{\"passphrase\":\"sixteen letters!\"}";
+        assertThat(set(ann, good).status()).isEqualTo(200);
+        assertThat(set(ann, good).status()).isEqualTo(200);
+        assertThat(set(new Http(house, house.key(Role.VIEWER)), good).status()).isEqualTo(409);
+    }
+
+    @Test
+    void isNotSetByAKeyThatMayLessThanItsUserOrEnds() {
+        KeyScope looking = new KeyScope(null, Set.of(Permission.VIEW));
+        KeyScope one = new KeyScope(Set.of(new DroneId("drone-1")), Set.of(Permission.values()));
+        for (KeyRights rights : new KeyRights[] {
+            new KeyRights(Role.OPERATOR, looking, null),
+            new KeyRights(Role.OPERATOR, one, null),
+            new KeyRights(Role.OPERATOR, KeyScope.ALL, Instant.parse("2100-01-01T00:00:00Z"))
+        }) {
+            assertThat(set(new Http(house, house.key(rights)), "{}").status()).isEqualTo(403);
+        }
+        assertThat(set(new Http(house, house.key(Role.OPERATOR)), "{}").status())
+                .isEqualTo(200);
+    }
+}
