@@ -19,6 +19,7 @@ final class Condition {
 
     private static final Duration LIES = Duration.ofSeconds(4);
     private static final double FAR_BELOW_METERS = 8;
+    private static final double JUST_UP_METERS = 1.5;
     private static final Duration LONGEST_STILL = Duration.ofSeconds(30);
     private static final double OFF_METERS = 40;
     private static final Duration OFF = Duration.ofSeconds(4);
@@ -69,16 +70,22 @@ final class Condition {
         Sortie sortie = drone.sortie();
         if (place == null
                 || sortie == null
-                || drone.passed() == 0
-                || look.still().compareTo(LIES) < 0) {
-            return false;
-        }
-        double lowest = Legs.lowest(sortie, drone.passed());
-        if (drone.stage() == DroneStage.RETURNING || !(place.altitudeAmslMeters() < lowest - FAR_BELOW_METERS)) {
+                || drone.stage() == DroneStage.RETURNING
+                || look.still().compareTo(LIES) < 0
+                || !(place.altitudeAmslMeters() < lowestUp(drone, sortie))) {
             return false;
         }
         crashed(draft, drone, "it lies far below its path");
         return true;
+    }
+
+    /** Who is lower does not fly: while it takes off just above the ground, then well below its path. */
+    private static double lowestUp(RunDrone drone, Sortie sortie) {
+        if (Crafts.isTakingOff(drone)) {
+            double ground = drone.craft().start().place().altitudeAmslMeters();
+            return drone.stage() == DroneStage.FLYING ? ground + JUST_UP_METERS : Double.NEGATIVE_INFINITY;
+        }
+        return drone.passed() == 0 ? Double.NEGATIVE_INFINITY : Legs.lowest(sortie, drone.passed()) - FAR_BELOW_METERS;
     }
 
     static void check(Draft draft, RunDrone drone, Look look) {

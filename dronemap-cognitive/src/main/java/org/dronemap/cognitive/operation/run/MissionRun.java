@@ -20,7 +20,7 @@ import org.dronemap.core.operation.Scene;
 public final class MissionRun implements Operation<RunState, RunInput> {
     private static final Duration RHYTHM = Duration.ofMillis(250);
     /** After a restart, until drones that are there have been heard. */
-    private static final Duration GRACE = Duration.ofSeconds(10);
+    private static final Duration GRACE = Duration.ofSeconds(20);
 
     @Override
     public Duration rhythm() {

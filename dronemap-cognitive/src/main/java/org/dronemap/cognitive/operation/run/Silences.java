@@ -21,6 +21,7 @@ final class Silences {
     private static final Duration MARGIN = Duration.ofSeconds(60);
 
     private static final double STEEPLY_METERS = 120;
+    private static final double AT_HOME_METERS = 15;
 
     private Silences() {}
 
@@ -139,23 +140,52 @@ final class Silences {
         }
         String name = drone.name();
         if (look.isDisarmed()) {
-            boolean done = drone.orders().isEmpty();
-            String words = name + " is heard again; it is down.";
-            Faults.leave(
-                    draft,
-                    drone.flying(null, 0),
-                    done ? DroneStage.LANDED : DroneStage.LEFT,
-                    Trigger.HEARD_AGAIN,
-                    words);
+            down(draft, drone, look);
         } else if (look.comesDown()) {
             String words = name + " is heard again; it comes home or down by itself.";
             Faults.leave(draft, drone, DroneStage.RETURNING, Trigger.HEARD_AGAIN, words);
+            RunDrone coming = draft.drone(drone.id());
+            List<Trigger> told = new ArrayList<>(coming.signs().told());
+            told.add(Trigger.HEARD_AGAIN);
+            draft.put(coming.with(coming.signs().told(told)));
         } else if (look.isSteered()) {
             String words = name + " is heard again, in mode " + look.mode() + "; it is left alone until it is resumed.";
             Faults.leave(draft, drone, DroneStage.SUSPENDED, Trigger.HEARD_AGAIN, words);
         } else {
             takeBack(draft, drone, look);
         }
+    }
+
+    private static void down(Draft draft, RunDrone drone, Look look) {
+        if (isHome(draft, drone, look)) {
+            takesPartAgain(draft, drone);
+            return;
+        }
+        boolean done = drone.orders().isEmpty();
+        String words = drone.name() + " is heard again; it is down.";
+        DroneStage stage = done ? DroneStage.LANDED : DroneStage.LEFT;
+        Faults.leave(draft, drone.flying(null, 0), stage, Trigger.HEARD_AGAIN, words);
+    }
+
+    /** Whether it is down where its fail-safe brings it, after it had missed the cloud: nothing is wrong with it. */
+    static boolean cameHome(Draft draft, RunDrone drone, Look look) {
+        return drone.signs().told().contains(Trigger.HEARD_AGAIN) && isHome(draft, drone, look);
+    }
+
+    private static boolean isHome(Draft draft, RunDrone drone, Look look) {
+        Place place = look.place();
+        return draft.setting().onCloudLoss() == CloudLoss.RETURN_TO_LAUNCH
+                && place != null
+                && Geodesy.distanceMeters(
+                                place.point(), drone.craft().finish().place().point())
+                        < AT_HOME_METERS;
+    }
+
+    static void takesPartAgain(Draft draft, RunDrone drone) {
+        String words = drone.name() + " came home since it had missed the cloud; it takes part again.";
+        RunDrone out = draft.release(drone, words).flying(null, 0).noted(null).to(DroneStage.LANDED, draft.now());
+        draft.put(out.with(out.signs().told(List.of())));
+        draft.cause(Trigger.HEARD_AGAIN, drone.id(), words, drone.orders());
     }
 
     private static void takeBack(Draft draft, RunDrone drone, Look look) {

@@ -181,7 +181,9 @@ final class Steps {
     }
 
     private static void comeHome(Draft draft, RunDrone drone, Look look) {
-        if (look.isDisarmed()) {
+        if (look.isDisarmed() && !draft.stopping() && Silences.cameHome(draft, drone, look)) {
+            Silences.takesPartAgain(draft, drone);
+        } else if (look.isDisarmed()) {
             draft.put(drone.to(draft.stopping() ? DroneStage.LANDED : DroneStage.LEFT, draft.now()));
         } else if (look.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
             draft.say(Trigger.LATE, drone.id(), drone.name() + " is stuck on its way home.");

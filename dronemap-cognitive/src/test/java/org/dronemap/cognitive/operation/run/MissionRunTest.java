@@ -14,6 +14,8 @@ import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.Action;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A run from its start to its end, and what happens on the way. */
 class MissionRunTest {
@@ -127,6 +129,20 @@ class MissionRunTest {
         return fleet.state.drones().stream().allMatch(drone -> drone.next() == null);
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {12, 150})
+    void sendsDronesOutAgainThatCameHomeSinceTheyMissedTheCloud(int seconds) {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicles.values().forEach(vehicle -> vehicle.cut = true);
+        fleet.fly(seconds);
+        assertThat(fleet.state.isOver()).as("%s", fleet.said).isFalse();
+        fleet.vehicles.values().forEach(vehicle -> vehicle.cut = false);
+
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
     @Test
     void reconcilesWhatADroneReachedWhileItWasNotHeard() {
         TestFleet fleet = Runs.fleet(3, 40, 1, CloudLoss.CONTINUE);
@@ -140,6 +156,17 @@ class MissionRunTest {
         fleet.flyToTheEnd();
         assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(40);
         assertThat(triggers(fleet)).contains(Trigger.HEARD_AGAIN);
+    }
+
+    @Test
+    void seesThatADroneFellBackInItsTakeOff() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.FLYING, 60);
+        fleet.vehicle(1).falling = true;
+
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 6);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
     }
 
     @Test

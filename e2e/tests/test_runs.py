@@ -1,0 +1,136 @@
+"""A mission run: what one drone leaves the others fly, over a crash of the server."""
+
+import math
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import EARTH_RADIUS_METERS
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import wait_for
+
+FIRST_SYSTEM_ID = 181
+DRONES = 3
+WAYPOINTS = 12
+SPACING_METRES = 60
+HEIGHT_METRES = 25
+
+
+@pytest.fixture
+def own_server(tmp_path: Path) -> Iterator[Server]:
+    started = Server(tmp_path / "data")
+    started.start()
+    yield started
+    started.stop()
+
+
+@pytest.fixture
+def tap(own_server: Server) -> Iterator[Tap]:
+    opened = Tap(own_server.udp_port)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
+    started = Simulator(
+        tmp_path / "sim.log",
+        f"udp://127.0.0.1:{tap.port}",
+        *("--count", str(DRONES), "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
+    )
+    yield started
+    started.stop()
+
+
+def known(api: Api, system_id: int) -> Json | None:
+    """The drone, once all is known of it that a plan takes."""
+    drone = api.ready(system_id)
+    complete = drone and drone["battery"] and drone["link"]["quality"]["lossShort"] is not None
+    return drone if complete else None
+
+
+def waypoints(home: Json) -> list[Json]:
+    """Four by three, north of a home."""
+    per_degree = math.radians(1) * EARTH_RADIUS_METERS
+    east = per_degree * math.cos(math.radians(home["latitude"]))
+    return [
+        {
+            "latitude": home["latitude"] + (1 + n % 4) * SPACING_METRES / per_degree,
+            "longitude": home["longitude"] + (n // 4 - 1) * SPACING_METRES / east,
+            "altitude": home["altitudeAmsl"] + HEIGHT_METRES,
+            "altitudeReference": "amsl",
+        }
+        for n in range(WAYPOINTS)
+    ]
+
+
+def planned(api: Api, drones: list[Json]) -> str:
+    asked = api.call(
+        "POST",
+        "/plans",
+        {
+            "drones": [drone["id"] for drone in drones],
+            "waypoints": waypoints(drones[0]["home"]),
+            "seconds": 1,
+            "objective": {"kind": "earliestEnd", "everyDrone": True},
+        },
+    )
+    assert asked.status_code == 202, asked.text
+    plan: str = asked.json()["id"]
+    wait_for("the plan is finished", lambda: api.get(f"/plans/{plan}")["state"] == "finished", 60)
+    return plan
+
+
+def stages(run: Json) -> dict[str, str]:
+    return {drone["id"]: drone["stage"] for drone in run["drones"]}
+
+
+def of(run: Json, drone: str, state: str) -> list[Json]:
+    """Its waypoints in that state."""
+    return [
+        one
+        for one in run["waypoints"]
+        if one["state"] == state and drone in (one["drone"], *(visit["drone"] for visit in one["visits"]))
+    ]
+
+
+def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes_nothing(
+    own_server: Server, tap: Tap, simulator: Simulator
+) -> None:
+    api = Api(own_server.address, own_server.local_key())
+    drones = [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
+    # At this pace a second between two signs of life of the cloud would be a loss of the cloud to them.
+    asked = {"plan": planned(api, drones), "name": "roofs", "onCloudLoss": "continue"}
+    started = api.call("POST", "/runs", asked)
+    assert started.status_code == 201, started.text
+    run = f"/runs/{started.json()['id']}"
+    wait_for("all fly", lambda: set(stages(api.get(run)).values()) == {"flying"}, 120)
+
+    fallen = drones[0]["id"]
+    wait_for("it is on its way", lambda: of(api.get(run), fallen, "visited"), 120)
+    left = [one["id"] for one in of(api.get(run), fallen, "assigned")]
+    simulator.fault(f"{FIRST_SYSTEM_ID} motor-failure")
+    wait_for("it is given up", lambda: stages(api.get(run))[fallen] == "crashed", 30)
+
+    own_server.kill()
+    own_server.start()
+    again = Api(own_server.address, own_server.local_key())
+    over = wait_for("it is over", partial(ended, again, run), 240)
+
+    assert over["counts"]["visited"] == WAYPOINTS, over
+    by_others = {one["id"] for one in over["waypoints"] if one["visits"][0]["drone"] != fallen}
+    assert left and set(left) & by_others, (left, over)
+    triggers = [one["trigger"] for one in over["explanations"]]
+    assert "crashed" in triggers and "restarted" in triggers, triggers
+    replay = again.get(f"{run}/journal/replay")
+    assert replay["same"], replay
+
+
+def ended(api: Api, run: str) -> Json | None:
+    now = api.get(run)
+    return now if now["state"] == "over" else None
