@@ -73,6 +73,10 @@ def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(alo
         )
         assert flight.result().status_code == 503, flight.result().text
         assert command.result().status_code == 503, command.result().text
+        # But whoever flies can be stopped by those who were known before.
+        stop = Api(aloft.server.address, api.key).call("POST", f"/drones/{drone}/commands", {"type": "hold"})
+        assert stop.status_code in (200, 202), stop.text
+        wait_for("it holds", lambda: api.drone(drone)["mode"] == "BRAKE", 20)
         fault = flights.exception()
         assert isinstance(fault, zeep.exceptions.Fault) and "cannot be reached" in str(fault), fault
         away_until = time.time()

@@ -64,28 +64,6 @@ public final class CommandGate {
         }
     }
 
-    /** A command on its way, with the promise of its outcome, and what stands between it and the wire. */
-    private record Underway(
-            OpenCommand open,
-            ManagedDrone drone,
-            Passage.Open passage,
-            Principal principal,
-            CompletableFuture<CommandRecord> end) {
-        boolean isOutdated() {
-            return !passage.fence().isOpen();
-        }
-
-        Mandate mandate() {
-            return new Mandate(
-                    open.record().id(), passage.epoch(), open.record().by(), passage.fence());
-        }
-
-        /** Given under the control of now. */
-        boolean isUnderControl() {
-            return passage.fence() != Fence.NONE && passage.fence().isOpen();
-        }
-    }
-
     CommandGate(
             DroneRegistry registry,
             CommandStore store,
@@ -109,7 +87,7 @@ public final class CommandGate {
      */
     public CommandRecord submit(Source source, DroneId drone, CommandId id, Command command) {
         ManagedDrone managed = registry.find(drone).orElseThrow(() -> new UnknownDroneException(drone));
-        Optional<CommandRecord> same = find(id);
+        Optional<CommandRecord> same = given(id, command);
         if (same.isPresent()) {
             return same.get();
         }
@@ -123,6 +101,19 @@ public final class CommandGate {
             return refuse(record, closed.why());
         }
         return begin(managed, command, record, (Passage.Open) passage, source.principal());
+    }
+
+    /** The same id before; what brings to safety is given though that cannot be looked up, and may be so twice. */
+    private Optional<CommandRecord> given(CommandId id, Command command) {
+        try {
+            return find(id);
+        } catch (RuntimeException e) {
+            if (!ControlRules.bringsToSafety(command)) {
+                throw e;
+            }
+            LOG.error("Whether {} was given before cannot be looked up; it is sent", command.summary(), e);
+            return Optional.empty();
+        }
     }
 
     private CommandRecord begin(

@@ -96,6 +96,9 @@ public final class Fixtures {
 
         @Override
         public Optional<CommandRecord> command(CommandId id) {
+            if (broken) {
+                throw new IllegalStateException("the disk is full");
+            }
             return Optional.ofNullable(records.get(id));
         }
 

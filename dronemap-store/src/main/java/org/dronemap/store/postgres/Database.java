@@ -26,6 +26,7 @@ import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.recording.RecordingStore;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.zone.ZoneStore;
+import org.dronemap.store.RememberedAccess;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.own.OwnPostgres;
 import org.dronemap.store.secret.SecretBox;
@@ -46,12 +47,14 @@ public final class Database implements AutoCloseable {
     private final @Nullable OwnPostgres own;
     private final Ledger ledger;
     private final Sql sql;
+    private final AccessStore access;
 
     private Database(HikariDataSource pool, @Nullable OwnPostgres own) {
         this.pool = pool;
         this.own = own;
         this.ledger = new Ledger(pool);
         this.sql = new Sql(pool, ledger);
+        this.access = new RememberedAccess(new PostgresAccessStore(sql), System::nanoTime);
     }
 
     /** Opens somebody else's PostgreSQL, waiting for it as long as the settings say. */
@@ -100,8 +103,9 @@ public final class Database implements AutoCloseable {
         return new PostgresCommandStore(sql);
     }
 
+    /** Who was recognised lately is recognised while the database is away, too. */
     public AccessStore access() {
-        return new PostgresAccessStore(sql);
+        return access;
     }
 
     public GrantStore grants() {
