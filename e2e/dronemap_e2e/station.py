@@ -108,7 +108,8 @@ class Station:
         self.press("Sign in")
         choose = self.page.get_by_label("New password")
         fleet = self.page.get_by_text(re.compile("Disarmed|Armed")).first
-        expect(choose.or_(fleet)).to_be_visible()
+        # A machine that starts other servers meanwhile takes its time.
+        expect(choose.or_(fleet)).to_be_visible(timeout=20_000)
         if choose.is_visible():
             choose.fill(new_password)
             self.press("Save and continue")

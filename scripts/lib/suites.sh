@@ -135,7 +135,7 @@ suite_java() { # GOALS-NAME OPTIONS…
 
 # A failed test must not keep the modules that build on it from being tested; the reports tell that it failed.
 verify_java() { # OPTIONS…
-    mvn -B -ntp -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" verify &&
+    mvn -B -ntp -T 2 -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" verify &&
         ! grep -qE '<(failure|error)[ >]' "$ROOT"/dronemap-*/target/surefire-reports/TEST-*.xml
 }
 

@@ -259,6 +259,8 @@ class OperationsTest {
         begin();
         commands.broken = true;
         wish("arm");
+        // Whether it was sent is known as soon as that can be looked up.
+        commands.broken = false;
 
         await().until(() -> heard().contains("ended command-1 Refused"));
         assertThat(vehicle.performed).isEmpty();
