@@ -99,6 +99,7 @@ def of(run: Json, drone: str, state: str) -> list[Json]:
     ]
 
 
+@pytest.mark.soak
 def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes_nothing(
     own_server: Server, tap: Tap, simulator: Simulator
 ) -> None:
