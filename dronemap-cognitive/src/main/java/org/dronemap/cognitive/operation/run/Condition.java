@@ -20,6 +20,9 @@ final class Condition {
     private static final Duration LIES = Duration.ofSeconds(4);
     private static final double FAR_BELOW_METERS = 8;
     private static final double JUST_UP_METERS = 1.5;
+    /** How much stillness and the stage may be apart, as they are looked at in turns. */
+    private static final Duration BEFORE_IT_ROSE = Duration.ofSeconds(1);
+
     private static final Duration LONGEST_STILL = Duration.ofSeconds(30);
     private static final double OFF_METERS = 40;
     private static final Duration OFF = Duration.ofSeconds(4);
@@ -72,7 +75,7 @@ final class Condition {
                 || sortie == null
                 || drone.stage() == DroneStage.RETURNING
                 || look.still().compareTo(LIES) < 0
-                || !(place.altitudeAmslMeters() < lowestUp(drone, sortie))) {
+                || !(place.altitudeAmslMeters() < lowestUp(draft, drone, look, sortie))) {
             return false;
         }
         crashed(draft, drone, "it lies far below its path");
@@ -80,12 +83,19 @@ final class Condition {
     }
 
     /** Who is lower does not fly: while it takes off just above the ground, then well below its path. */
-    private static double lowestUp(RunDrone drone, Sortie sortie) {
+    private static double lowestUp(Draft draft, RunDrone drone, Look look, Sortie sortie) {
         if (Crafts.isTakingOff(drone)) {
             double ground = drone.craft().start().place().altitudeAmslMeters();
-            return drone.stage() == DroneStage.FLYING ? ground + JUST_UP_METERS : Double.NEGATIVE_INFINITY;
+            return hasMoved(draft, drone, look) ? ground + JUST_UP_METERS : Double.NEGATIVE_INFINITY;
         }
         return drone.passed() == 0 ? Double.NEGATIVE_INFINITY : Legs.lowest(sortie, drone.passed()) - FAR_BELOW_METERS;
+    }
+
+    /** Since it is said to fly: one that has not risen yet stands on the ground just as one that fell. */
+    private static boolean hasMoved(Draft draft, RunDrone drone, Look look) {
+        Duration flying = Duration.between(drone.since(), draft.now());
+        return drone.stage() == DroneStage.FLYING
+                && look.still().plus(BEFORE_IT_ROSE).compareTo(flying) < 0;
     }
 
     static void check(Draft draft, RunDrone drone, Look look) {

@@ -162,10 +162,21 @@ class MissionRunTest {
     void seesThatADroneFellBackInItsTakeOff() {
         TestFleet fleet = fleet(3, 30);
         fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.FLYING, 60);
+        fleet.fly(2);
         fleet.vehicle(1).falling = true;
 
         fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 6);
         fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+    }
+
+    @Test
+    void givesNobodyUpWhoIsSlowToRise() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.vehicles.values().forEach(vehicle -> vehicle.lingers = 12);
+
+        fleet.flyToTheEnd();
+        assertThat(triggers(fleet)).doesNotContain(Trigger.CRASHED);
         assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
     }
 

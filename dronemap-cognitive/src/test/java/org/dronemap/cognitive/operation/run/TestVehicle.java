@@ -68,6 +68,9 @@ final class TestVehicle {
     double climb;
     String mode = "LOITER";
     boolean armed;
+    /** So many seconds it stays just above the ground before it climbs. */
+    double lingers;
+
     boolean falling;
     boolean fallen;
     boolean cut;
@@ -142,7 +145,9 @@ final class TestVehicle {
         }
         MissionItem item = items.get(current);
         if (item instanceof MissionItem.TakeOff takeOff) {
-            altitude = Math.min(GROUND + takeOff.altitudeMeters(), altitude + 2 * seconds);
+            lingers -= seconds;
+            double top = lingers > 0 ? GROUND + 0.5 : GROUND + takeOff.altitudeMeters();
+            altitude = Math.min(top, altitude + 2 * seconds);
             passed(altitude >= GROUND + takeOff.altitudeMeters() - 0.01);
         } else if (item instanceof MissionItem.Waypoint waypoint) {
             Spot spot = PLANE.spot(waypoint.point());
