@@ -1,4 +1,9 @@
-"""A NAT of our own: new addresses for vehicles every few seconds; it hears what still comes to old ones."""
+"""
+A NAT of our own: new addresses for vehicles every few seconds; it hears what still comes to old ones.
+
+Only from the server that it leads to: a fresh port may have been that of an earlier test's vehicle, to which
+another server still speaks.
+"""
 
 import selectors
 import socket
@@ -65,7 +70,7 @@ class Nat:
                     continue
                 if key.data is None:
                     self._up(sender, data)
-                else:
+                elif sender == self._server:
                     self._down(key.fileobj, key.data, data)
 
     def _up(self, sender: tuple[str, int], data: bytes) -> None:

@@ -8,6 +8,8 @@ from typing import Protocol
 from playwright.sync_api import Browser, Locator, Page, Playwright, expect
 
 HOLD_MILLISECONDS = 1100
+# A machine that does much else at the same time answers late.
+PATIENCE_MILLISECONDS = 20_000
 CHROMIUM_ARGUMENTS = [
     "--no-sandbox",
     "--use-angle=swiftshader",
@@ -22,6 +24,7 @@ CHROMIUM_ARGUMENTS = [
 def launch(playwright: Playwright, *arguments: str) -> Browser:
     chromium = os.environ.get("DRONEMAP_CHROMIUM") or shutil.which("chromium")
     assert chromium, "chromium is missing: ./dronemap test installs it"
+    expect.set_options(timeout=PATIENCE_MILLISECONDS)
     return playwright.chromium.launch(executable_path=chromium, args=[*CHROMIUM_ARGUMENTS, *arguments])
 
 

@@ -14,6 +14,34 @@ from dronemap_e2e.waiting import wait_for
 
 # A vehicle of its own for every test, so that no test takes another one's for its own.
 SYSTEM_IDS = itertools.count(10)
+# The files that take longest begin first, or one process is still at them when the others have nothing left.
+LONGEST = (
+    "test_crash",
+    "test_accounts_in_browser",
+    "test_parameters_in_browser",
+    "test_flight_in_browser",
+    "test_mission_transfers",
+    "test_durability",
+    "test_control",
+    "test_virtual_drones",
+    "test_parameters",
+    "test_plans_in_browser",
+    "test_flight_by_program",
+    "test_identity",
+    "test_links",
+    "test_flights_and_failures",
+    "test_other_vehicles",
+    "test_recordings",
+    "test_link_quality",
+    "test_zones_in_browser",
+    "test_home_and_payload",
+    "test_replay",
+)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    places = {name: place for place, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: places.get(item.path.stem, len(LONGEST)))
 
 
 @pytest.fixture(scope="session")
