@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from dronemap_bench.planning import __main__ as command
-from dronemap_bench.planning import checker, losses, modes, plot, problems, report, runs
+from dronemap_bench.planning import checker, losses, modes, plot, problems, report, runs, study
 from dronemap_bench.planning.problems import Moved, Problem, Row
 
 SQUARE = Problem("euclidean", "longest", ((0.0, 0.0), (10.0, 0.0)), ((0.0, 5.0), (10.0, 5.0), (10.0, 9.0)))
@@ -210,3 +210,29 @@ def test_re_plans_are_read_and_told_in_figures() -> None:
 def test_a_percentile_is_a_value_that_was_measured() -> None:
     assert losses.percentile([float(value) for value in range(1, 201)], 95) == 190
     assert losses.percentile([3.0], 95) == 3
+
+
+STUDIED = [
+    "run 2 4 1 40 39 3 true 200.00 300.00 12.00 [3.25,10.75]",
+    "run 1 5 0 40 40 0 true 200.00 200.00 1000.00 []",
+    "broken 3 two drones fly to w7",
+    "",
+]
+
+
+def test_a_study_counts_what_was_left_and_names_what_broke_a_rule() -> None:
+    done = study.parse(iter(STUDIED))
+    assert [run.seed for run in done.runs] == [1, 2]
+    text = study.table(done)
+    assert (
+        "79 of 80 waypoints visited; 1 missions did not visit all, 1 of them though a drone was left" in text
+    )
+    assert "| 1.25 | 1.25 | 1.50 | 1.00 | 1.50 |" in text
+    assert "| 7.00 | 7.00 | 10.75 | 3.25 | 10.75 |" in text
+    assert "- seed 3 two drones fly to w7" in text
+
+
+def test_a_study_draws_the_share_of_runs_up_to_each_value() -> None:
+    picture = study.picture(study.parse(iter(STUDIED)))
+    assert picture.count("<polyline") == 4
+    assert "1 lost: 1" in picture and "0 lost: 1" in picture

@@ -86,10 +86,15 @@ def test_says_which_port_is_taken_and_by_which_process(
     assert f"{setting}=" in outcome.stderr
 
 
+def show_to_everybody(path: Path) -> None:
+    for folder in (path, *path.parents):
+        if folder.stat().st_mode & 0o755 != 0o755:
+            folder.chmod(0o755)
+
+
 @needs_root
 def test_says_what_to_install_without_rights_and_sudo(checkout: Checkout) -> None:
-    for folder in (checkout.path, *checkout.path.parents[:3]):
-        folder.chmod(0o755)
+    show_to_everybody(checkout.path)
     subprocess.run(["chown", "-R", str(NOBODY), checkout.path], check=True)
     # A machine without Java, as an ordinary user: the folder of JDKs is hidden, nothing may gain rights.
     script = (
@@ -111,8 +116,7 @@ def test_says_what_to_install_without_rights_and_sudo(checkout: Checkout) -> Non
 
 @needs_root
 def test_says_who_may_write_to_a_checkout_of_somebody_else(checkout: Checkout) -> None:
-    for folder in (checkout.path, *checkout.path.parents[:3]):
-        folder.chmod(0o755)
+    show_to_everybody(checkout.path)
     outcome = checkout.run("up", before=("setpriv", "--reuid", str(NOBODY), "--clear-groups"))
     assert outcome.returncode == RIGHTS, outcome.stderr
     assert "may not write to" in outcome.stderr

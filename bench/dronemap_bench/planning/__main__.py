@@ -10,17 +10,20 @@ from typing import Any
 
 from ..__main__ import about
 from ..programs import ROOT
-from . import checker, losses, modes, report
+from . import checker, losses, modes, report, study
 from .problems import Row, read
 from .runs import Plan, Result, RunError, run
 
-REPLAN = "replan"
+REPLAN, STUDY = "replan", "study"
 
 
 def main(words: list[str]) -> None:
     options = _options(words)
     if options.mode == [REPLAN]:
         _replan(options)
+        return
+    if options.mode == [STUDY]:
+        _study(options)
         return
     rows = read(_data(options.data))
     if options.check:
@@ -39,6 +42,14 @@ def _replan(options: argparse.Namespace) -> None:
     losses.write(options.out, options.name or REPLAN, about(), setup, cases)
     print(losses.table(setup, cases))
     if any(case.faults for case in cases):
+        sys.exit(1)
+
+
+def _study(options: argparse.Namespace) -> None:
+    done = study.run(1, options.cases)
+    study.write(options.out, options.name or STUDY, about(), done)
+    print(study.table(done))
+    if done.broken:
         sys.exit(1)
 
 
@@ -129,7 +140,8 @@ def _options(words: list[str]) -> argparse.Namespace:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="modes:\n"
         + "\n".join(f"  {mode.name:12} {mode.what}" for mode in modes.MODES)
-        + f"\n  {REPLAN:12} random missions lose a drone (by itself, with the options from --cases on)",
+        + f"\n  {REPLAN:12} random missions lose a drone (by itself, with the options from --cases on)"
+        + f"\n  {STUDY:12} random missions flown in virtual time with random failures (by itself; --cases)",
     )
     parser.add_argument("mode", nargs="*", default=["minmax-1s"], help="what to measure (default: minmax-1s)")
     parser.add_argument(

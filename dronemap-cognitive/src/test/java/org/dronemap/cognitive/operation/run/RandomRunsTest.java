@@ -29,9 +29,7 @@ class RandomRunsTest {
 
     static TestFleet disturbed(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
-        CloudLoss loss = random.nextBoolean() ? CloudLoss.CONTINUE : CloudLoss.RETURN_TO_LAUNCH;
-        TestFleet fleet =
-                Runs.fleet(Runs.problem(4 + random.nextInt(3), 40, seed, false), seed, RunOrder.Mode.AUTOMATIC, loss);
+        TestFleet fleet = undisturbed(random, seed);
         fleet.loses = give -> random.nextInt(20) == 0;
         int events = 2 + random.nextInt(4);
         for (int i = 0; i < events && !fleet.state.isOver(); i++) {
@@ -40,6 +38,11 @@ class RandomRunsTest {
         }
         fleet.vehicles.values().forEach(vehicle -> vehicle.takenBy = null);
         return fleet;
+    }
+
+    static TestFleet undisturbed(SplittableRandom random, long seed) {
+        CloudLoss loss = random.nextBoolean() ? CloudLoss.CONTINUE : CloudLoss.RETURN_TO_LAUNCH;
+        return Runs.fleet(Runs.problem(4 + random.nextInt(3), 40, seed, false), seed, RunOrder.Mode.AUTOMATIC, loss);
     }
 
     private static void disturb(TestFleet fleet, SplittableRandom random, int number) {
