@@ -6,18 +6,10 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
-import org.dronemap.core.audit.Activity;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
@@ -46,7 +38,6 @@ public final class Operations implements CloudListener, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Operations.class);
     private static final long RHYTHM_MILLIS = 100;
     private static final long TIDYING_HOURS = 6;
-    private static final int LONGEST_WAIT_SECONDS = 15;
     private static final int COMPUTING_THREADS = 2;
     private static final int MOST_WAITING = 16;
 
@@ -64,11 +55,7 @@ public final class Operations implements CloudListener, AutoCloseable {
     private final OperationBook book;
     private final CopyOnWriteArrayList<OperationListener> listeners = new CopyOnWriteArrayList<>();
     private final AtomicBoolean woken = new AtomicBoolean();
-    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread created = new Thread(task, "operations");
-        created.setDaemon(true);
-        return created;
-    });
+    private final ConductorThread thread = new ConductorThread("operations");
 
     /** A change that cannot be made, with the sentence why. */
     public static final class Refused extends RuntimeException {
@@ -114,9 +101,8 @@ public final class Operations implements CloudListener, AutoCloseable {
     public void start() {
         book.takeUp();
         cloud.addListener(this);
-        ScheduledFuture<?> turns = thread.scheduleWithFixedDelay(this::turn, 0, RHYTHM_MILLIS, TimeUnit.MILLISECONDS);
-        ScheduledFuture<?> tidying = thread.scheduleWithFixedDelay(this::tidy, 0, TIDYING_HOURS, TimeUnit.HOURS);
-        LOG.debug("The conductor begins: {} {}", turns, tidying);
+        thread.every(RHYTHM_MILLIS, TimeUnit.MILLISECONDS, this::turn);
+        thread.every(TIDYING_HOURS, TimeUnit.HOURS, this::tidy);
     }
 
     public void addListener(OperationListener listener) {
@@ -130,7 +116,7 @@ public final class Operations implements CloudListener, AutoCloseable {
      * @throws Refused when control of a drone cannot be had
      */
     public <S, I> Picture<S> begin(OperationKind<S, I> kind, SavedOperation begun, S state) {
-        return ask(() -> {
+        return thread.ask(() -> {
             JournalEntry first =
                     new JournalEntry(0, begun.beganAt(), kind.codec().state(state), "");
             return picture(book.begin(kind, begun, first, state));
@@ -143,7 +129,7 @@ public final class Operations implements CloudListener, AutoCloseable {
      * @throws Refused when that cannot be taken now
      */
     public <S, I> Picture<S> wish(OperationKind<S, I> kind, OperationId id, I input) {
-        return ask(() -> {
+        return thread.ask(() -> {
             Conducted<S, I> conducted =
                     book.find(kind, id).orElseThrow(() -> new Refused("It is over, or there is no such operation."));
             Optional<String> why = conducted.wish(input);
@@ -202,7 +188,8 @@ public final class Operations implements CloudListener, AutoCloseable {
                 wake();
             }
         } else if (command.phase() == CommandPhase.SENT && INTERRUPTING.contains(command.type())) {
-            soon(() -> book.interrupted(command.drone(), command.by() + " told the drone: " + command.summary() + "."));
+            thread.soon(() ->
+                    book.interrupted(command.drone(), command.by() + " told the drone: " + command.summary() + "."));
         }
     }
 
@@ -224,38 +211,14 @@ public final class Operations implements CloudListener, AutoCloseable {
 
     private void wake() {
         if (woken.compareAndSet(false, true)) {
-            soon(this::turn);
-        }
-    }
-
-    private void soon(Runnable work) {
-        try {
-            thread.execute(work);
-        } catch (RejectedExecutionException e) {
-            LOG.debug("The conductor has stopped");
-        }
-    }
-
-    private <T> T ask(Callable<T> work) {
-        try {
-            return thread.submit(Activity.carried(work)).get(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
-        } catch (ExecutionException e) {
-            if (e.getCause() instanceof RuntimeException cause) {
-                throw cause;
-            }
-            throw new IllegalStateException(e.getCause());
-        } catch (TimeoutException e) {
-            throw new IllegalStateException("The conductor does not answer; look again whether this was taken.", e);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("Interrupted while waiting for the conductor.", e);
+            thread.soon(this::turn);
         }
     }
 
     @Override
     public void close() {
         cloud.removeListener(this);
-        thread.shutdownNow();
+        thread.close();
         computations.close();
     }
 }

@@ -4,17 +4,9 @@ import java.time.Clock;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
-import org.dronemap.core.audit.Activity;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CloudLoss;
@@ -45,8 +37,6 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     /** Of these turns one looks for drones for those that wait. */
     private static final int TURNS_PER_SEARCH = 5;
 
-    private static final int LONGEST_WAIT_SECONDS = 15;
-
     /** What supervisors and safety rules may command without control. */
     private static final Set<String> INTERRUPTING = Set.of(
             Command.Land.class.getSimpleName(),
@@ -61,11 +51,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     private final Recalls recalls;
     private final Clock clock;
     private final LongAdder failed = new LongAdder();
-    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread created = new Thread(task, "conductor");
-        created.setDaemon(true);
-        return created;
-    });
+    private final ConductorThread thread = new ConductorThread("conductor");
     // Owned by the thread.
     private int turn;
 
@@ -100,8 +86,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     public void start() {
         runs.takeUp();
         cloud.addListener(this);
-        ScheduledFuture<?> unused =
-                thread.scheduleWithFixedDelay(this::turn, RHYTHM_MILLIS, RHYTHM_MILLIS, TimeUnit.MILLISECONDS);
+        thread.every(RHYTHM_MILLIS, TimeUnit.MILLISECONDS, this::turn);
     }
 
     public void addListener(VirtualListener listener) {
@@ -131,7 +116,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     public void add(VirtualDrone drone) {
-        ask(() -> {
+        thread.ask(() -> {
             book.put(drone);
             return drone;
         });
@@ -139,12 +124,12 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     /** Name, needs and mission, as they are to be next time. */
     public VirtualDrone edit(VirtualDroneId id, UnaryOperator<VirtualDrone> change) {
-        return ask(() -> put(change.apply(known(id))));
+        return thread.ask(() -> put(change.apply(known(id))));
     }
 
     /** Asks for its mission to be flown; it waits for its turn. */
     public VirtualDrone launch(VirtualDroneId id, CloudLoss onCloudLoss) {
-        return ask(() -> {
+        return thread.ask(() -> {
             VirtualDrone drone = known(id);
             Mission mission = drone.mission();
             if (mission == null) {
@@ -158,7 +143,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     public VirtualDrone stop(VirtualDroneId id) {
-        return ask(() -> {
+        return thread.ask(() -> {
             VirtualDrone drone = known(id);
             Run run = drone.run();
             if (run == null || run.stage().isOver()) {
@@ -170,7 +155,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     /** Goes on with the waypoints that are not flown. */
     public VirtualDrone resume(VirtualDroneId id) {
-        return ask(() -> {
+        return thread.ask(() -> {
             VirtualDrone drone = known(id);
             Run run = drone.run();
             Run resumed =
@@ -183,7 +168,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     public void remove(VirtualDroneId id) {
-        ask(() -> {
+        thread.ask(() -> {
             VirtualDrone drone = known(id);
             if (drone.isUnderWay()) {
                 throw new Refused("Its mission is under way; stop it first.");
@@ -202,7 +187,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     public void putIntoWarehouse(DroneId drone) {
-        ask(() -> {
+        thread.ask(() -> {
             book.putIntoWarehouse(drone);
             return drone;
         });
@@ -210,7 +195,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     /** What it serves now it serves to the end. */
     public void takeOutOfWarehouse(DroneId drone) {
-        ask(() -> {
+        thread.ask(() -> {
             book.takeOutOfWarehouse(drone);
             return drone;
         });
@@ -262,11 +247,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     }
 
     private void soon(Runnable work) {
-        try {
-            thread.execute(() -> guard(work));
-        } catch (RejectedExecutionException e) {
-            LOG.debug("The conductor has stopped");
-        }
+        thread.soon(() -> guard(work));
     }
 
     /** One that cannot be conducted must not keep the others from it. */
@@ -279,25 +260,9 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         }
     }
 
-    private <T> T ask(Callable<T> work) {
-        try {
-            return thread.submit(Activity.carried(work)).get(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
-        } catch (ExecutionException e) {
-            if (e.getCause() instanceof RuntimeException cause) {
-                throw cause;
-            }
-            throw new IllegalStateException(e.getCause());
-        } catch (TimeoutException e) {
-            throw new IllegalStateException("The conductor does not answer.", e);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("Interrupted while waiting for the conductor.", e);
-        }
-    }
-
     @Override
     public void close() {
         cloud.removeListener(this);
-        thread.shutdownNow();
+        thread.close();
     }
 }

@@ -1,0 +1,48 @@
+package org.dronemap.core.conduct;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class ConductorThreadTest {
+    private final ConductorThread thread = new ConductorThread("conductor");
+
+    @AfterEach
+    void stop() {
+        thread.close();
+    }
+
+    @Test
+    void goesOnAfterATurnThatFailed() {
+        AtomicInteger turns = new AtomicInteger();
+        thread.every(1, TimeUnit.MILLISECONDS, () -> {
+            turns.incrementAndGet();
+            throw new IllegalStateException("the database is away");
+        });
+        await().until(() -> turns.get() > 3);
+        assertThat(thread.<String>ask(() -> "answered")).isEqualTo("answered");
+    }
+
+    @Test
+    void tellsWhoAsksWhatWentWrong() {
+        assertThatThrownBy(() -> thread.ask(() -> {
+                    throw new Operations.Refused("There is no such drone.");
+                }))
+                .isInstanceOf(Operations.Refused.class)
+                .hasMessage("There is no such drone.");
+    }
+
+    @Test
+    void doesNothingMoreOnceClosed() {
+        AtomicInteger done = new AtomicInteger();
+        thread.close();
+        thread.soon(done::incrementAndGet);
+        assertThatThrownBy(() -> thread.ask(done::incrementAndGet)).isInstanceOf(RuntimeException.class);
+        assertThat(done).hasValue(0);
+    }
+}
