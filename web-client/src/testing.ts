@@ -1,3 +1,4 @@
+import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Command, Drone } from './api/types';
 
 /** A drone on the ground in Zürich, for tests. */
@@ -51,6 +52,61 @@ export function aCommand(change: Partial<Command> = {}): Command {
     outcome: null,
     finishedAt: null,
     progress: null,
+    ...change,
+  };
+}
+
+export function aRunDrone(id: string, change: Partial<RunDrone> = {}): RunDrone {
+  return {
+    id,
+    name: id === 'd1' ? 'Falcon' : 'Heron',
+    stage: 'flying',
+    since: '2026-01-01T11:59:00Z',
+    note: null,
+    next: [],
+    visited: 0,
+    due: null,
+    ...change,
+  };
+}
+
+export function aRunWaypoint(id: string, change: Partial<RunWaypoint> = {}): RunWaypoint {
+  return {
+    id,
+    latitude: 47 + Number(id) / 10,
+    longitude: 8,
+    altitudeAmsl: 500,
+    state: 'assigned',
+    drone: 'd1',
+    why: null,
+    due: null,
+    visits: [],
+    ...change,
+  };
+}
+
+/** Two drones and three waypoints, one of each kind. */
+export function aRun(change: Partial<MissionRun> = {}): MissionRun {
+  return {
+    id: 'r1',
+    name: 'roofs',
+    owner: 'olga',
+    beganAt: '2026-01-01T11:58:00Z',
+    endedAt: null,
+    state: 'running',
+    end: null,
+    mode: 'automatic',
+    onCloudLoss: 'continue',
+    counts: { waypoints: 3, visited: 1, unserved: 0, cancelled: 0, replans: 0, doubles: 0 },
+    drones: [aRunDrone('d1', { next: ['2'] }), aRunDrone('d2')],
+    waypoints: [
+      aRunWaypoint('1', { state: 'visited', visits: [{ drone: 'd2', at: '2026-01-01T11:59:30Z' }] }),
+      aRunWaypoint('2'),
+      aRunWaypoint('3', { state: 'reserved' }),
+    ],
+    proposal: null,
+    explanations: [],
+    journal: 4,
     ...change,
   };
 }

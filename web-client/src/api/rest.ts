@@ -6,10 +6,12 @@ import type { DtlsKey, Endpoint } from './endpoints';
 import { FlightCalls } from './flights';
 import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
+import { OutletCalls } from './outlet';
 import type { ParameterFile, ParameterPage } from './parameters';
 import { PlanCalls } from './plans';
 import { Problem } from './problem';
 import type { RecordingPage } from './recordings';
+import { RunCalls } from './runs';
 import type {
   Command,
   CommandRequest,
@@ -38,7 +40,9 @@ export class RestClient {
   readonly flights: FlightCalls;
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
   readonly grants = new GrantCalls((method, path, body) => this.#call(method, path, body));
+  readonly outlet = new OutletCalls((method, path, body) => this.#call(method, path, body));
   readonly plans = new PlanCalls((method, path, body) => this.#call(method, path, body));
+  readonly runs = new RunCalls((method, path, body) => this.#call(method, path, body));
   readonly virtuals = new VirtualCalls((method, path, body) => this.#call(method, path, body));
   readonly zones = new ZoneCalls((method, path, body) => this.#call(method, path, body));
 

@@ -3,6 +3,7 @@
 import type { Role } from './accounts';
 import type { Control } from './control';
 import type { FleetPlan } from './plans';
+import type { MissionRun } from './runs';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 
@@ -265,6 +266,7 @@ export type StreamMessage =
   | { type: 'virtualDroneRemoved'; id: string }
   | { type: 'plan'; plan: FleetPlan }
   | { type: 'planRemoved'; id: string }
+  | { type: 'run'; run: MissionRun }
   | { type: 'command'; command: Command }
   | { type: 'control'; drone: string; control: Control }
   | { type: 'ping'; at: string }

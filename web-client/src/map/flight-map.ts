@@ -24,8 +24,15 @@ const HIT_PIXELS = 14;
 /** Large and given once: not worth comparing. */
 const STILL_SOURCES: ReadonlySet<LiveSource> = new Set(['countries', 'names']);
 
+/** What lies where somebody clicked: ids, or null. */
+export interface Hit {
+  drone: string | null;
+  /** A waypoint of the mission run. */
+  runWaypoint: string | null;
+}
+
 export interface MapEvents {
-  onClick(place: Coordinates, droneId: string | null): void;
+  onClick(place: Coordinates, hit: Hit): void;
   /** A press that stayed in place for half a second, or the secondary button. */
   onLongPress(place: Coordinates): void;
   onWaypointMoved(key: number, place: Coordinates): void;
@@ -101,6 +108,8 @@ export class FlightMap {
 
   /** Shows all these places; one place alone is not zoomed into further than a neighbourhood. */
   fit(places: readonly Coordinates[], maxZoom = 15): void {
+    // A panel may just have taken its room.
+    this.#map.resize();
     const longitudes = places.map((place) => place.longitude);
     const latitudes = places.map((place) => place.latitude);
     this.#map.fitBounds(
@@ -165,20 +174,22 @@ export class FlightMap {
   #click(event: MapMouseEvent): void {
     if (this.#waypointAt(event) === null) {
       const { lat: latitude, lng: longitude } = event.lngLat.wrap();
-      this.#events.onClick({ latitude, longitude }, this.#droneAt(event));
+      const hit = { drone: this.#idAt(event, 'drones'), runWaypoint: this.#idAt(event, 'runs-points') };
+      this.#events.onClick({ latitude, longitude }, hit);
     }
   }
 
-  #droneAt(event: MapMouseEvent): string | null {
+  #idAt(event: MapMouseEvent, layer: string): string | null {
     const { x, y } = event.point;
     const [hit] = this.#map.queryRenderedFeatures(
       [
         [x - HIT_PIXELS, y - HIT_PIXELS],
         [x + HIT_PIXELS, y + HIT_PIXELS],
       ],
-      { layers: ['drones'] },
+      { layers: [layer] },
     );
-    return hit === undefined ? null : String(hit.properties['id']);
+    const id: unknown = hit?.properties['id'];
+    return typeof id === 'string' ? id : null;
   }
 
   #waypointAt(event: { point: { x: number; y: number } }): number | null {

@@ -94,26 +94,38 @@ export function zoneLayers(palette: Palette): LayerSpecification[] {
 
 /** Each tour in a colour of its own, with the name of its drone along it; what nobody visits stands out. */
 export function tourLayers(palette: Palette): LayerSpecification[] {
-  const colour = [
+  return [
+    ...toneWays('tours', palette, 3.5),
+    ...numberLayers('tours', palette, ['case', ['has', 'unserved'], palette.red, toneColour(palette)]),
+  ];
+}
+
+function toneColour(palette: Palette): string {
+  return [
     'match',
     ['get', 'tone'],
     ...palette.tours.flatMap((tone, index) => [index, tone]),
     palette.violet,
   ] as unknown as string;
+}
+
+/** Lines in the colour of their drone, with its name along them. */
+export function toneWays(source: string, palette: Palette, width: number): LayerSpecification[] {
+  const colour = toneColour(palette);
   const ways = ['==', ['geometry-type'], 'LineString'] as unknown as boolean;
   return [
     {
-      id: 'tours',
+      id: source,
       type: 'line',
-      source: 'tours',
+      source,
       filter: ways,
       layout: { 'line-cap': 'round', 'line-join': 'round' },
-      paint: { 'line-color': colour, 'line-width': 3.5, 'line-opacity': 0.9 },
+      paint: { 'line-color': colour, 'line-width': width, 'line-opacity': 0.9 },
     },
     {
-      id: 'tour-labels',
+      id: `${source}-labels`,
       type: 'symbol',
-      source: 'tours',
+      source,
       filter: ways,
       layout: {
         'symbol-placement': 'line',
@@ -123,7 +135,6 @@ export function tourLayers(palette: Palette): LayerSpecification[] {
       },
       paint: { 'text-color': colour, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
     },
-    ...numberLayers('tours', palette, ['case', ['has', 'unserved'], palette.red, colour]),
   ];
 }
 
@@ -138,7 +149,9 @@ function wayLayer(source: string, colour: string, dash: number[]): LayerSpecific
   };
 }
 
-function numberLayers(source: string, palette: Palette, colour: unknown): LayerSpecification[] {
+export function numberLayers(source: string, palette: Palette, colour: unknown): LayerSpecification[] {
+  // Wide enough for numbers of three digits, and for a mark beside them.
+  const radius = ['step', ['length', ['to-string', ['get', 'label']]], 11, 3, 14, 4, 17, 5, 20];
   return [
     {
       id: `${source}-points`,
@@ -146,7 +159,7 @@ function numberLayers(source: string, palette: Palette, colour: unknown): LayerS
       source,
       filter: ['==', ['geometry-type'], 'Point'],
       paint: {
-        'circle-radius': 11,
+        'circle-radius': radius as unknown as number,
         'circle-color': colour as string,
         'circle-stroke-color': palette.surface,
         'circle-stroke-width': 2,

@@ -1,6 +1,7 @@
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
 import type { Palette } from './palette';
 import { droneLayers, MAP_FONT, missionLayers, tourLayers, zoneLayers } from './layers';
+import { runLayers } from './run-layers';
 
 const NOTHING = { type: 'FeatureCollection' as const, features: [] };
 
@@ -13,6 +14,7 @@ export type LiveSource =
   | 'zone-draft'
   | 'trails'
   | 'tours'
+  | 'runs'
   | 'home'
   | 'mission'
   | 'draft'
@@ -27,6 +29,7 @@ const LIVE_SOURCES: LiveSource[] = [
   'zone-draft',
   'trails',
   'tours',
+  'runs',
   'home',
   'mission',
   'draft',
@@ -57,6 +60,7 @@ export function buildStyle(palette: Palette, tileAddress: string | null): StyleS
         : [{ id: 'tiles', type: 'raster', source: 'tiles' } as LayerSpecification]),
       ...zoneLayers(palette),
       ...tourLayers(palette),
+      ...runLayers(palette),
       ...missionLayers(palette),
       ...droneLayers(palette),
     ],

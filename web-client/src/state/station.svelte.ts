@@ -12,6 +12,7 @@ import { Desk } from './desk.svelte';
 import { Fleet } from './fleet.svelte';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
+import { Runs } from './runs.svelte';
 import { Tours } from './tours.svelte';
 import { Virtuals } from './virtuals.svelte';
 import { Zones } from './zones.svelte';
@@ -40,6 +41,7 @@ export class Station {
   readonly zones = new Zones(this.rest.zones);
   readonly virtuals = new Virtuals(this.rest.virtuals);
   readonly tours = new Tours(this.rest.plans);
+  readonly runs = new Runs(this.rest.runs);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
   /** Why nobody is signed in any more, when that was not their wish. */
@@ -154,6 +156,7 @@ export class Station {
     this.zones.clear();
     this.virtuals.clear();
     this.tours.clear();
+    this.runs.clear();
   }
 
   #streamUp(): void {
@@ -162,6 +165,7 @@ export class Station {
     void this.zones.load();
     void this.virtuals.load();
     void this.tours.catchUp();
+    void this.runs.catchUp();
   }
 
   /** An administrator may have given another one since the sign-in. */
@@ -221,6 +225,9 @@ export class Station {
         break;
       case 'planRemoved':
         this.tours.forget(message.id);
+        break;
+      case 'run':
+        this.runs.hear(message.run);
         break;
       default:
         break;

@@ -43,19 +43,33 @@ function undoes(event: KeyboardEvent, station: Station): boolean {
 
 /** Esc closes one thing at a time, the newest first. */
 function stepBack(station: Station): boolean {
-  const { desk, planner } = station;
+  const { desk, planner, runs } = station;
   if (desk.helpOpen) {
     desk.helpOpen = false;
   } else if (desk.target !== null) {
     desk.target = null;
   } else if (desk.page !== 'map') {
     desk.page = 'map';
+  } else if (runs.tool !== null) {
+    runs.lay();
   } else if (planner.droneId !== null) {
     planner.stop();
   } else if (desk.selectedId !== null) {
     desk.deselect();
   } else {
+    return leavesRun(station);
+  }
+  return true;
+}
+
+function leavesRun({ runs }: Station): boolean {
+  if (runs.shown === null) {
     return false;
+  }
+  if (runs.chosen === null) {
+    runs.leave();
+  } else {
+    runs.choose(null);
   }
   return true;
 }

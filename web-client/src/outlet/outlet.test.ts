@@ -1,0 +1,100 @@
+import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import type { OutletClient } from '../api/outlet';
+import { STATION, Station } from '../state/station.svelte';
+import { rateLine, refusedLine, troubleLine, whatLine } from './client-line';
+import OutletClients from './OutletClients.svelte';
+import OwnOutlet from './OwnOutlet.svelte';
+import { settingsFor, wayWords, waysIn } from './settings';
+
+const CLIENT: OutletClient = {
+  id: 'client-1',
+  user: 'ann',
+  address: '192.0.2.1:5000',
+  transport: 'udp',
+  systemId: 255,
+  drones: 1,
+  since: '2026-01-01T12:00:00Z',
+  messagesPerSecondIn: 1,
+  messagesPerSecondOut: 1234,
+  dropped: 0,
+  silentSeconds: 0.4,
+};
+const NOBODY = { unsigned: 0, badSignature: 0, replayed: 0, tooOld: 0, turnedAway: 0 };
+const ENDPOINTS = ['udpserver://0.0.0.0:14560', 'tcpserver://127.0.0.1:5790', 'wssserver://[::]:5791/mav'];
+
+afterEach(cleanup);
+
+describe('an attached ground station', () => {
+  it('is told by rates, address and what it sees', () => {
+    expect(rateLine(CLIENT)).toBe('1,234 messages/s to it, 1/s from it');
+    expect(whatLine({ ...CLIENT, drones: 2 })).toBe('192.0.2.1:5000 udp · system 255 · sees 2 drones');
+    expect(troubleLine(CLIENT)).toBeNull();
+    expect(troubleLine({ ...CLIENT, dropped: 7, silentSeconds: 12.3 })).toBe(
+      '7 dropped: its link is too slow · silent for 12 s',
+    );
+  });
+
+  it('leaves strangers outside, counted by reason', () => {
+    expect(refusedLine(NOBODY)).toBeNull();
+    expect(refusedLine({ ...NOBODY, unsigned: 1200, badSignature: 3 })).toBe(
+      'Messages kept outside: 1,200 unsigned, 3 with a wrong passphrase.',
+    );
+  });
+});
+
+describe('the settings of programs', () => {
+  it('name the address by which this server was reached, unless it listens on one only', () => {
+    expect(waysIn(ENDPOINTS, 'cloud.example').map(wayWords)).toEqual([
+      'UDP cloud.example:14560',
+      'TCP 127.0.0.1:5790',
+      'wss://cloud.example:5791',
+    ]);
+    expect(waysIn(['serial:///dev/tty'], 'cloud.example')).toEqual([]);
+  });
+
+  it('can be copied as they are, with the passphrase while it is known', () => {
+    const known = settingsFor(waysIn(ENDPOINTS, 'cloud.example'), 'open sesame 1234567');
+    const lines = known.flatMap((program) => program.lines.map((line) => line.text));
+    expect(lines).toContain('mavproxy.py --mav20 --master=udpout:cloud.example:14560');
+    expect(lines).toContain('signing key open sesame 1234567');
+    expect(known.map((one) => one.program)).toEqual([
+      'QGroundControl',
+      'Mission Planner',
+      'MAVProxy',
+      'pymavlink',
+    ]);
+    const [only] = settingsFor(waysIn([ENDPOINTS[1] ?? ''], 'x'), null).slice(2);
+    expect(only?.lines[0]?.text).toBe('mavproxy.py --mav20 --master=tcp:127.0.0.1:5790');
+    expect(settingsFor([], null)).toEqual([]);
+  });
+});
+
+describe('the outlet page', () => {
+  it('shows a new passphrase once, and says when nothing is attached', async () => {
+    const station = new Station();
+    const { outlet } = station.rest;
+    const own = { endpoints: ENDPOINTS, passphraseSet: false, clients: [] };
+    const look = vi.spyOn(outlet, 'own').mockResolvedValue(own);
+    vi.spyOn(outlet, 'newPassphrase').mockResolvedValue('correct horse battery');
+    render(OwnOutlet, { context: new Map([[STATION, station]]) });
+    await fireEvent.click(await screen.findByRole('button', { name: 'Make a passphrase' }));
+    expect(await screen.findByText('correct horse battery')).toBeDefined();
+    look.mockResolvedValue({ ...own, passphraseSet: true });
+    expect(screen.queryByRole('list', { name: 'Attached in your name' })).toBeNull();
+  });
+
+  it('lists who is attached, and disconnects only when it is confirmed', async () => {
+    const station = new Station();
+    const { outlet } = station.rest;
+    vi.spyOn(outlet, 'all').mockResolvedValue({ endpoints: ENDPOINTS, clients: [CLIENT], refused: NOBODY });
+    const disconnect = vi.spyOn(outlet, 'disconnect').mockResolvedValue();
+    render(OutletClients, { context: new Map([[STATION, station]]) });
+    const button = await screen.findByRole('button', { name: /Disconnect/ });
+    expect(screen.getByText('1,234 messages/s to it, 1/s from it')).toBeDefined();
+    await fireEvent.click(button);
+    expect(disconnect).not.toHaveBeenCalled();
+    await fireEvent.click(button);
+    expect(disconnect).toHaveBeenCalledWith('client-1');
+  });
+});

@@ -1,0 +1,97 @@
+/** One way in: what it listens on, as a client is to name it. */
+export interface WayIn {
+  scheme: 'udp' | 'tcp' | 'ws' | 'wss';
+  host: string;
+  port: string;
+}
+
+/** Lines to copy, or steps to follow, for one program. */
+export interface ProgramSettings {
+  program: string;
+  steps: string[];
+  lines: { label: string; text: string }[];
+}
+
+const SERVERS: Record<string, WayIn['scheme']> = {
+  udpserver: 'udp',
+  tcpserver: 'tcp',
+  wsserver: 'ws',
+  wssserver: 'wss',
+};
+
+/** `host`: by which this page reached the server; an endpoint that listens everywhere is reached by it too. */
+export function waysIn(endpoints: readonly string[], host: string): WayIn[] {
+  return endpoints.flatMap((url): WayIn[] => {
+    const match = /^(\w+):\/\/(\[[^\]]*\]|[^:/?]*):(\d+)/.exec(url);
+    const scheme = SERVERS[match?.[1] ?? ''];
+    const port = match?.[3];
+    if (scheme === undefined || port === undefined) {
+      return [];
+    }
+    const bound = match?.[2] ?? '';
+    const everywhere = ['', '0.0.0.0', '[::]', '*'].includes(bound);
+    return [{ scheme, host: everywhere ? host : bound, port }];
+  });
+}
+
+export function wayWords({ scheme, host, port }: WayIn): string {
+  return scheme === 'udp' || scheme === 'tcp'
+    ? `${scheme.toUpperCase()} ${host}:${port}`
+    : `${scheme}://${host}:${port}`;
+}
+
+/** Exact settings of the usual programs; `passphrase` null: it is not known here any more. */
+export function settingsFor(ways: readonly WayIn[], passphrase: string | null): ProgramSettings[] {
+  const way = ways.find((one) => one.scheme === 'udp') ?? ways.find((one) => one.scheme === 'tcp');
+  if (way === undefined) {
+    return [];
+  }
+  const { host, port } = way;
+  const udp = way.scheme === 'udp';
+  const secret = passphrase ?? 'PASSPHRASE';
+  const address = `${udp ? 'udpout' : 'tcp'}:${host}:${port}`;
+  return [
+    {
+      program: 'QGroundControl',
+      steps: [
+        udp
+          ? `Application settings → Comm Links → Add: type UDP, any free port, server address ${host}:${port}.`
+          : `Application settings → Comm Links → Add: type TCP, server ${host}, port ${port}.`,
+        'Application settings → MAVLink → Signing: the passphrase.',
+        'Switch AutoConnect → UDP off where vehicles call in on the same machine.',
+      ],
+      lines: udp ? [{ label: 'Server address', text: `${host}:${port}` }] : [],
+    },
+    {
+      program: 'Mission Planner',
+      steps: [
+        `Connect with ${udp ? 'UDPCl' : 'TCP'} to ${host}, port ${port}.`,
+        'Setup → Advanced → MAVLink Signing: add the passphrase and use it.',
+      ],
+      lines: [],
+    },
+    {
+      program: 'MAVProxy',
+      steps: [],
+      lines: [
+        { label: 'In the shell', text: `mavproxy.py --mav20 --master=${address}` },
+        { label: 'In MAVProxy', text: `signing key ${secret}` },
+      ],
+    },
+    {
+      program: 'pymavlink',
+      steps: ['Set the environment variable MAVLINK20=1 first: version 1 knows no signatures.'],
+      lines: [
+        {
+          label: 'Connect',
+          text: `link = mavutil.mavlink_connection("${address}", source_system=255)`,
+        },
+        {
+          label: 'Sign',
+          text: `link.setup_signing(hashlib.sha256(b"${secret}").digest(), sign_outgoing=True)`,
+        },
+        { label: 'Attach, once a second', text: 'link.mav.heartbeat_send(6, 8, 0, 0, 4)' },
+      ],
+    },
+  ];
+}

@@ -1,0 +1,59 @@
+import type { Feature, FeatureCollection, Position } from 'geojson';
+import type { MissionRun, RunDrone } from '../api/runs';
+import type { Coordinates } from '../geo/coordinates';
+import { TOUR_TONES } from '../tours/tour-line';
+import { WAYPOINT_LOOKS } from './run-line';
+
+/** Further drones begin anew. */
+export function toneOf(run: MissionRun, drone: string): number {
+  const at = run.drones.findIndex((one) => one.id === drone);
+  return Math.max(0, at) % TOUR_TONES;
+}
+
+/** The way that each drone still has, the waypoints by their state, and what was marked and not sent. */
+export function runFeatures(
+  run: MissionRun | null,
+  chosen: string | null,
+  marks: readonly Coordinates[],
+  standOf: (drone: string) => Coordinates | null,
+): FeatureCollection {
+  if (run === null) {
+    return { type: 'FeatureCollection', features: [] };
+  }
+  const places = new Map(run.waypoints.map((waypoint) => [waypoint.id, waypoint]));
+  const features = [
+    ...run.drones.flatMap((drone) => wayOf(run, drone, places, standOf(drone.id))),
+    ...run.waypoints.map((waypoint) => {
+      const { tone, mark } = WAYPOINT_LOOKS[waypoint.state];
+      const label = mark === '' ? waypoint.id : `${waypoint.id} ${mark}`;
+      return point(waypoint, { id: waypoint.id, label, look: tone, chosen: waypoint.id === chosen });
+    }),
+    ...marks.map((place) => point(place, { label: '+', look: 'mark', chosen: true })),
+  ];
+  return { type: 'FeatureCollection', features };
+}
+
+function wayOf(
+  run: MissionRun,
+  drone: RunDrone,
+  places: ReadonlyMap<string, Coordinates>,
+  stand: Coordinates | null,
+): Feature[] {
+  const next = drone.next.map((id) => places.get(id)).filter((place) => place !== undefined);
+  const way = stand === null ? next : [stand, ...next];
+  if (run.state === 'over' || next.length === 0 || way.length < 2) {
+    return [];
+  }
+  const properties = { tone: toneOf(run, drone.id), label: drone.name };
+  return [
+    { type: 'Feature', properties, geometry: { type: 'LineString', coordinates: way.map(positionOf) } },
+  ];
+}
+
+function point(place: Coordinates, properties: Record<string, unknown>): Feature {
+  return { type: 'Feature', properties, geometry: { type: 'Point', coordinates: positionOf(place) } };
+}
+
+function positionOf({ latitude, longitude }: Coordinates): Position {
+  return [longitude, latitude];
+}
