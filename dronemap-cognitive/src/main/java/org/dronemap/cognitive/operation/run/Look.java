@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param steering what it goes by
  * @param climb m/s, positive upwards
  * @param tiltDegrees how far it leans
+ * @param canGoTo whether it goes to a place that it is told
  * @param canReturn whether it knows a way home of its own, else it is told to land
  */
 public record Look(
@@ -38,6 +39,7 @@ public record Look(
         @Nullable Double speed,
         @Nullable Double tiltDegrees,
         @Nullable Integer batteryPercent,
+        boolean canGoTo,
         boolean canReturn,
         Progress progress) {
     /**
@@ -45,14 +47,25 @@ public record Look(
      *
      * @param carries whether it has on board what it flies; null: not known
      * @param carriesNext whether it has on board what it is to get; null: not known, or there is nothing
+     * @param told it has said which mission it has and where in it it is, so that what follows can be relied on
      * @param passed how many items of what it has on board are behind it
      * @param complete flown to the end
      */
     public record Progress(
-            @Nullable Boolean carries, @Nullable Boolean carriesNext, int passed, boolean complete) {}
+            @Nullable Boolean carries, @Nullable Boolean carriesNext, boolean told, int passed, boolean complete) {}
 
     boolean isLive() {
         return link == LinkState.LIVE;
+    }
+
+    /** All is known that its part in the run is judged by. */
+    boolean tells() {
+        return isLive() && ready && mode != null && armed != null && place != null && progress.told();
+    }
+
+    /** It has flown what it was given. */
+    boolean isAtTheEnd() {
+        return progress.complete() && !Boolean.FALSE.equals(progress.carries());
     }
 
     boolean isLost() {

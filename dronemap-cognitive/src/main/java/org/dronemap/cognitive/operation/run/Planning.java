@@ -57,9 +57,10 @@ final class Planning {
 
     /** It is worth a moment. */
     private static boolean isComing(Draft draft, RunDrone drone) {
-        return !drone.signs().held()
+        boolean soonHeld = !drone.signs().held()
                 && drone.stage().takesOrders()
                 && Duration.between(drone.since(), draft.now()).compareTo(UNTIL_HELD) < 0;
+        return soonHeld || Absence.isUnclear(drone);
     }
 
     /** Waypoints wait until there is somebody again, or the run ends. */

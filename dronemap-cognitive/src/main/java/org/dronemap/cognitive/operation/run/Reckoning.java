@@ -10,7 +10,7 @@ final class Reckoning {
         RunDrone drone = draft.drone(look.drone());
         Sortie sortie = drone.sortie();
         boolean tells = look.isLive() && !Boolean.FALSE.equals(look.progress().carries());
-        if (sortie == null || !tells || !counts(drone)) {
+        if (sortie == null || !tells || !(counts(drone) || isFlownToItsEnd(drone, look))) {
             return;
         }
         int items = sortie.mission().items().size();
@@ -32,6 +32,14 @@ final class Reckoning {
                     case FLYING, HOLDING, RETURNING, SILENT, SUSPENDED, GONE, LEFT -> true;
                     default -> false;
                 };
+    }
+
+    /** It was told to go on when the cloud went away, and stands on the ground now: what it carries is all behind it. */
+    private static boolean isFlownToItsEnd(RunDrone drone, Look look) {
+        return drone.stage() == DroneStage.CONTINUING
+                && Boolean.TRUE.equals(look.progress().carries())
+                && look.progress().complete()
+                && look.isDisarmed();
     }
 
     private static void visited(Draft draft, RunDrone drone, String id) {

@@ -58,6 +58,8 @@ public record RunDrone(
             ARM,
             START,
             HOLD,
+            /** Out of another drone's way. */
+            DODGE,
             HOME,
             DISARM
         }
@@ -133,10 +135,12 @@ public record RunDrone(
      *
      * @param heard when it was, last
      * @param place where it was then
+     * @param flew it flew its mission then, or was about to; else it waited in the air or was on its way home
      * @param reservedUntil till then its next waypoints stay its own
      * @param flyingUntil till then it may be in the air
      */
-    public record Silence(Instant heard, @Nullable Place place, Instant reservedUntil, Instant flyingUntil) {}
+    public record Silence(
+            Instant heard, @Nullable Place place, boolean flew, Instant reservedUntil, Instant flyingUntil) {}
 
     public RunDrone {
         orders = List.copyOf(orders);
@@ -192,6 +196,12 @@ public record RunDrone(
 
     RunDrone tried(Tries now) {
         return new RunDrone(kin, stage, since, orders, sortie, passed, next, null, now, note, signs);
+    }
+
+    /** It does nothing else until then. */
+    RunDrone busy(Instant until) {
+        return new RunDrone(
+                kin, stage, since, orders, sortie, passed, next, errand, new Tries(tries.failed(), until), note, signs);
     }
 
     RunDrone with(Signs other) {

@@ -58,6 +58,7 @@ final class Sights {
                         ? null
                         : Double.valueOf(Math.max(Math.abs(attitude.rollDegrees()), Math.abs(attitude.pitchDegrees()))),
                 battery == null ? null : battery.percent(),
+                can.commands().contains(Capability.GO_TO),
                 can.commands().contains(Capability.RETURN_TO_LAUNCH),
                 progress(drone, state));
     }
@@ -95,7 +96,11 @@ final class Sights {
             passed = Math.max(passed, mission.current());
         }
         return new Look.Progress(
-                carries(drone.sortie(), mission), carries(drone.next(), mission), passed, mission.complete());
+                carries(drone.sortie(), mission),
+                carries(drone.next(), mission),
+                mission.items() != null && mission.current() != null,
+                passed,
+                mission.complete());
     }
 
     /** A mission that was brought to it and not started yet keeps the place where it was in the one before. */

@@ -20,6 +20,10 @@ final class Silences {
     /** Beside what the way takes. */
     private static final Duration MARGIN = Duration.ofSeconds(60);
 
+    private static final Duration UNTIL_ALL_IS_TOLD = Duration.ofMillis(2_500);
+    /** Who does not tell its mission is taken as it is then. */
+    private static final Duration LONGEST_UNTOLD = Duration.ofSeconds(8);
+
     private static final double STEEPLY_METERS = 120;
     private static final double AT_HOME_METERS = 15;
 
@@ -52,7 +56,11 @@ final class Silences {
         List<String> reserved = reached(draft, drone, look.place(), reach);
         Instant until = heard.plus(reach).plus(goesOn ? MARGIN : Duration.ofSeconds(10));
         RunDrone.Silence silence = new RunDrone.Silence(
-                heard, look.place(), until, heard.plus(longest(drone, look.place(), flies && goesOn)));
+                heard,
+                look.place(),
+                drone.stage() == DroneStage.FLYING,
+                until,
+                heard.plus(longest(drone, look.place(), flies && goesOn)));
         String name = drone.name();
         String words = "Nothing is heard of " + name + " any more; it may still fly. "
                 + (reserved.isEmpty()
@@ -120,9 +128,15 @@ final class Silences {
     static void look(Draft draft, Look look) {
         RunDrone drone = draft.drone(look.drone());
         RunDrone.Silence silence = Objects.requireNonNull(drone.signs().silence());
-        if (look.isLive() && look.ready()) {
-            heard(draft, drone.with(drone.signs().silent(null)), look);
-        } else if (draft.now().isAfter(silence.flyingUntil())) {
+        if (look.isLive() && look.ready() && look.mode() != null && look.armed() != null) {
+            listen(draft, drone, look);
+            return;
+        }
+        if (drone.tries().notBefore() != null) {
+            drone = drone.tried(RunDrone.Tries.NONE);
+            draft.put(drone);
+        }
+        if (draft.now().isAfter(silence.flyingUntil())) {
             String words = drone.name() + " was not heard again; it must be down by now.";
             Faults.leave(draft, drone, DroneStage.GONE, Trigger.GONE, words);
         } else if (draft.now().isAfter(silence.reservedUntil())
@@ -133,22 +147,34 @@ final class Silences {
         }
     }
 
-    /** What it has reached is reckoned already. */
-    private static void heard(Draft draft, RunDrone drone, Look look) {
-        if (look.mode() == null || look.armed() == null) {
-            return;
+    /** Who is down says a moment later how far it came. */
+    private static void listen(Draft draft, RunDrone drone, Look look) {
+        Instant from = drone.tries().notBefore();
+        if (!look.isDisarmed()) {
+            heard(draft, drone, look);
+        } else if (from == null) {
+            draft.put(drone.tried(new RunDrone.Tries(0, draft.now().plus(UNTIL_ALL_IS_TOLD))));
+        } else if (!draft.now().isBefore(look.tells() ? from : from.plus(LONGEST_UNTOLD))) {
+            heard(draft, drone, look);
         }
+    }
+
+    /** What it has reached is reckoned already. */
+    private static void heard(Draft draft, RunDrone silent, Look look) {
+        boolean flew = Objects.requireNonNull(silent.signs().silence()).flew();
+        boolean explained = Absence.bringsHome(draft, flew);
+        RunDrone drone = silent.tried(RunDrone.Tries.NONE).with(silent.signs().silent(null));
         String name = drone.name();
         if (look.isDisarmed()) {
-            down(draft, drone, look);
+            down(draft, drone, look, explained);
         } else if (look.comesDown()) {
             String words = name + " is heard again; it comes home or down by itself.";
             Faults.leave(draft, drone, DroneStage.RETURNING, Trigger.HEARD_AGAIN, words);
-            RunDrone coming = draft.drone(drone.id());
-            List<Trigger> told = new ArrayList<>(coming.signs().told());
-            told.add(Trigger.HEARD_AGAIN);
-            draft.put(coming.with(coming.signs().told(told)));
-        } else if (look.isSteered()) {
+            if (explained) {
+                Absence.missed(draft, draft.drone(drone.id()));
+            }
+        } else if (look.isSteered() || (look.waits() && look.airborne() && flew)) {
+            // Who flew a mission does not come to stand by itself.
             String words = name + " is heard again, in mode " + look.mode() + "; it is left alone until it is resumed.";
             Faults.leave(draft, drone, DroneStage.SUSPENDED, Trigger.HEARD_AGAIN, words);
         } else {
@@ -156,26 +182,29 @@ final class Silences {
         }
     }
 
-    private static void down(Draft draft, RunDrone drone, Look look) {
-        if (isHome(draft, drone, look)) {
+    private static void down(Draft draft, RunDrone drone, Look look, boolean explained) {
+        if (explained && isAtHome(drone, look)) {
             takesPartAgain(draft, drone);
             return;
         }
-        boolean done = drone.orders().isEmpty();
-        String words = drone.name() + " is heard again; it is down.";
-        DroneStage stage = done ? DroneStage.LANDED : DroneStage.LEFT;
-        Faults.leave(draft, drone.flying(null, 0), stage, Trigger.HEARD_AGAIN, words);
+        boolean done = drone.sortie() != null && look.isAtTheEnd();
+        String words =
+                drone.name() + " is heard again; it is down" + (done ? ", as its mission was flown to the end." : ".");
+        if (done) {
+            Faults.leave(draft, drone.flying(null, 0), DroneStage.LANDED, Trigger.HEARD_AGAIN, words);
+        } else {
+            Faults.leave(draft, drone, DroneStage.LEFT, Trigger.HEARD_AGAIN, words);
+        }
     }
 
     /** Whether it is down where its fail-safe brings it, after it had missed the cloud: nothing is wrong with it. */
-    static boolean cameHome(Draft draft, RunDrone drone, Look look) {
-        return drone.signs().told().contains(Trigger.HEARD_AGAIN) && isHome(draft, drone, look);
+    static boolean cameHome(RunDrone drone, Look look) {
+        return Absence.hasMissed(drone) && isAtHome(drone, look);
     }
 
-    private static boolean isHome(Draft draft, RunDrone drone, Look look) {
+    static boolean isAtHome(RunDrone drone, Look look) {
         Place place = look.place();
-        return draft.setting().onCloudLoss() == CloudLoss.RETURN_TO_LAUNCH
-                && place != null
+        return place != null
                 && Geodesy.distanceMeters(
                                 place.point(), drone.craft().finish().place().point())
                         < AT_HOME_METERS;

@@ -20,7 +20,7 @@ final class Steps {
     static void go(Draft draft, Look look) {
         RunDrone drone = draft.drone(look.drone());
         boolean controlled = look.takenBy() == null && look.isLive() && look.ready();
-        if (!controlled || drone.errand() != null || waits(draft, drone)) {
+        if (!controlled || drone.errand() != null || waits(draft, drone) || Absence.isUnclear(drone)) {
             return;
         }
         switch (drone.stage()) {
@@ -181,7 +181,7 @@ final class Steps {
     }
 
     private static void comeHome(Draft draft, RunDrone drone, Look look) {
-        if (look.isDisarmed() && !draft.stopping() && Silences.cameHome(draft, drone, look)) {
+        if (look.isDisarmed() && !draft.stopping() && Silences.cameHome(drone, look)) {
             Silences.takesPartAgain(draft, drone);
         } else if (look.isDisarmed()) {
             draft.put(drone.to(draft.stopping() ? DroneStage.LANDED : DroneStage.LEFT, draft.now()));

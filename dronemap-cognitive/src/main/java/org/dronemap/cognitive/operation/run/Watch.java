@@ -17,12 +17,27 @@ final class Watch {
         RunDrone drone = draft.drone(look.drone());
         if (drone.stage().compareTo(DroneStage.RETURNING) <= 0 && isTaken(draft, drone, look)) {
             suspend(draft, drone, look);
-        } else if (drone.stage() == DroneStage.SILENT) {
+        } else if (Absence.isWaitedFor(draft, look)) {
+            fallMeanwhile(draft, drone, look);
+        } else {
+            follow(draft, draft.drone(look.drone()), look);
+        }
+    }
+
+    private static void follow(Draft draft, RunDrone drone, Look look) {
+        if (drone.stage() == DroneStage.SILENT) {
             Silences.look(draft, look);
         } else if (look.isLost()) {
             Silences.begin(draft, drone, look);
         } else if (look.isLive()) {
             whereItIs(draft, drone, look);
+        }
+    }
+
+    /** Whatever it carries and wherever it is to fly. */
+    private static void fallMeanwhile(Draft draft, RunDrone drone, Look look) {
+        if (look.isLive() && look.isArmed() && look.airborne() && drone.stage().mayFly()) {
+            Condition.fall(draft, drone, look);
         }
     }
 
@@ -59,7 +74,9 @@ final class Watch {
         boolean settled = Duration.between(drone.since(), draft.now()).compareTo(UNTIL_SEEN) > 0;
         return switch (drone.stage()) {
             case FLYING -> look.isSteered() || (look.waits() && settled);
-            case HOLDING, REPLACING, CONTINUING, RETURNING -> look.isSteered();
+            case STARTING, HOLDING, REPLACING, CONTINUING, RETURNING -> look.isSteered();
+            // It is armed in a mode that orders are taken in: somebody else armed it, and not for us.
+            case ARMING -> look.isArmed() && look.isSteered() && look.ordersMode() != null;
             default -> false;
         };
     }
@@ -126,6 +143,9 @@ final class Watch {
         boolean done = drone.orders().isEmpty() && drone.next() == null;
         if (done && !high) {
             draft.put(drone.flying(null, 0).to(DroneStage.LANDED, draft.now()));
+        } else if (look.isAtTheEnd() && !high) {
+            String words = drone.name() + " flew its mission to the end before it got the next one.";
+            Faults.leave(draft, drone.flying(null, 0), DroneStage.LANDED, Trigger.CAME_DOWN, words);
         } else if (sortie == null || !high) {
             Faults.leave(draft, drone, DroneStage.LEFT, Trigger.CAME_DOWN, drone.name() + " came down before its end.");
         } else {
@@ -142,6 +162,7 @@ final class Watch {
                         drone.tried(new RunDrone.Tries(Math.max(1, drone.tries().failed()), then)));
             }
         }
+        Absence.begin(draft);
         RunState.Clock clock = draft.clock();
         draft.clock(new RunState.Clock(
                 clock.begun(), clock.launched(), clock.asksAfter(), draft.now().plus(grace)));

@@ -227,8 +227,11 @@ final class TestFleet {
     void restart(double seconds) {
         serverDown = true;
         due.removeIf(Due::ofServer);
+        vehicles.values().forEach(vehicle -> vehicle.alone = true);
         fly(seconds);
         serverDown = false;
+        vehicles.values().forEach(vehicle -> vehicle.alone = false);
+        vehicles.values().forEach(TestVehicle::forgotten);
         input(run.resumed(now));
     }
 

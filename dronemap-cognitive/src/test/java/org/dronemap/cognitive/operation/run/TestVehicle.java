@@ -75,12 +75,18 @@ final class TestVehicle {
     boolean fallen;
     boolean cut;
     double cutFor;
+    /** Nobody is there to be heard, nor hears it. */
+    boolean alone;
+    /** So many seconds the cloud does not know its mission yet. */
+    double untold;
+
     double heardFor = 60;
 
     @Nullable
     String takenBy;
 
     CloudLoss onCloudLoss = CloudLoss.RETURN_TO_LAUNCH;
+    Command.@Nullable GoTo aim;
     List<MissionItem> items = List.of();
     int current;
     final TreeSet<Integer> reached = new TreeSet<>();
@@ -110,16 +116,31 @@ final class TestVehicle {
         double e = east;
         double n = north;
         double a = altitude;
-        cutFor = cut ? cutFor + seconds : 0;
-        heardFor = cut ? 0 : heardFor + seconds;
-        if (cutFor > 5 && armed && isUp() && onCloudLoss == CloudLoss.RETURN_TO_LAUNCH && !mode.equals("LAND")) {
+        cutFor = cut || alone ? cutFor + seconds : 0;
+        heardFor = cut || alone ? 0 : heardFor + seconds;
+        untold -= seconds;
+        if (cutFor > 5 && armed && missesTheCloud()) {
             mode = "RTL";
+            armed = isUp();
         }
         joules -= isUp() ? (150 + drain) * seconds : 0;
         move(seconds);
         climb = (altitude - a) / seconds;
         boolean moved = Math.hypot(east - e, north - n) > 0.01 || Math.abs(altitude - a) > 0.01;
         stillFor = moved || !armed ? 0 : stillFor + seconds;
+    }
+
+    /** Who flies a mission may be told to go on; who waits for the cloud never is, and pilots are not minded. */
+    private boolean missesTheCloud() {
+        return mode.equals("AUTO")
+                ? onCloudLoss == CloudLoss.RETURN_TO_LAUNCH
+                : mode.equals("GUIDED") || mode.equals("BRAKE");
+    }
+
+    /** The cloud has forgotten what it heard. */
+    void forgotten() {
+        reached.clear();
+        untold = 1.6;
     }
 
     private void move(double seconds) {
@@ -136,6 +157,9 @@ final class TestVehicle {
             }
         } else if (armed && mode.equals("LAND")) {
             land(seconds);
+        } else if (armed && isUp() && mode.equals("GUIDED") && aim != null) {
+            Spot spot = PLANE.spot(aim.point());
+            to(spot.eastMeters(), spot.northMeters(), aim.altitude().meters(), seconds);
         }
     }
 
@@ -203,7 +227,11 @@ final class TestVehicle {
             return motors(command instanceof Command.Arm);
         } else if (command instanceof Command.StartMission start) {
             return start(start);
+        } else if (command instanceof Command.GoTo goTo) {
+            mode = "GUIDED";
+            aim = goTo;
         } else {
+            aim = null;
             mode = command instanceof Command.SetMode set
                     ? set.mode()
                     : command instanceof Command.PauseMission ? "BRAKE" : "RTL";
@@ -253,10 +281,17 @@ final class TestVehicle {
                 new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),
                 null,
                 new Home(Scenes.point(homeEast, homeNorth), GROUND),
-                new MissionProgress(items, null, current, phase(), List.copyOf(reached), null),
+                untold > 0
+                        ? MissionProgress.UNKNOWN
+                        : new MissionProgress(items, null, currentItem(), phase(), List.copyOf(reached), null),
                 List.of(),
                 now,
                 0);
+    }
+
+    /** It begins anew where it stands after its mission. */
+    private int currentItem() {
+        return complete && !isUp() ? 0 : current;
     }
 
     private MissionPhase phase() {

@@ -1,0 +1,143 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.operation.Action;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Runs over a time in which the server, or a drone, was away. */
+class AbsenceTest {
+    private static int commandsTo(TestFleet fleet, String drone) {
+        return (int) fleet.decisions.stream()
+                .flatMap(decision -> decision.actions().stream())
+                .filter(action -> action instanceof Action.Give<RunInput> give
+                        && give.drone().value().equals(drone))
+                .count();
+    }
+
+    private static TestFleet withAFallenDrone(CloudLoss loss) {
+        TestFleet fleet = Runs.fleet(3, 30, 1, loss);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(1).falling = true;
+        return fleet;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {20, 60, 120, 1_000})
+    void loseNoWaypointWhereDronesFlyToTheirEndWhileTheServerIsAway(int seconds) {
+        TestFleet fleet = withAFallenDrone(CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.state.request() != null, 10);
+        fleet.restart(seconds);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = DroneStage.class,
+            names = {"HOLDING", "REPLACING", "CONTINUING"})
+    void sendsDronesOutAgainThatWaitedForTheServerWhenItWentAway(DroneStage stage) {
+        TestFleet fleet = withAFallenDrone(CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.drone(0).stage() == stage, 30);
+        fleet.restart(400);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    private static Stream<RunDrone> landed(TestFleet fleet) {
+        return fleet.state.drones().stream().filter(drone -> drone.stage() == DroneStage.LANDED);
+    }
+
+    @Test
+    void sendsDronesOutAgainThatHadLandedWhenTheServerWentAway() {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> landed(fleet).count() == 2, 1_000);
+        fleet.wish(
+                new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("n1", Scenes.place(100, 300, 440)))));
+        fleet.restart(300);
+        assertThat(landed(fleet)).hasSize(2);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(31);
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = DroneStage.class,
+            names = {"ARMING", "STARTING"})
+    void startsDronesThatDidNotGetOffBeforeTheServerWentAway(DroneStage stage) {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.drone(0).stage() == stage, 60);
+        fleet.restart(30);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(fleet.drone(0).stage()).isEqualTo(DroneStage.LANDED);
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void neverTakesADroneFromItsPilotAfterARestart(boolean before) {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestVehicle piloted = fleet.vehicle(1);
+        if (before) {
+            piloted.mode = "LOITER";
+            fleet.fly(2);
+        }
+        int given = commandsTo(fleet, "d1");
+        piloted.mode = "LOITER";
+        fleet.restart(30);
+        fleet.fly(200);
+
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.SUSPENDED);
+        assertThat(piloted.mode).isEqualTo("LOITER");
+        assertThat(commandsTo(fleet, "d1")).isEqualTo(given);
+        fleet.wish(new RunInput.ResumeDrone(fleet.now, "Ann", piloted.id));
+        fleet.flyToTheEnd();
+        assertThat(commandsTo(fleet, "d1")).isGreaterThan(given);
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = DroneStage.class,
+            names = {"ARMING", "STARTING", "FLYING"})
+    void leavesADroneToThePilotWhoTookItFromTheGroundWhileTheServerWasAway(DroneStage stage) {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.drone(1).stage() == stage, 60);
+        TestVehicle piloted = fleet.vehicle(1);
+        piloted.armed = true;
+        piloted.mode = "LOITER";
+        piloted.altitude += 10;
+        fleet.restart(3);
+        fleet.fly(30);
+
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.SUSPENDED);
+        assertThat(piloted.mode).isEqualTo("LOITER");
+    }
+
+    @Test
+    void leavesADroneThatAPilotStoppedWhileItWasNotHeard() {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(1).cut = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.SILENT, 10);
+        fleet.vehicle(1).mode = "BRAKE";
+        fleet.vehicle(1).cut = false;
+        fleet.fly(30);
+
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.SUSPENDED);
+        assertThat(fleet.vehicle(1).mode).isEqualTo("BRAKE");
+    }
+}
