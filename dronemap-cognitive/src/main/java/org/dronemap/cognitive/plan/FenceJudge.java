@@ -13,14 +13,14 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 
 /** Whether a straight piece of one drone's way touches what it must not: seen piece by piece on a plane of its own. */
-final class FenceJudge {
+public final class FenceJudge {
     private static final Spot CENTER = new Spot(0, 0);
 
     private final List<Barrier> barriers;
     private final double homeAmslMeters;
     private final double room;
 
-    FenceJudge(List<Barrier> barriers, Craft craft) {
+    public FenceJudge(List<Barrier> barriers, Craft craft) {
         this(barriers, craft, 0);
     }
 
@@ -37,7 +37,7 @@ final class FenceJudge {
      *
      * @param column it rises from the ground, or comes down to it
      */
-    Optional<String> fault(Fix from, Fix to, boolean column) {
+    public Optional<String> fault(Fix from, Fix to, boolean column) {
         for (Barrier barrier : barriers) {
             Optional<String> fault = barrier.isKeepIn() ? leaves(barrier, from, to) : enters(barrier, from, to, column);
             if (fault.isPresent()) {

@@ -8,6 +8,7 @@ import org.dronemap.core.command.Outcome;
 final class Errands {
     private static final int MOST_TRIES = 3;
     private static final Duration BETWEEN_TRIES = Duration.ofSeconds(2);
+    private static final Duration BETWEEN_DODGES = Duration.ofSeconds(1);
 
     private Errands() {}
 
@@ -22,6 +23,10 @@ final class Errands {
         }
         if (input.outcome() instanceof Outcome.Succeeded) {
             succeeded(draft, drone.on(null), errand);
+        } else if (errand.kind() == Errand.Kind.DODGE) {
+            // Another step is looked for, from where it is then.
+            draft.put(drone.tried(
+                    new RunDrone.Tries(drone.tries().failed(), draft.now().plus(BETWEEN_DODGES))));
         } else if (drone.stage() == DroneStage.RETURNING) {
             // It is called again until it comes.
             draft.put(drone.on(null));

@@ -66,7 +66,9 @@ final class Planning {
     /** Waypoints wait until there is somebody again, or the run ends. */
     private static void nobody(Draft draft) {
         boolean mayCome = draft.drones().stream()
-                .anyMatch(drone -> drone.stage().takesOrders() && drone.stage() != DroneStage.LANDED);
+                .anyMatch(drone -> (drone.stage().takesOrders() && drone.stage() != DroneStage.LANDED)
+                        || drone.stage() == DroneStage.SILENT
+                        || (drone.stage() == DroneStage.RETURNING && Absence.hasMissed(drone)));
         if (!mayCome) {
             draft.causes().clear();
         }

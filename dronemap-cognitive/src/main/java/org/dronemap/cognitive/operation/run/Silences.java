@@ -192,6 +192,7 @@ final class Silences {
                 drone.name() + " is heard again; it is down" + (done ? ", as its mission was flown to the end." : ".");
         if (done) {
             Faults.leave(draft, drone.flying(null, 0), DroneStage.LANDED, Trigger.HEARD_AGAIN, words);
+            draft.causes().add(new Cause(Trigger.HEARD_AGAIN, drone.id(), words, drone.orders()));
         } else {
             Faults.leave(draft, drone, DroneStage.LEFT, Trigger.HEARD_AGAIN, words);
         }

@@ -53,9 +53,13 @@ final class Steps {
         Sortie sortie = drone.sortie();
         if (drone.next() != null) {
             draft.put(drone.to(DroneStage.UPLOADING, draft.now()));
-        } else if (drone.stage() == DroneStage.READY && sortie != null && Launch.isDue(draft, sortie)) {
+        } else if (drone.stage() == DroneStage.READY && sortie != null && mayRise(draft, drone, sortie)) {
             draft.put(drone.to(DroneStage.ARMING, draft.now()));
         }
+    }
+
+    private static boolean mayRise(Draft draft, RunDrone drone, Sortie sortie) {
+        return Launch.isDue(draft, sortie) && drone.signs().yields() == null;
     }
 
     private static void upload(Draft draft, RunDrone drone, Look look) {
@@ -79,7 +83,10 @@ final class Steps {
         if (drone.next() != null) {
             draft.put(drone.to(DroneStage.UPLOADING, draft.now()));
         } else if (look.isArmed()) {
-            draft.put(drone.to(DroneStage.STARTING, draft.now()));
+            // One that disarms itself again and again is not armed for ever.
+            draft.put(drone.to(DroneStage.STARTING, draft.now()).tried(drone.tries()));
+        } else if (drone.signs().yields() != null) {
+            return;
         } else if (look.ordersMode() != null) {
             draft.give(drone, Errand.Kind.MODE, new Command.SetMode(look.ordersMode()));
         } else {
@@ -94,6 +101,13 @@ final class Steps {
             draft.give(drone, Errand.Kind.START, begin(draft, true));
         } else if (look.isDisarmed()) {
             Errands.failed(draft, drone, "it was disarmed before it started");
+            armAgain(draft, draft.drone(drone.id()));
+        }
+    }
+
+    private static void armAgain(Draft draft, RunDrone drone) {
+        if (drone.stage() == DroneStage.STARTING) {
+            draft.put(drone.to(DroneStage.ARMING, draft.now()).tried(drone.tries()));
         }
     }
 

@@ -15,6 +15,10 @@ final class Tracks {
     static final double STRIDE_SECONDS = 0.5;
     /** Vehicles climb to this before they fly home, in m over it. */
     private static final double RETURN_METERS = 15;
+    /** From when it was heard last until its fail-safe acts. */
+    private static final double UNTIL_HOMEWARD_SECONDS = 6;
+    /** What it may be behind, as a share of the time since. */
+    private static final double SLOWER = 0.1;
 
     private final LocalPlane plane;
     private final int strides;
@@ -50,6 +54,28 @@ final class Tracks {
             return new Track(stands);
         }
 
+        /** The least distance, as a share of the one that is asked for: from 1 on they are apart. */
+        double clearance(Track other, double horizontal, double vertical) {
+            double least = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < Math.min(places.size(), other.places().size()); i++) {
+                At here = places.get(i);
+                At there = other.places().get(i);
+                double stacked = Math.max(here.low - there.high, there.low - here.high) / vertical;
+                double beside = here.spot().distanceMeters(there.spot()) / horizontal;
+                least = Math.min(least, Math.max(stacked, beside));
+            }
+            return least;
+        }
+
+        /** As if it set off so many strides later. */
+        Track after(int strides) {
+            List<At> later = new ArrayList<>();
+            for (int i = 0; i < places.size(); i++) {
+                later.add(places.get(Math.max(0, i - strides)));
+            }
+            return new Track(later);
+        }
+
         boolean meets(Track other, double horizontal, double vertical) {
             for (int i = 0; i < Math.min(places.size(), other.places().size()); i++) {
                 At here = places.get(i);
@@ -67,7 +93,7 @@ final class Tracks {
         RunDrone.Silence silence = drone.signs().silence();
         if (drone.stage() == DroneStage.SILENT && silence != null && silence.place() != null) {
             double gone = Duration.between(silence.heard(), draft.now()).toMillis() / 1_000.0;
-            return List.of(mission(drone, silence.place(), gone), homeward(drone, silence.place(), gone));
+            return corridor(drone, silence.place(), gone);
         }
         Place place = look == null ? null : look.place();
         if (place == null || look == null || !look.airborne()) {
@@ -80,14 +106,41 @@ final class Tracks {
                         look.isOnMission()
                                 ? mission(drone, place, 0).stopping(Guard.STRIDES_TO_STAND)
                                 : new Track(standing(place)));
-            case RETURNING -> List.of(homeward(drone, place, 0));
+            case RETURNING -> List.of(homeward(drone, at(place), 0));
             case CRASHED -> List.of();
             default ->
                 List.of(
                         look.comesDown()
-                                ? homeward(drone, place, 0)
+                                ? homeward(drone, at(place), 0)
                                 : look.isOnMission() ? mission(drone, place, 0) : new Track(standing(place)));
         };
+    }
+
+    /** Where a drone that is not heard may be: on its mission, sooner or later, or on its way home from where it missed us. */
+    private List<Track> corridor(RunDrone drone, Place from, double gone) {
+        At missing = mission(drone, from, Math.min(gone, UNTIL_HOMEWARD_SECONDS))
+                .places()
+                .get(0);
+        return List.of(
+                mission(drone, from, gone),
+                mission(drone, from, gone * (1 - SLOWER)),
+                mission(drone, from, gone * (1 - 2 * SLOWER)),
+                homeward(drone, at(from), gone),
+                homeward(drone, missing, Math.max(0, gone - UNTIL_HOMEWARD_SECONDS)));
+    }
+
+    /** It comes to stand first, and goes there then. */
+    Track dodging(RunDrone drone, Place from, Place to) {
+        Track first = drone.stage() == DroneStage.FLYING
+                ? mission(drone, from, 0).stopping(Guard.STRIDES_TO_STAND)
+                : new Track(standing(from));
+        List<At> places = new ArrayList<>(first.places().subList(0, Guard.STRIDES_TO_STAND));
+        At stands = places.get(places.size() - 1);
+        Walk walk = new Walk(drone.craft().performance().speeds(), stands, 0);
+        At there = at(to);
+        walk.to(there);
+        places.addAll(walk.track().places());
+        return new Track(places.subList(0, strides + 1));
     }
 
     Track mission(RunDrone drone, Place from, double ago) {
@@ -110,13 +163,13 @@ final class Tracks {
         return walk.track();
     }
 
-    private Track homeward(RunDrone drone, Place from, double ago) {
+    private Track homeward(RunDrone drone, At from, double ago) {
         Place home = drone.craft().finish().place();
-        Walk walk = new Walk(drone.craft().performance().speeds(), at(from), ago);
-        double height = Math.max(from.altitudeAmslMeters(), home.altitudeAmslMeters() + RETURN_METERS);
-        boolean there = at(from).spot().distanceMeters(at(home).spot()) < 2;
+        Walk walk = new Walk(drone.craft().performance().speeds(), from, ago);
+        double height = Math.max(from.high(), home.altitudeAmslMeters() + RETURN_METERS);
+        boolean there = from.spot().distanceMeters(at(home).spot()) < 2;
         if (!there) {
-            walk.to(new At(at(from).spot(), height));
+            walk.to(new At(from.spot(), height));
             walk.to(new At(at(home).spot(), height));
         }
         walk.down(home.altitudeAmslMeters());

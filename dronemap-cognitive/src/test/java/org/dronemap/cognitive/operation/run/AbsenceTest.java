@@ -54,6 +54,23 @@ class AbsenceTest {
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
     }
 
+    @Test
+    void sendsDronesOutAgainThatFlewToTheirEndWhileTheyWereNotHeard() {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(0).cut = true;
+        fleet.vehicle(2).cut = true;
+        fleet.fly(6);
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> !fleet.vehicle(0).armed && !fleet.vehicle(2).armed, 1_000);
+        assertThat(fleet.state.isOver()).as("%s", fleet.said).isFalse();
+        fleet.vehicle(0).cut = false;
+        fleet.vehicle(2).cut = false;
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
     private static Stream<RunDrone> landed(TestFleet fleet) {
         return fleet.state.drones().stream().filter(drone -> drone.stage() == DroneStage.LANDED);
     }

@@ -64,6 +64,25 @@ class MissionRunTest {
         assertThat(triggers(fleet)).containsSubsequence(Trigger.COMMAND_FAILED, Trigger.START);
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {1, 100})
+    void armsADroneAgainThatDisarmedItselfButNotForEver(int often) {
+        TestFleet fleet = fleet(3, 12);
+        AtomicInteger disarmed = new AtomicInteger();
+        fleet.loses = give -> {
+            boolean start = give.command() instanceof Command.StartMission
+                    && give.drone().value().equals("d1");
+            boolean lost = start && disarmed.incrementAndGet() <= often;
+            fleet.vehicle(1).armed &= !lost;
+            return lost;
+        };
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(12);
+        assertThat(disarmed.get()).isLessThanOrEqualTo(3);
+        assertThat(fleet.drone(1).stage()).isEqualTo(often == 1 ? DroneStage.LANDED : DroneStage.LEFT);
+    }
+
     @Test
     void leavesADroneAtOnceThatAPilotTook() {
         TestFleet fleet = fleet(3, 30);

@@ -147,19 +147,34 @@ final class TestVehicle {
         if (falling) {
             altitude = Math.max(GROUND, altitude - 11.8 * seconds);
             fallen = fallen || altitude == GROUND;
-        } else if (armed && mode.equals("AUTO")) {
-            fly(seconds);
-        } else if (armed && mode.equals("RTL")) {
-            if (Math.hypot(east - homeEast, north - homeNorth) < 0.5) {
-                land(seconds);
-            } else {
-                to(homeEast, homeNorth, Math.max(altitude, GROUND + 15), seconds);
-            }
-        } else if (armed && mode.equals("LAND")) {
+        } else if (armed) {
+            steer(seconds);
+        }
+    }
+
+    private void steer(double seconds) {
+        switch (mode) {
+            case "AUTO" -> fly(seconds);
+            case "RTL" -> comeHome(seconds);
+            case "LAND" -> land(seconds);
+            case "GUIDED" -> goTo(seconds);
+            default -> {}
+        }
+    }
+
+    private void comeHome(double seconds) {
+        if (Math.hypot(east - homeEast, north - homeNorth) < 0.5) {
             land(seconds);
-        } else if (armed && isUp() && mode.equals("GUIDED") && aim != null) {
-            Spot spot = PLANE.spot(aim.point());
-            to(spot.eastMeters(), spot.northMeters(), aim.altitude().meters(), seconds);
+        } else {
+            to(homeEast, homeNorth, Math.max(altitude, GROUND + 15), seconds);
+        }
+    }
+
+    private void goTo(double seconds) {
+        Command.GoTo there = aim;
+        if (there != null && isUp()) {
+            Spot spot = PLANE.spot(there.point());
+            to(spot.eastMeters(), spot.northMeters(), there.altitude().meters(), seconds);
         }
     }
 

@@ -1,0 +1,112 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.AltitudeBand;
+import org.junit.jupiter.api.Test;
+
+/** Drones that would come too near to each other. */
+class GuardTest {
+    private static final double UP = TestVehicle.GROUND + 40;
+
+    private static TestFleet flying() {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        return fleet;
+    }
+
+    /** It stays in the air where it is, and another one flies home by itself straight through that place. */
+    private static TestVehicle comesAtOneThatStands(TestFleet fleet) {
+        TestVehicle stands = fleet.vehicle(1);
+        stands.east = 150;
+        stands.north = 0;
+        stands.altitude = UP;
+        stands.mode = "BRAKE";
+        fleet.vehicle(2).east = -300;
+        fleet.vehicle(2).north = -300;
+        TestVehicle comes = fleet.vehicle(0);
+        comes.east = 250;
+        comes.north = 0;
+        comes.altitude = UP;
+        comes.mode = "RTL";
+        fleet.closest = Double.POSITIVE_INFINITY;
+        return stands;
+    }
+
+    private static TestFleet withOneThatIsHeld() {
+        TestFleet fleet = flying();
+        fleet.wish(new RunInput.ResumeDrone(fleet.now, "Ann", suspended(fleet).id));
+        comesAtOneThatStands(fleet);
+        return fleet;
+    }
+
+    private static TestVehicle suspended(TestFleet fleet) {
+        TestVehicle vehicle = fleet.vehicle(1);
+        vehicle.mode = "LOITER";
+        fleet.fly(5);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.SUSPENDED);
+        return vehicle;
+    }
+
+    @Test
+    void makeRoomForOneThatFliesHomeByItself() {
+        TestFleet fleet = withOneThatIsHeld();
+        fleet.fly(12);
+
+        assertThat(fleet.said).anyMatch(said -> said.contains("to make room for Drone d0"));
+        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    @Test
+    void doNotLeaveAFenceToMakeRoom() {
+        TestFleet fleet = withOneThatIsHeld();
+        fleet.wish(new RunInput.AddBarrier(
+                fleet.now,
+                "Ann",
+                new Barrier(
+                        "the flight area “Low”",
+                        new FenceZone.Circle(true, Scenes.point(0, 0), 1_000),
+                        new AltitudeBand(
+                                TestVehicle.GROUND - 10, UP + 0.5, org.dronemap.core.mission.Altitude.Reference.AMSL),
+                        Set.of())));
+        for (int i = 0; i < 48; i++) {
+            fleet.fly(0.25);
+            assertThat(fleet.vehicle(1).altitude).isLessThanOrEqualTo(UP + 0.5);
+        }
+        assertThat(fleet.said).anyMatch(said -> said.contains("to make room for Drone d0"));
+    }
+
+    @Test
+    void doNotTakeOffBelowOneThatIsInTheWay() {
+        TestFleet fleet = Runs.fleet(3, 12, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(
+                () -> fleet.state.drones().stream().anyMatch(drone -> drone.stage() == DroneStage.LANDED), 1_000);
+        int down =
+                fleet.drone(0).stage() == DroneStage.LANDED ? 0 : fleet.drone(1).stage() == DroneStage.LANDED ? 1 : 2;
+        int other = (down + 1) % 3;
+        TestVehicle above = fleet.vehicle(other);
+        above.mode = "LOITER";
+        above.east = fleet.vehicle(down).homeEast + 3;
+        above.north = 0;
+        above.altitude = TestVehicle.GROUND + 20;
+        fleet.wish(new RunInput.GiveUpDrone(fleet.now, "Ann", fleet.vehicle(3 - down - other).id));
+        fleet.wish(new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("n1", Scenes.place(0, 300, 440)))));
+        fleet.fly(40);
+
+        assertThat(fleet.drone(down).stage()).as("%s", fleet.said).isEqualTo(DroneStage.READY);
+        assertThat(fleet.vehicle(down).armed).isFalse();
+        assertThat(fleet.said).anyMatch(said -> said.contains("waits on the ground until Drone d" + other));
+        above.mode = "RTL";
+        fleet.flyToTheEnd();
+        assertThat(fleet.visits).containsKey("n1");
+    }
+}
