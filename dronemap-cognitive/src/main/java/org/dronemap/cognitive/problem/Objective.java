@@ -24,6 +24,11 @@ public record Objective(double longestWeight, Measure measure, double sumWeight,
         }
     }
 
+    /** The same where drones may be left where they are. */
+    public Objective leavingDrones() {
+        return new Objective(longestWeight, measure, sumWeight, false);
+    }
+
     /** All done as early as can be. */
     public static Objective earliestEnd() {
         return new Objective(1, Measure.SECONDS, 0, false);

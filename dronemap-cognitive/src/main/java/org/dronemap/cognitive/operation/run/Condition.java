@@ -17,6 +17,12 @@ final class Condition {
     /** Long enough that one wrong reading is none. */
     private static final Duration FALLS = Duration.ofMillis(400);
 
+    /** Long enough that nothing does it on its way down. */
+    private static final Duration FLIES = Duration.ofSeconds(4);
+
+    private static final Duration MOVES = Duration.ofSeconds(2);
+    private static final double UPRIGHT_DEGREES = 45;
+
     private static final Duration LIES = Duration.ofSeconds(4);
     private static final double FAR_BELOW_METERS = 8;
     private static final double JUST_UP_METERS = 1.5;
@@ -55,6 +61,35 @@ final class Condition {
     static void crashed(Draft draft, RunDrone drone, String how) {
         String words = drone.name() + " has crashed: " + how + ".";
         Faults.leave(draft, drone, DroneStage.CRASHED, Trigger.CRASHED, words);
+    }
+
+    /** What was taken for a crash was none when it is seen to fly: people decide on it, and others keep apart from it. */
+    static void afterAll(Draft draft, RunDrone drone, Look look) {
+        Instant since = drone.signs().astray();
+        if (!isSeenToFly(drone, look)) {
+            if (since != null) {
+                draft.put(drone.with(drone.signs().astray(null)));
+            }
+        } else if (since == null) {
+            draft.put(drone.with(drone.signs().astray(draft.now())));
+        } else if (Duration.between(since, draft.now()).compareTo(FLIES) >= 0) {
+            String words = drone.name() + " was taken for crashed, but flies"
+                    + (look.mode() == null ? "" : " in mode " + look.mode())
+                    + "; it is left alone until somebody resumes it here.";
+            Faults.leave(draft, drone, DroneStage.SUSPENDED, Trigger.HEARD_AGAIN, words);
+        }
+    }
+
+    /** It moves, upright, and does not fall; what lies somewhere does not. */
+    static boolean isSeenToFly(RunDrone drone, Look look) {
+        Double tilt = look.tiltDegrees();
+        return look.isLive()
+                && look.isArmed()
+                && look.airborne()
+                && look.still().compareTo(MOVES) < 0
+                && tilt != null
+                && tilt < UPRIGHT_DEGREES
+                && !isFalling(drone, look);
     }
 
     private static boolean isFalling(RunDrone drone, Look look) {

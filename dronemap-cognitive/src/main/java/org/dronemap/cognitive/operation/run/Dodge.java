@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.dronemap.cognitive.operation.run.Tracks.Track;
@@ -41,8 +42,7 @@ record Dodge(Place to, double meters, double seconds, double clearance, String w
     /**
      * The smallest that leaves it clear of all; else the one that leaves it farthest away, where that is better than standing.
      *
-     * @param track what it would do on its way to a place
-     * @param clearance how far from the others that is
+     * @param clearance how far from the others it is on such a way
      */
     static Optional<Dodge> of(
             RunDrone drone, Place from, List<Barrier> barriers, Tracks tracks, ToDoubleFunction<Track> clearance) {
@@ -78,14 +78,16 @@ record Dodge(Place to, double meters, double seconds, double clearance, String w
             double height = from.altitudeAmslMeters() + climb;
             if (height >= lowest) {
                 double pace = climb > 0 ? speeds.climb() : speeds.descent();
-                String words = String.format("%s %.0f m", climb > 0 ? "climbs" : "descends", Math.abs(climb));
+                String words =
+                        String.format(Locale.ROOT, "%s %.0f m", climb > 0 ? "climbs" : "descends", Math.abs(climb));
                 steps.add(step(from.at(height), Math.abs(climb), pace, words));
             }
         }
         for (double meters : ASIDE) {
             for (int d = 0; d < DIRECTIONS; d++) {
                 Place there = aside(from, Math.toRadians(360.0 * d / DIRECTIONS), meters);
-                steps.add(step(there, meters, speeds.cruise(), String.format("goes %.0f m aside", meters)));
+                steps.add(
+                        step(there, meters, speeds.cruise(), String.format(Locale.ROOT, "goes %.0f m aside", meters)));
             }
         }
         return steps;

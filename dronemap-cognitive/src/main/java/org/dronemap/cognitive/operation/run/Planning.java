@@ -84,8 +84,14 @@ final class Planning {
         Duration limit = isPatient(draft) ? setting.search() : Duration.ZERO;
         Request request = Request.of(draft.tally().request(), !limit.isZero(), draft.now(), draft.causes(), crafts);
         Duration horizon = limit.isZero() ? AT_ONCE : limit.plus(BESIDE_SEARCH);
-        Problem problem =
-                new Problem(open, crafts, setting.barriers(), setting.wind(), setting.objective(), setting.rules());
+        // What is left may be less than there are drones, and matters more than that each has some of it.
+        Problem problem = new Problem(
+                open,
+                crafts,
+                setting.barriers(),
+                setting.wind(),
+                setting.objective().leavingDrones(),
+                setting.rules());
         List<LiveOrder> live = new ArrayList<>();
         for (Craft craft : crafts) {
             live.add(order(draft, draft.drone(craft.id()), looks, horizon));

@@ -98,7 +98,7 @@ final class Sights {
         return new Look.Progress(
                 carries(drone.sortie(), mission),
                 carries(drone.next(), mission),
-                mission.items() != null && mission.current() != null,
+                mission.items() != null && (mission.current() != null || mission.phase() != null),
                 passed,
                 mission.complete());
     }

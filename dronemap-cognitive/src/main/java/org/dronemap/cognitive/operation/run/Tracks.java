@@ -107,13 +107,16 @@ final class Tracks {
                                 ? mission(drone, place, 0).stopping(Guard.STRIDES_TO_STAND)
                                 : new Track(standing(place)));
             case RETURNING -> List.of(homeward(drone, at(place), 0));
-            case CRASHED -> List.of();
-            default ->
-                List.of(
-                        look.comesDown()
-                                ? homeward(drone, at(place), 0)
-                                : look.isOnMission() ? mission(drone, place, 0) : new Track(standing(place)));
+            case CRASHED -> Condition.isSeenToFly(drone, look) ? byItself(drone, look, place) : List.of();
+            default -> byItself(drone, look, place);
         };
+    }
+
+    private List<Track> byItself(RunDrone drone, Look look, Place place) {
+        return List.of(
+                look.comesDown()
+                        ? homeward(drone, at(place), 0)
+                        : look.isOnMission() ? mission(drone, place, 0) : new Track(standing(place)));
     }
 
     /** Where a drone that is not heard may be: on its mission, sooner or later, or on its way home from where it missed us. */

@@ -98,6 +98,7 @@ final class Watch {
             case FLYING, HOLDING, REPLACING, CONTINUING -> inTheAir(draft, drone, look);
             case RETURNING -> Condition.fall(draft, drone, look);
             case UPLOADING, READY, ARMING -> onTheGround(draft, drone, look);
+            case CRASHED -> Condition.afterAll(draft, drone, look);
             default -> {}
         }
     }

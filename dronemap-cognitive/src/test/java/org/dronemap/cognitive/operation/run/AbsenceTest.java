@@ -36,6 +36,8 @@ class AbsenceTest {
         TestFleet fleet = withAFallenDrone(CloudLoss.CONTINUE);
         fleet.flyUntil(() -> fleet.state.request() != null, 10);
         fleet.restart(seconds);
+        fleet.fly(4);
+        assertThat(fleet.state.drones()).noneMatch(Absence::isUnclear);
         fleet.flyToTheEnd();
 
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);

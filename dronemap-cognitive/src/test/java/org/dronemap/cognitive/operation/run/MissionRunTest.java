@@ -7,6 +7,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.problem.Objective;
+import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.geo.LocalPlane;
@@ -186,6 +189,46 @@ class MissionRunTest {
 
         fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 6);
         fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+    }
+
+    @Test
+    void leavesDronesOnTheGroundWhereLessIsLeftThanThereAreDrones() {
+        Problem some = Runs.problem(3, 12, 1, false);
+        Objective every = new Objective(1, Objective.Measure.SECONDS, 0, true);
+        Problem problem =
+                new Problem(some.waypoints(), some.crafts(), some.barriers(), some.wind(), every, some.rules());
+        TestFleet fleet = Runs.fleet(problem, 1, RunOrder.Mode.AUTOMATIC, CloudLoss.CONTINUE);
+        fleet.flyUntil(
+                () -> fleet.state.drones().stream()
+                                .filter(drone -> drone.stage() == DroneStage.LANDED)
+                                .count()
+                        == 2,
+                1_000);
+        fleet.wish(
+                new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("n1", Scenes.place(100, 300, 440)))));
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(13);
+    }
+
+    @Test
+    void takesADroneBackIntoAccountThatFliesAfterAll() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestVehicle mistaken = fleet.vehicle(1);
+        mistaken.falling = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 2);
+        mistaken.falling = false;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.SUSPENDED, 8);
+
+        assertThat(fleet.said).anyMatch(said -> said.contains("was taken for crashed, but flies in mode AUTO"));
+        int given = commandsTo(fleet, "d1");
+        fleet.fly(10);
+        assertThat(commandsTo(fleet, "d1")).isEqualTo(given);
+        fleet.wish(new RunInput.ResumeDrone(fleet.now, "Ann", mistaken.id));
+        fleet.flyToTheEnd();
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.LANDED);
         assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
     }
 

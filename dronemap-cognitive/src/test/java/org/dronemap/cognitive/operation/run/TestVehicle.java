@@ -304,9 +304,9 @@ final class TestVehicle {
                 0);
     }
 
-    /** It begins anew where it stands after its mission. */
-    private int currentItem() {
-        return complete && !isUp() ? 0 : current;
+    /** It heads for nothing where it stands after its mission. */
+    private @Nullable Integer currentItem() {
+        return complete && !isUp() ? null : Integer.valueOf(current);
     }
 
     private MissionPhase phase() {
