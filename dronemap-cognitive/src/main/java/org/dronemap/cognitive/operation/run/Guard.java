@@ -204,7 +204,7 @@ final class Guard {
     private void mayRise(RunDrone drone) {
         Look look = looks.get(drone.id());
         Place place = look == null ? null : look.place();
-        if (place == null || look.isArmed()) {
+        if (look == null || place == null || look.isArmed()) {
             return;
         }
         Track at = far.mission(drone, place, 0);
