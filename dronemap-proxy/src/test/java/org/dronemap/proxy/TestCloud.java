@@ -155,6 +155,13 @@ public final class TestCloud implements AutoCloseable {
         }
     }
 
+    /** How many commands have no outcome yet. */
+    public long commandsUnderWay() {
+        return commands.records.values().stream()
+                .filter(record -> record.outcome() == null)
+                .count();
+    }
+
     @Override
     public void close() {
         proxy.close();

@@ -1,0 +1,189 @@
+package org.dronemap.proxy.outlet;
+
+import java.io.IOException;
+import java.time.Clock;
+import java.time.Duration;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.MessageTable;
+import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.TestCloud;
+import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.DtlsKeys;
+import org.dronemap.proxy.session.FrameTap;
+
+/** A cloud with one vehicle on a real socket, its outlet, and somebody at it; tells what gets through to that socket. */
+final class MatrixHouse implements AutoCloseable {
+    /** What fills messages that mean nothing in particular: the cloud says nothing of its own with it. */
+    static final int FILL = 0x2A;
+
+    private static final Duration PATIENCE = Duration.ofSeconds(20);
+    private static final Heartbeat GROUND = new Heartbeat(6, 8, 0, 0, 4, 3);
+    private static final String OWN = " of the cloud's own accord";
+    private static final int HOLD = 17;
+    private static final long LOOK_NANOS = 100_000;
+    private static final int SECOND_NANOS = 1_100_000_000;
+
+    private final AtomicLong jumped = new AtomicLong();
+    private final Journal journal = new Journal();
+    private final LateTaps taps = new LateTaps();
+    private final TestCloud cloud = new TestCloud(0, taps);
+    private final Outlet outlet;
+    private final MatrixVehicle vehicle;
+    private final DroneId drone;
+    private final MatrixClient client;
+    private final MatrixClient watcher;
+
+    /** Who sends, and who has control of the drone. */
+    record Cast(Optional<Role> role, boolean inControl) {}
+
+    MatrixHouse(Cast cast) throws IOException {
+        Map<String, Principal> users = Map.of(
+                "sender", new Principal("sender", cast.role().orElse(Role.REPORTER)),
+                "holder", new Principal("holder", Role.OPERATOR),
+                "watcher", new Principal("watcher", Role.VIEWER));
+        KeptOutlet store = new KeptOutlet();
+        OutletPolicy policy = new OutletPolicy(
+                cloud.cloud(),
+                store,
+                journal,
+                user -> Optional.ofNullable(users.get(user)),
+                Clock.systemUTC(),
+                () -> System.nanoTime() + jumped.get());
+        outlet = new Outlet(List.of(), policy, Doors.of(DtlsKeys.none()));
+        taps.outlet = outlet;
+        users.keySet().forEach(user -> outlet.putKey(user, MatrixClient.key(user)));
+        outlet.start(false);
+        vehicle = new MatrixVehicle(cloud.udpPort());
+        drone = cloud.awaitDrone(state -> state.capabilities().known()).id();
+        String holder = cast.inControl() ? "sender" : "holder";
+        cloud.cloud().controls().apply(drone, new LeaseEvent.Take(holder));
+        watcher = attached("watcher", 253);
+        client = cast.role().isPresent() ? attached("sender", 254) : new MatrixClient(outlet, null, 254);
+        is(MatrixVehicle.State.DISARMED);
+        cloud.awaitDrone(state -> state.mission().items() != null);
+    }
+
+    private MatrixClient attached(String user, int systemId) {
+        MatrixClient attached = new MatrixClient(outlet, user, systemId);
+        attached.says(GROUND);
+        TestCloud.await(PATIENCE, attached::seesAVehicle, () -> user + " sees no vehicle");
+        return attached;
+    }
+
+    void is(MatrixVehicle.State wanted) {
+        vehicle.is(wanted);
+        cloud.awaitDrone(
+                state -> Boolean.valueOf(wanted != MatrixVehicle.State.DISARMED).equals(state.armed())
+                        && state.airborne() == (wanted == MatrixVehicle.State.FLYING)
+                        && state.home() != null);
+    }
+
+    /** What comes in at the vehicle's socket because of what is said meanwhile: each kind once. */
+    Set<String> reached(List<Message> words) {
+        jumped.addAndGet(SECOND_NANOS);
+        int before = vehicle.heard().size();
+        words.forEach(client::says);
+        watch();
+        await(() -> cloud.commandsUnderWay() == 0, "a command does not end");
+        // All that left has arrived.
+        await(() -> vehicle.heard().size() == taps.count.get(), "a frame was lost on the way");
+        Set<String> kinds = new TreeSet<>();
+        for (Frame frame : vehicle.heard().subList(before, vehicle.heard().size())) {
+            if (!isOfTheCloud(frame)) {
+                kinds.add(name(frame));
+            }
+        }
+        return kinds;
+    }
+
+    /** Returns when all that was said before was taken, and given at the gate: what a viewer asks for after it is refused. */
+    private void watch() {
+        int refusals = watcher.refusals();
+        watcher.says(new CommandLong(1, 1, HOLD, 0, 0, 0, 0, 0, 0, 0, 0));
+        await(() -> watcher.refusals() > refusals, "nobody is refused");
+    }
+
+    /** There are thousands of these: it looks often. */
+    private static void await(BooleanSupplier wanted, String otherwise) {
+        long deadline = System.nanoTime() + PATIENCE.toNanos();
+        while (!wanted.getAsBoolean()) {
+            if (System.nanoTime() > deadline) {
+                throw new AssertionError(otherwise);
+            }
+            LockSupport.parkNanos(LOOK_NANOS);
+        }
+    }
+
+    /** What the cloud does of its own accord, frame by frame: nobody asked for it. */
+    private boolean isOfTheCloud(Frame frame) {
+        return taps.said.contains(HexFormat.of().formatHex(frame.bytes()) + OWN);
+    }
+
+    private static String name(Frame frame) {
+        if (frame.messageId() == CommandLong.ID) {
+            return "COMMAND_LONG " + CommandLong.decode(frame).command();
+        }
+        if (frame.messageId() == CommandInt.ID) {
+            return "COMMAND_INT " + CommandInt.decode(frame).command();
+        }
+        MessageTable.Entry entry = MessageTable.find(frame.messageId());
+        return entry == null ? Integer.toString(frame.messageId()) : MatrixTable.name(entry);
+    }
+
+    @Override
+    public void close() throws IOException {
+        outlet.close();
+        vehicle.close();
+        cloud.close();
+        journal.close();
+    }
+
+    /** The outlet is built of the cloud that it taps; beside it, this hears what leaves, and at whose word. */
+    private static final class LateTaps implements FrameTap.Factory {
+        private final Set<String> said = ConcurrentHashMap.newKeySet();
+        private final AtomicInteger count = new AtomicInteger();
+        private volatile Outlet outlet;
+
+        @Override
+        public FrameTap open(int componentId) {
+            return FrameTap.both(new Hearing(said, count), outlet.open(componentId));
+        }
+    }
+
+    private record Hearing(Set<String> frames, AtomicInteger count) implements FrameTap {
+        @Override
+        public void heard(Frame frame) {}
+
+        @Override
+        public void said(byte[] frame, Mandate mandate) {
+            frames.add(HexFormat.of().formatHex(frame) + (mandate.command() == null ? OWN : ""));
+            count.incrementAndGet();
+        }
+
+        @Override
+        public void bound(DroneId drone) {}
+
+        @Override
+        public void ended() {}
+    }
+}

@@ -1,0 +1,107 @@
+package org.dronemap.proxy.outlet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.dronemap.core.access.Role;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.MessageTable;
+import org.dronemap.proxy.outlet.MatrixVehicle.State;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Everything that MAVLink knows, sent by everybody: what comes in at the vehicle's socket is what the committed table says. */
+class OutletMatrixTest {
+    private static final Map<String, MatrixHouse.Cast> CASTS = Map.of(
+            "stranger", new MatrixHouse.Cast(Optional.empty(), false),
+            "viewer", new MatrixHouse.Cast(Optional.of(Role.VIEWER), false),
+            "planner", new MatrixHouse.Cast(Optional.of(Role.PLANNER), false),
+            "operator without control", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), false),
+            "operator with control", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), true));
+
+    /** Few enough that what a client may give in a second is not reached. */
+    private static final int AT_ONCE = 20;
+
+    private final MatrixTable table = new MatrixTable();
+
+    OutletMatrixTest() throws IOException {}
+
+    static List<String> senders() {
+        return MatrixTable.COLUMNS;
+    }
+
+    @Test
+    void theTableHasEveryMessageOfTheDialect() {
+        Map<Integer, String> listed = new LinkedHashMap<>();
+        table.rows().stream()
+                .filter(row -> row.kind().equals("message"))
+                .forEach(row -> listed.put(row.number(), row.name()));
+        Map<Integer, String> known = new LinkedHashMap<>();
+        MatrixTable.messages().forEach((id, entry) -> known.put(id, MatrixTable.name(entry)));
+        assertThat(listed).isEqualTo(known);
+    }
+
+    @ParameterizedTest
+    @MethodSource("senders")
+    void whatReachesTheVehicleIsWhatTheTableSays(String sender) throws IOException {
+        Map<MatrixTable.Row, String> column = table.column(sender);
+        Map<MatrixTable.Row, Set<String>> reached = new LinkedHashMap<>();
+        column.keySet().forEach(row -> reached.put(row, new TreeSet<>()));
+        try (MatrixHouse house = new MatrixHouse(CASTS.get(sender))) {
+            for (State state : State.values()) {
+                house.is(state);
+                for (List<MatrixTable.Row> rows : batches(column)) {
+                    List<Message> all =
+                            rows.stream().flatMap(row -> words(row).stream()).toList();
+                    boolean quiet = rows.size() > 1 && house.reached(all).isEmpty();
+                    for (MatrixTable.Row row : quiet ? List.<MatrixTable.Row>of() : rows) {
+                        one(house, row, column.get(row), reached.get(row));
+                    }
+                }
+            }
+        }
+        Map<MatrixTable.Row, String> seen = new LinkedHashMap<>();
+        reached.forEach((row, kinds) -> seen.put(row, MatrixTable.cell(kinds)));
+        MatrixTable.leave(sender, seen);
+        assertThat(seen).isEqualTo(column);
+    }
+
+    /** Each word by itself, until all has come that is to come. */
+    private static void one(MatrixHouse house, MatrixTable.Row row, String expected, Set<String> reached) {
+        for (Message word : words(row)) {
+            if (expected.isEmpty() || !MatrixTable.cell(reached).equals(expected)) {
+                reached.addAll(house.reached(List.of(word)));
+            }
+        }
+    }
+
+    /** Rows that do something go alone; those that do nothing some at a time. */
+    private static List<List<MatrixTable.Row>> batches(Map<MatrixTable.Row, String> column) {
+        List<List<MatrixTable.Row>> batches = new ArrayList<>();
+        List<MatrixTable.Row> quiet = new ArrayList<>();
+        column.forEach((row, cell) -> {
+            if (cell.isEmpty()) {
+                quiet.add(row);
+            } else {
+                batches.add(List.of(row));
+            }
+        });
+        for (int from = 0; from < quiet.size(); from += AT_ONCE) {
+            batches.add(quiet.subList(from, Math.min(quiet.size(), from + AT_ONCE)));
+        }
+        return batches;
+    }
+
+    private static List<Message> words(MatrixTable.Row row) {
+        MessageTable.Entry entry = row.kind().equals("message") ? MessageTable.find(row.number()) : null;
+        return entry == null ? MatrixWords.ofCommand(row.number()) : MatrixWords.ofMessage(entry);
+    }
+}
