@@ -38,6 +38,9 @@ def test_a_program_attaches_with_a_passphrase_of_the_page_and_is_disconnected_th
     own.get_by_role("button", name="pymavlink").click()
     expect(own).to_contain_text(f'hashlib.sha256(b"{passphrase}").digest()')
 
+    scrolls = "document.documentElement.scrollHeight > innerHeight"
+    assert not page.evaluate(scrolls), "what is hidden for the eye makes the page longer than the window"
+
     ground = Ground(f"udpout:127.0.0.1:{server.outlet_udp_port}", passphrase)
     try:
         attached = page.get_by_role("region", name="Attached ground stations").get_by_role("listitem")
