@@ -16,11 +16,11 @@ from dronemap_e2e.waiting import wait_for
 SYSTEM_IDS = itertools.count(10)
 # The files that take longest begin first, or one process is still at them when the others have nothing left.
 LONGEST = (
-    "test_crash",
     "test_accounts_in_browser",
     "test_parameters_in_browser",
     "test_flight_in_browser",
     "test_mission_transfers",
+    "test_crash",
     "test_durability",
     "test_control",
     "test_virtual_drones",
