@@ -9,6 +9,7 @@ import pytest
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import EARTH_RADIUS_METERS
+from dronemap_e2e.runs import distance, ended, known, of, planned, stages, tracks
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.tap import Tap
@@ -50,13 +51,6 @@ def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
     started.stop()
 
 
-def known(api: Api, system_id: int) -> Json | None:
-    """The drone, once all is known of it that a plan takes."""
-    drone = api.ready(system_id)
-    complete = drone and drone["battery"] and drone["link"]["quality"]["lossShort"] is not None
-    return drone if complete else None
-
-
 def waypoints(home: Json) -> list[Json]:
     """Four by three, north of a home."""
     per_degree = math.radians(1) * EARTH_RADIUS_METERS
@@ -72,70 +66,17 @@ def waypoints(home: Json) -> list[Json]:
     ]
 
 
-def planned(api: Api, drones: list[Json]) -> str:
-    asked = api.call(
-        "POST",
-        "/plans",
-        {
-            "drones": [drone["id"] for drone in drones],
-            "waypoints": waypoints(drones[0]["home"]),
-            "seconds": 1,
-            "objective": {"kind": "earliestEnd", "everyDrone": True},
-        },
-    )
-    assert asked.status_code == 202, asked.text
-    plan: str = asked.json()["id"]
-    wait_for("the plan is finished", lambda: api.get(f"/plans/{plan}")["state"] == "finished", 60)
-    return plan
-
-
-def stages(run: Json) -> dict[str, str]:
-    return {drone["id"]: drone["stage"] for drone in run["drones"]}
-
-
-def of(run: Json, drone: str, state: str) -> list[Json]:
-    """Its waypoints in that state."""
-    return [
-        one
-        for one in run["waypoints"]
-        if one["state"] == state and drone in (one["drone"], *(visit["drone"] for visit in one["visits"]))
-    ]
-
-
-Track = list[tuple[float, float, float]]
-
-
-def tracks(tap: Tap, drones: list[Json]) -> dict[str, Track]:
-    """Where each drone was, by its own word on the wire, also while no server listened."""
-    flown: dict[str, Track] = {drone["id"]: [] for drone in drones}
-    of_system = {FIRST_SYSTEM_ID + n: drone["id"] for n, drone in enumerate(drones)}
-    for heard in tap.heard("GLOBAL_POSITION_INT", up=True):
-        said = heard.message
-        flown[of_system[said.get_srcSystem()]].append((said.lat / 1e7, said.lon / 1e7, said.alt / 1e3))
-    return flown
-
-
-def distance(waypoint: Json, track: Track) -> float:
-    """How near a drone came to it, height included."""
-    per_degree = math.radians(1) * EARTH_RADIUS_METERS
-    east = per_degree * math.cos(math.radians(waypoint["latitude"]))
-    return min(
-        math.hypot(
-            (latitude - waypoint["latitude"]) * per_degree,
-            (longitude - waypoint["longitude"]) * east,
-            altitude - waypoint["altitudeAmsl"],
-        )
-        for latitude, longitude, altitude in track
-    )
-
-
 @pytest.mark.soak
 def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes_nothing(
     own_server: Server, tap: Tap, simulator: Simulator
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
     drones = [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
-    asked = {"plan": planned(api, drones), "name": "roofs", "onCloudLoss": "continue"}
+    asked = {
+        "plan": planned(api, drones, waypoints(drones[0]["home"])),
+        "name": "roofs",
+        "onCloudLoss": "continue",
+    }
     started = api.call("POST", "/runs", asked)
     assert started.status_code == 201, started.text
     run = f"/runs/{started.json()['id']}"
@@ -153,7 +94,7 @@ def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes
     over = wait_for("it is over", partial(ended, again, run), 240)
 
     assert over["counts"]["visited"] == WAYPOINTS, over["explanations"]
-    flown = tracks(tap, drones)
+    flown = tracks(tap, drones, FIRST_SYSTEM_ID)
     for one in over["waypoints"]:
         off = distance(one, flown[one["visits"][0]["drone"]])
         assert off < NEAR_METRES, (one, off)
@@ -163,8 +104,3 @@ def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes
     assert "crashed" in triggers and "restarted" in triggers, triggers
     replay = again.get(f"{run}/journal/replay")
     assert replay["same"], replay
-
-
-def ended(api: Api, run: str) -> Json | None:
-    now = api.get(run)
-    return now if now["state"] == "over" else None

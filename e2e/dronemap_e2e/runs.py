@@ -1,0 +1,77 @@
+"""Mission runs as tests see them: what plans take, how it stands, and where drones truly were."""
+
+import math
+
+from .api import Api, Json
+from .flight import EARTH_RADIUS_METERS
+from .tap import Tap
+from .waiting import wait_for
+
+Track = list[tuple[float, float, float]]
+
+
+def known(api: Api, system_id: int) -> Json | None:
+    """The drone, once all is known of it that a plan takes."""
+    drone = api.ready(system_id)
+    complete = drone and drone["battery"] and drone["link"]["quality"]["lossShort"] is not None
+    return drone if complete else None
+
+
+def planned(api: Api, drones: list[Json], waypoints: list[Json]) -> str:
+    """A plan for all of them, once it is found."""
+    asked = api.call(
+        "POST",
+        "/plans",
+        {
+            "drones": [drone["id"] for drone in drones],
+            "waypoints": waypoints,
+            "seconds": 1,
+            "objective": {"kind": "earliestEnd", "everyDrone": True},
+        },
+    )
+    assert asked.status_code == 202, asked.text
+    plan: str = asked.json()["id"]
+    wait_for("the plan is finished", lambda: api.get(f"/plans/{plan}")["state"] == "finished", 60)
+    return plan
+
+
+def stages(run: Json) -> dict[str, str]:
+    return {drone["id"]: drone["stage"] for drone in run["drones"]}
+
+
+def of(run: Json, drone: str, state: str) -> list[Json]:
+    """Its waypoints in that state."""
+    return [
+        one
+        for one in run["waypoints"]
+        if one["state"] == state and drone in (one["drone"], *(visit["drone"] for visit in one["visits"]))
+    ]
+
+
+def tracks(tap: Tap, drones: list[Json], first_system_id: int) -> dict[str, Track]:
+    """Where each drone was, by its own word on the wire, also while no server listened."""
+    flown: dict[str, Track] = {drone["id"]: [] for drone in drones}
+    of_system = {first_system_id + n: drone["id"] for n, drone in enumerate(drones)}
+    for heard in tap.heard("GLOBAL_POSITION_INT", up=True):
+        said = heard.message
+        flown[of_system[said.get_srcSystem()]].append((said.lat / 1e7, said.lon / 1e7, said.alt / 1e3))
+    return flown
+
+
+def distance(waypoint: Json, track: Track) -> float:
+    """How near a drone came to it, height included."""
+    per_degree = math.radians(1) * EARTH_RADIUS_METERS
+    east = per_degree * math.cos(math.radians(waypoint["latitude"]))
+    return min(
+        math.hypot(
+            (latitude - waypoint["latitude"]) * per_degree,
+            (longitude - waypoint["longitude"]) * east,
+            altitude - waypoint["altitudeAmsl"],
+        )
+        for latitude, longitude, altitude in track
+    )
+
+
+def ended(api: Api, run: str) -> Json | None:
+    now = api.get(run)
+    return now if now["state"] == "over" else None
