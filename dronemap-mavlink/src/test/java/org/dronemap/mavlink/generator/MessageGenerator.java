@@ -23,6 +23,7 @@ public final class MessageGenerator {
             "CommandInt",
             "CommandLong",
             "ExtendedSysState",
+            "FileTransferProtocol",
             "GlobalPositionInt",
             "GpsRawInt",
             "Heartbeat",

@@ -11,6 +11,7 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.MessageTable;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.FileTransferProtocol;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.LogEntry;
 import org.dronemap.mavlink.message.LogRequestList;
@@ -97,6 +98,7 @@ final class Uplink implements AutoCloseable {
             case MissionItem.ID -> olderItem(asked, now);
             case MissionClearAll.ID -> intake.clear(asked, now);
             case LogRequestList.ID -> logs(asked);
+            case FileTransferProtocol.ID -> FileCounter.take(asked);
             default -> {
                 if (STEERING.contains(asked.frame().messageId())
                         && asked.client().mayHearOfSteering(now, BETWEEN_SENTENCES_NANOS)) {

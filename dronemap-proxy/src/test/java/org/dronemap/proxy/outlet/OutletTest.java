@@ -27,6 +27,7 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.FileTransferProtocol;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.mavlink.message.Statustext;
@@ -181,6 +182,34 @@ class OutletTest {
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    @Test
+    void whoAsksForFilesIsToldAtOnceThatThereAreNone() {
+        Vehicle vehicle = new Vehicle(FIRST, 1);
+        Client bob = new Client("bob", 255).attach();
+        vehicle.says(VEHICLE);
+        bob.await(1);
+        // Open a file to read, create one, end a session.
+        bob.says(file(4, 0xFF, 4));
+        bob.says(file(6, 7, 0));
+        bob.says(file(1, 8, 0));
+        List<int[]> answers = bob.await(4).stream()
+                .filter(frame -> frame.messageId() == FileTransferProtocol.ID)
+                .map(frame -> FileTransferProtocol.decode(frame).payload())
+                .toList();
+        assertThat(answers).extracting(payload -> payload[0] | payload[1] << 8).containsExactly(0x100, 8, 9);
+        assertThat(answers).extracting(payload -> payload[3]).containsExactly(129, 129, 128);
+        assertThat(answers).extracting(payload -> payload[5]).containsExactly(4, 6, 1);
+        assertThat(answers).extracting(payload -> payload[12]).containsExactly(10, 9, 0);
+    }
+
+    private static FileTransferProtocol file(int opcode, int number, int session) {
+        int[] payload = new int[251];
+        payload[0] = number;
+        payload[2] = session;
+        payload[3] = opcode;
+        return new FileTransferProtocol(0, 1, 1, payload);
     }
 
     private static void eventually(Runnable check) {

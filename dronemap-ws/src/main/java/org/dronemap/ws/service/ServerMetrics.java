@@ -24,6 +24,7 @@ public final class ServerMetrics {
     private final VehicleLinks links;
     private final Supplier<Refusals> refusals;
     private final Supplier<HistoryHealth> history;
+    private final Supplier<OutletView> outlet;
 
     /**
      * What was kept from doing harm since the start.
@@ -34,9 +35,14 @@ public final class ServerMetrics {
     public record Refusals(Map<Work, Long> work, Map<String, Long> clients) {}
 
     public ServerMetrics(
-            CloudManager cloud, VehicleLinks links, Supplier<Refusals> refusals, Supplier<HistoryHealth> history) {
+            CloudManager cloud,
+            VehicleLinks links,
+            Supplier<Refusals> refusals,
+            Supplier<HistoryHealth> history,
+            Supplier<OutletView> outlet) {
         this.refusals = refusals;
         this.history = history;
+        this.outlet = outlet;
         this.cloud = cloud;
         this.links = links;
     }
@@ -50,6 +56,7 @@ public final class ServerMetrics {
         process(all);
         refused(all);
         remembered(all);
+        all.addAll(OutletMetrics.of(outlet.get()));
         return new MetricSnapshots(all);
     }
 

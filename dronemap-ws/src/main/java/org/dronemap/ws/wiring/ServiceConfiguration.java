@@ -313,6 +313,10 @@ public class ServiceConfiguration {
     @Bean
     ServerMetrics serverMetrics(House house, Protections protections) {
         return new ServerMetrics(
-                house.cloud(), house.links().vehicles(), protections::refusals, house.history()::health);
+                house.cloud(),
+                house.links().vehicles(),
+                protections::refusals,
+                house.history()::health,
+                house.links().outlet()::status);
     }
 }
