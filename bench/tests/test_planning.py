@@ -235,4 +235,4 @@ def test_a_study_counts_what_was_left_and_names_what_broke_a_rule() -> None:
 def test_a_study_draws_the_share_of_runs_up_to_each_value() -> None:
     picture = study.picture(study.parse(iter(STUDIED)))
     assert picture.count("<polyline") == 4
-    assert "1 lost: 1" in picture and "0 lost: 1" in picture
+    assert "1 lost: 1" in picture and "none lost: 1" in picture

@@ -122,7 +122,10 @@ def picture(study: Study) -> str:
     panels = [
         (
             "run's time / without failures, by drones lost",
-            {f"{lost} lost": [run.ratio for run in runs if min(run.lost, 2) == lost] for lost in range(3)},
+            {
+                label: [run.ratio for run in runs if min(run.lost, 2) == lost]
+                for lost, label in enumerate(("none lost", "1 lost", "2 or more lost"))
+            },
         ),
         ("orphan's wait, s", {"all": [wait for run in runs for wait in run.waits]}),
         ("waypoints visited, %", {"all": [100 * run.visited / run.waypoints for run in runs]}),
