@@ -16,10 +16,17 @@ from dronemap_e2e.waiting import wait_for
 
 FIRST_SYSTEM_ID = 201
 DRONES = 2
+JOINING = FIRST_SYSTEM_ID + DRONES
 SPACING_METRES = 60
 HEIGHT_METRES = 20
+# Drones here fly on five times as far while a plan is looked for.
+SEARCH_SECONDS = 0.4
 NEAR_METRES = 5.0
 FAR_METRES = 15.0
+HOVER_METRES = 2.0
+HOVER_SECONDS = 8
+FENCE_METRES = 12
+OUT_OF_REACH_METRES = 30_000
 PER_DEGREE = math.radians(1) * EARTH_RADIUS_METERS
 
 
@@ -35,7 +42,7 @@ def drones(tap: Tap, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iter
     simulator = Simulator(
         tmp_path_factory.mktemp("wishes") / "sim.log",
         f"udp://127.0.0.1:{tap.port}",
-        *("--count", str(DRONES), "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
+        *("--count", str(DRONES + 1), "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
         # At this pace the usual five seconds were one: a slow machine would be a loss of the cloud.
         *("--parameter", "FS_GCS_TIMEOUT=25"),
     )
@@ -58,10 +65,17 @@ def waypoints(home: Json, count: int) -> list[Json]:
     return [place(home, (1 + n // 2) * SPACING_METRES, n % 2 * SPACING_METRES) for n in range(count)]
 
 
-def begun(api: Api, drones: list[Json], count: int, mode: str) -> str:
-    """A run whose drones are all in the air."""
-    plan = planned(api, drones, waypoints(drones[0]["home"], count))
-    asked = api.call("POST", "/runs", {"plan": plan, "mode": mode, "onCloudLoss": "continue"})
+def begun(api: Api, drones: list[Json], count: int, mode: str, hover_seconds: float = 0) -> str:
+    """A run whose drones are all in the air; they hover at the first waypoint of each column."""
+    places = waypoints(drones[0]["home"], count)
+    for one in places[:2]:
+        one["holdSeconds"] = hover_seconds
+    plan = planned(api, drones, places)
+    asked = api.call(
+        "POST",
+        "/runs",
+        {"plan": plan, "mode": mode, "onCloudLoss": "continue", "searchSeconds": SEARCH_SECONDS},
+    )
     assert asked.status_code == 201, asked.text
     run = f"/runs/{asked.json()['id']}"
     wait_for("all fly", lambda: set(stages(api.get(run)).values()) == {"flying"}, 120)
@@ -87,6 +101,19 @@ def mission(tap: Tap, system_id: int) -> Track:
     return places
 
 
+def hovered(tap: Tap, system_id: int, waypoint: Json) -> float:
+    """For how many seconds of its own clock it stood there, at most at a stretch."""
+    longest, since = 0.0, None
+    for heard in tap.heard("GLOBAL_POSITION_INT", up=True):
+        said = heard.message
+        if said.get_srcSystem() == system_id:
+            seconds = said.time_boot_ms / 1000
+            there = distance(waypoint, [(said.lat / 1e7, said.lon / 1e7, said.alt / 1e3)]) < HOVER_METRES
+            since = (since or seconds) if there else None
+            longest = max(longest, seconds - since) if since is not None else longest
+    return longest
+
+
 def told(run: Json, trigger: str) -> list[Json]:
     return [one for one in run["explanations"] if one["trigger"] == trigger]
 
@@ -95,10 +122,10 @@ def by_id(run: Json) -> dict[str, Json]:
     return {one["id"]: one for one in run["waypoints"]}
 
 
-def test_a_moved_waypoint_is_visited_where_it_is_now_and_a_cancelled_one_is_in_no_mission_any_more(
+def test_a_moved_waypoint_is_visited_where_it_is_now_a_cancelled_one_in_no_mission_and_others_hover(
     api: Api, tap: Tap, drones: list[Json]
 ) -> None:
-    run = begun(api, drones, 10, "automatic")
+    run = begun(api, drones, 10, "automatic", HOVER_SECONDS)
     now = api.get(run)
     first, second = (drone["next"] for drone in now["drones"])
     moved, cancelled = by_id(now)[first[-1]], by_id(now)[second[-1]]
@@ -119,6 +146,10 @@ def test_a_moved_waypoint_is_visited_where_it_is_now_and_a_cancelled_one_is_in_n
         if one["id"] != cancelled["id"]:
             assert one["state"] == "visited", (one, [e["words"] for e in over["explanations"]])
             assert distance(one, flown[one["visits"][0]["drone"]]) < NEAR_METRES, one
+    numbers = {drone["id"]: FIRST_SYSTEM_ID + n for n, drone in enumerate(drones)}
+    for one in over["waypoints"][:2]:
+        if one["id"] not in (moved["id"], cancelled["id"]):
+            assert hovered(tap, numbers[one["visits"][0]["drone"]], one) >= HOVER_SECONDS - 1, one
     for trigger in ("waypointMoved", "waypointCancelled"):
         assert told(over, trigger), (trigger, [one["trigger"] for one in over["explanations"]])
     assert api.get(f"{run}/journal/replay")["same"]
@@ -129,11 +160,13 @@ def test_a_changed_plan_waits_for_an_answer_where_people_want_to_be_asked(
 ) -> None:
     run = begun(api, drones, 8, "askFirst")
     leaves, stays = (drone["id"] for drone in drones)
+    heading = next(drone["next"][0] for drone in api.get(run)["drones"] if drone["id"] == leaves)
     done(api, "POST", f"{run}/drones/{leaves}/give-up")
     asked = wait_for("it asks", lambda: api.get(run)["proposal"], 60)
     assert asked["moved"] and {one["to"] for one in asked["moved"]} == {stays}, asked
     assert asked["before"]["unserved"] > asked["after"]["unserved"] == 0
-    orphans = {one["waypoint"] for one in asked["moved"]}
+    # What it was flying to it may have come to before it turned.
+    orphans = {one["waypoint"] for one in asked["moved"]} - {heading}
     assert not orphans & set(next(d["next"] for d in api.get(run)["drones"] if d["id"] == stays))
     late = api.call("POST", f"{run}/answers/{asked['number'] + 7}", {"accept": True})
     assert late.status_code == 409, late.text
@@ -145,3 +178,61 @@ def test_a_changed_plan_waits_for_an_answer_where_people_want_to_be_asked(
     assert {one["visits"][0]["drone"] for one in map(result.__getitem__, orphans)} == {stays}
     assert over["counts"]["visited"] == 8, over["explanations"]
     assert told(over, "answered")
+
+
+def beyond(place: Json, track: Track) -> float:
+    """How near a drone came to it over the ground."""
+    return min(
+        distance({**place, "altitudeAmsl": height}, [(north, east, height)]) for north, east, height in track
+    )
+
+
+def test_a_new_zone_a_joining_drone_and_a_waypoint_out_of_reach(
+    api: Api, tap: Tap, drones: list[Json]
+) -> None:
+    joining = wait_for("all is known", partial(known, api, JOINING), 120)
+    run = begun(api, drones, 10, "automatic")
+    done(api, "POST", f"{run}/drones", {"drone": joining["id"]})
+    wait_for(
+        "it has its share",
+        lambda: any(drone["id"] == joining["id"] and drone["next"] for drone in api.get(run)["drones"]),
+        30,
+    )
+    home = drones[0]["home"]
+    far = done(api, "POST", f"{run}/waypoints", {"waypoints": [place(home, OUT_OF_REACH_METRES, 0)]})[
+        "waypoints"
+    ][-1]
+    begin = len(tap.heard("GLOBAL_POSITION_INT", up=True))
+    fenced = by_id(api.get(run))[next(d["next"] for d in api.get(run)["drones"] if d["next"])[-1]]
+    zone = {
+        "type": "Feature",
+        "geometry": {"type": "Point", "coordinates": [fenced["longitude"], fenced["latitude"]]},
+        "properties": {"name": "Crane", "kind": "exclusion", "radius": FENCE_METRES},
+    }
+    done(api, "POST", f"{run}/barriers", zone)
+
+    left_out = (far["id"], fenced["id"])
+
+    def reasons() -> dict[str, str] | None:
+        now = by_id(api.get(run))
+        return (
+            {one: now[one]["why"] for one in left_out} if all(now[one]["why"] for one in left_out) else None
+        )
+
+    before = wait_for("reasons are told while it flies", reasons, 30)
+    over = wait_for("it is over", partial(ended, api, run), 240)
+
+    result = by_id(over)
+    for one, why in ((far["id"], "Out of range"), (fenced["id"], "Crane")):
+        assert result[one]["state"] == "unserved", result[one]
+        assert why in before[one] and why in result[one]["why"], (before, result[one])
+    words = [one["words"] for one in over["explanations"]]
+    served = [one for one in over["waypoints"] if one["id"] not in left_out]
+    assert {one["state"] for one in served} == {"visited"}, words
+    assert joining["id"] in {one["visits"][0]["drone"] for one in served}, "\n".join(words)
+    everybody = [*drones, joining]
+    since = tracks(tap, everybody, FIRST_SYSTEM_ID, begin)
+    assert min(beyond(fenced, track) for track in since.values() if track) > FENCE_METRES
+    flown = tracks(tap, everybody, FIRST_SYSTEM_ID)
+    for one in served:
+        assert distance(one, flown[one["visits"][0]["drone"]]) < NEAR_METRES, one

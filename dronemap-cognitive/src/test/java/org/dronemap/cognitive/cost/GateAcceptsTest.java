@@ -164,6 +164,7 @@ class GateAcceptsTest {
                 null,
                 null,
                 null,
+                null,
                 new Home(home, GROUND),
                 MissionProgress.UNKNOWN,
                 List.of(),

@@ -19,6 +19,7 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.OnBoard;
@@ -55,6 +56,7 @@ final class Drone {
     private @Nullable Boolean readyToArm;
     private @Nullable FlightPhase phase;
     private @Nullable Position position;
+    private @Nullable LocalPosition local;
     private @Nullable Motion motion;
     private @Nullable Attitude attitude;
     private @Nullable Battery battery;
@@ -160,6 +162,8 @@ final class Drone {
     void apply(DroneEvent event) {
         if (event instanceof DroneEvent.PositionHeard e) {
             position = e.position();
+        } else if (event instanceof DroneEvent.LocalPositionHeard e) {
+            local = e.position();
         } else if (event instanceof DroneEvent.AttitudeHeard e) {
             attitude = e.attitude();
         } else if (event instanceof DroneEvent.MotionHeard e) {
@@ -246,6 +250,7 @@ final class Drone {
                 readyToArm,
                 phase,
                 position,
+                local,
                 motion,
                 attitude,
                 battery,

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
  * Immutable picture of a drone at one moment; a fact that was not heard is null, never a default.
  *
  * @param replay it comes from a recording: shown, never commanded
+ * @param local where it is in a frame of its own; null where it has none
  * @param readyToArm what the vehicle's own pre-arm checks say
  * @param messages newest last, at most {@link #MAX_MESSAGES}
  * @param version rises with every change of this drone
@@ -25,6 +26,7 @@ public record DroneState(
         @Nullable Boolean readyToArm,
         @Nullable FlightPhase phase,
         @Nullable Position position,
+        @Nullable LocalPosition local,
         @Nullable Motion motion,
         @Nullable Attitude attitude,
         @Nullable Battery battery,

@@ -8,6 +8,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Gps;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
@@ -33,6 +34,8 @@ public sealed interface DroneEvent {
     record PhaseHeard(FlightPhase phase) implements DroneEvent {}
 
     record PositionHeard(Position position) implements DroneEvent {}
+
+    record LocalPositionHeard(LocalPosition position) implements DroneEvent {}
 
     record MotionHeard(Motion motion) implements DroneEvent {}
 

@@ -110,6 +110,7 @@ final class StateScript {
                 null,
                 null,
                 position,
+                null,
                 new Motion(speed, null, null, null),
                 null,
                 battery,

@@ -108,6 +108,7 @@ final class VirtualFixtures {
                     new Position(stand, 450.0, airborne ? 20.0 : 0.0),
                     null,
                     null,
+                    null,
                     new Battery(percent, null, null),
                     null,
                     new Home(stand, 450),

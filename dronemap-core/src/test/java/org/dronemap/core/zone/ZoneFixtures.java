@@ -89,6 +89,7 @@ final class ZoneFixtures {
                 null,
                 null,
                 null,
+                null,
                 new Home(HOME, 450),
                 mission,
                 List.of(),

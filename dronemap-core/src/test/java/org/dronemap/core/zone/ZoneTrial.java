@@ -100,6 +100,7 @@ final class ZoneTrial {
                 null,
                 null,
                 null,
+                null,
                 new Home(home, 450),
                 some.mission(),
                 List.of(),

@@ -58,6 +58,7 @@ final class BenchFleet {
                 true,
                 FlightPhase.IN_AIR,
                 new Position(new Geodetic(number * DEGREES_APART, 8 + wave * 0.01), 500 + 50 * wave, 50 + 50 * wave),
+                null,
                 new Motion(5 + wave, null, wave, turn),
                 new Attitude(wave * 10, -wave * 10, turn - 180),
                 new Battery(100 - (int) (round / 600) % 100, 12.6 - wave, 14.5),

@@ -14,6 +14,8 @@ import org.dronemap.cognitive.replan.Replanned;
 final class Applying {
     private static final Duration BETWEEN_TRIES = Duration.ofSeconds(3);
     private static final int MOST_MISSES = 20;
+    /** A search for something better is begun again so often at most. */
+    private static final int MOST_STALE_SEARCHES = 4;
     /** A better plan is worth turning drones for from this share of its cost on. */
     private static final double WORTH_TURNING = 0.02;
 
@@ -92,6 +94,8 @@ final class Applying {
     private static void stale(Draft draft, Request request) {
         if (!request.better()) {
             draft.causes().addAll(0, request.causes());
+        } else if (draft.tally().miss() < MOST_STALE_SEARCHES) {
+            draft.causes().add(Cause.BETTER);
         }
     }
 
@@ -128,7 +132,7 @@ final class Applying {
             }
         }
         plan.unserved().stream()
-                .map(left -> draft.target(left.waypoint()).to(Target.State.WAITING, null, left.why()))
+                .map(left -> draft.target(left.waypoint()).leftOut(left.why()))
                 .filter(target -> !draft.target(target.id()).state().isSettled())
                 .forEach(draft::put);
         draft.tally().replan();

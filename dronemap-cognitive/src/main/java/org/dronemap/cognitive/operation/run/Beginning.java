@@ -45,7 +45,7 @@ final class Beginning {
             DroneId drone = whose.get(waypoint.id());
             targets.add(
                     drone == null
-                            ? waiting.to(Target.State.WAITING, null, why.get(waypoint.id()))
+                            ? waiting.leftOut(why.get(waypoint.id()))
                             : waiting.to(Target.State.ASSIGNED, drone, null));
         }
         return targets;

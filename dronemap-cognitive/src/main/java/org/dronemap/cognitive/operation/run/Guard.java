@@ -9,6 +9,8 @@ import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.cognitive.operation.run.RunDrone.Errand;
 import org.dronemap.cognitive.operation.run.Tracks.Track;
+import org.dronemap.cognitive.plan.FenceJudge;
+import org.dronemap.cognitive.plan.Fix;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Separation;
 import org.dronemap.core.command.Command;
@@ -31,12 +33,24 @@ final class Guard {
     /** From the decision until it stands. */
     static final int STRIDES_TO_STAND = 4;
 
+    /** What must be done within that time must be done now. */
+    private static final int STRIDES_TO_ACT = 12;
     /** From the decision until it rises. */
     private static final int STRIDES_TO_ARM = 6;
     /** The share of the distance that two who fly by their plans may come to. */
     private static final double AS_PLANNED = 0.7;
 
     private static final Duration LONGEST_YIELD = Duration.ofSeconds(15);
+    /** Below this over its home it lands. */
+    private static final double LOWEST_HOLD_METERS = 8;
+
+    private static final double OVER_METERS = 6;
+    /** Over its home nobody climbs from here to make room. */
+    private static final double HIGHEST_OVER_METERS = 80;
+    /** As a share of the least distance. */
+    private static final double LEAVING = 0.02;
+
+    private static final Duration UNTIL_OVER = Duration.ofSeconds(5);
 
     private final Draft draft;
     private final Map<DroneId, Look> looks = new HashMap<>();
@@ -68,6 +82,7 @@ final class Guard {
             }
         }
         draft.drones().stream().filter(drone -> waitsToRise(draft, drone)).forEach(guard::mayRise);
+        draft.drones().stream().filter(drone -> isAboutToGoOn(drone)).forEach(guard::maySetOff);
         draft.drones().stream()
                 .filter(drone -> drone.signs().yields() != null && !waitsToRise(draft, drone))
                 .forEach(guard::mayGoOn);
@@ -82,35 +97,54 @@ final class Guard {
         if (!meet(mine, yours)) {
             return;
         }
-        boolean second = mayHold(other) && !meet(mine, standing(yours));
-        boolean first = mayHold(one) && !meet(standing(mine), yours);
-        if (second) {
-            hold(other, one);
-        } else if (first) {
-            hold(one, other);
-        } else if (!dodge(one, other)) {
+        // Who comes home by itself is the last to be stopped, and not before it must be.
+        boolean soon = meet(soon(mine), soon(yours));
+        boolean homeward = mayOnlyComeHome(one) || mayOnlyComeHome(other);
+        boolean solved = waits(one, mine, other, yours, DroneStage.FLYING)
+                || dodge(one, other, true)
+                || (homeward && !soon)
+                || waits(one, mine, other, yours, DroneStage.RETURNING)
+                || dodge(one, other, false);
+        if (!solved) {
             hold(other, one);
             hold(one, other);
         }
     }
 
+    private static boolean mayOnlyComeHome(RunDrone drone) {
+        return drone.stage() == DroneStage.RETURNING && drone.signs().yields() == null;
+    }
+
+    private static List<Track> soon(List<Track> tracks) {
+        return tracks.stream()
+                .map(track -> new Track(track.places().subList(0, STRIDES_TO_ACT + 1)))
+                .toList();
+    }
+
+    /** One of the two that is in that stage stands still until the other one has passed, where that helps. */
+    private boolean waits(RunDrone one, List<Track> mine, RunDrone other, List<Track> yours, DroneStage stage) {
+        if (other.stage() == stage && mayHold(other) && !meet(mine, standing(yours))) {
+            hold(other, one);
+            return true;
+        }
+        boolean first = one.stage() == stage && mayHold(one) && !meet(standing(mine), yours);
+        if (first) {
+            hold(one, other);
+        }
+        return first;
+    }
+
     /** One of the two gets out of the way, whose step is smaller. */
-    private boolean dodge(RunDrone one, RunDrone other) {
-        Optional<Dodge> mine = step(one);
-        Optional<Dodge> yours = step(other);
+    private boolean dodge(RunDrone one, RunDrone other, boolean entirely) {
+        Optional<Dodge> mine = step(one, entirely);
+        Optional<Dodge> yours = step(other, entirely);
         boolean second = yours.isPresent() && (mine.isEmpty() || yours.get().isBetterThan(mine.get()));
         RunDrone who = second ? other : one;
         RunDrone whom = second ? one : other;
         Optional<Dodge> step = second ? yours : mine;
         step.ifPresent(found -> {
             Duration takes = Duration.ofMillis(Math.round(1_000 * found.seconds()));
-            RunDrone goes = who.with(who.signs().yields(whom.id())).to(DroneStage.HOLDING, draft.now());
-            draft.give(
-                    goes.busy(draft.now().plus(takes)),
-                    Errand.Kind.DODGE,
-                    new Command.GoTo(
-                            found.to().point(),
-                            new Altitude(found.to().altitudeAmslMeters(), Altitude.Reference.AMSL)));
+            go(yielding(who, whom.id()).busy(draft.now().plus(takes)), found.to());
             draft.say(
                     Trigger.TOO_NEAR,
                     who.id(),
@@ -119,9 +153,26 @@ final class Guard {
         return step.isPresent();
     }
 
-    private Optional<Dodge> step(RunDrone drone) {
+    private void go(RunDrone drone, Place to) {
+        draft.give(
+                drone,
+                Errand.Kind.DODGE,
+                new Command.GoTo(to.point(), new Altitude(to.altitudeAmslMeters(), Altitude.Reference.AMSL)));
+    }
+
+    /** Who is on its way home stays so: that goes on when it is clear. */
+    private RunDrone yielding(RunDrone drone, DroneId whom) {
+        boolean home = drone.stage() == DroneStage.RETURNING;
+        return drone.with(drone.signs().yields(whom)).to(home ? DroneStage.RETURNING : DroneStage.HOLDING, draft.now());
+    }
+
+    /** {@code entirely}: only one that leaves it clear of all, and of none that is on its way home. */
+    private Optional<Dodge> step(RunDrone drone, boolean entirely) {
         Look look = looks.get(drone.id());
-        if (!mayDodge(drone) || look == null || look.place() == null) {
+        if ((entirely && drone.stage() == DroneStage.RETURNING)
+                || !mayDodge(drone)
+                || look == null
+                || look.place() == null) {
             return Optional.empty();
         }
         List<Track> others = draft.drones().stream()
@@ -129,14 +180,15 @@ final class Guard {
                 .flatMap(other -> near.of(draft, other, looks.get(other.id())).stream())
                 .toList();
         return Dodge.of(
-                drone,
-                look.place(),
-                draft.setting().barriers(),
-                near,
-                track -> others.stream()
-                        .mapToDouble(other -> track.clearance(other, horizontal, vertical))
-                        .min()
-                        .orElse(Double.POSITIVE_INFINITY));
+                        drone,
+                        look.place(),
+                        draft.setting().barriers(),
+                        near,
+                        track -> others.stream()
+                                .mapToDouble(other -> track.clearance(other, horizontal, vertical))
+                                .min()
+                                .orElse(Double.POSITIVE_INFINITY))
+                .filter(found -> !entirely || found.isClear());
     }
 
     private boolean mayMove(RunDrone drone) {
@@ -150,7 +202,7 @@ final class Guard {
             return look != null && look.canGoTo();
         }
         return look != null
-                && drone.stage() == DroneStage.HOLDING
+                && (drone.stage() == DroneStage.HOLDING || drone.stage() == DroneStage.RETURNING)
                 && drone.errand() == null
                 && !isBusy(drone)
                 && look.isLive()
@@ -168,16 +220,25 @@ final class Guard {
         return tracks.stream().map(track -> track.stopping(STRIDES_TO_STAND)).toList();
     }
 
-    /** It flies its mission, and is ours to stop. */
+    /** It flies its mission or home, and is ours to stop. */
     private boolean mayHold(RunDrone drone) {
         Look look = looks.get(drone.id());
         return look != null
-                && drone.stage() == DroneStage.FLYING
                 && drone.errand() == null
                 && look.isLive()
                 && look.takenBy() == null
-                && look.isOnMission()
-                && look.airborne();
+                && look.airborne()
+                && (drone.stage() == DroneStage.FLYING ? look.isOnMission() : isHomeward(drone, look));
+    }
+
+    /** On its way home, and not about to touch the ground there. */
+    private static boolean isHomeward(RunDrone drone, Look look) {
+        Double above = look.aboveHomeMeters();
+        return drone.stage() == DroneStage.RETURNING
+                && look.comesDown()
+                && look.canReturn()
+                && above != null
+                && above > LOWEST_HOLD_METERS;
     }
 
     private boolean isBusy(RunDrone drone) {
@@ -189,8 +250,7 @@ final class Guard {
         if (!mayHold(drone)) {
             return;
         }
-        RunDrone waits = drone.with(drone.signs().yields(other.id())).to(DroneStage.HOLDING, draft.now());
-        draft.give(waits, Errand.Kind.HOLD, new Command.PauseMission());
+        draft.give(yielding(drone, other.id()), Errand.Kind.HOLD, new Command.PauseMission());
         draft.say(Trigger.TOO_NEAR, drone.id(), drone.name() + " waits until " + other.name() + " has passed.");
     }
 
@@ -227,26 +287,95 @@ final class Guard {
 
     /** Who flies by its plan was planned for: no room is left beside the least distance. */
     private boolean isInTheWay(Track mine, Track way, RunDrone other) {
-        boolean planned = other.stage() == DroneStage.FLYING || other.stage() == DroneStage.STARTING;
+        boolean planned = switch (other.stage()) {
+            case FLYING, STARTING, CONTINUING -> true;
+            default -> false;
+        };
         return mine.clearance(way, horizontal, vertical) < (planned ? AS_PLANNED : 1);
+    }
+
+    /** Of two who wait for each other one moves. */
+    private boolean isWaitedForByEarlier(RunDrone drone) {
+        DroneId other = drone.signs().yields();
+        return other != null
+                && drone.id().equals(draft.drone(other).signs().yields())
+                && other.value().compareTo(drone.id().value()) < 0;
+    }
+
+    private static boolean isAboutToGoOn(RunDrone drone) {
+        return drone.stage() == DroneStage.CONTINUING && drone.errand() == null && drone.next() == null;
+    }
+
+    /** With a new mission it does not fly into the way of one who is not where plans take it to be. */
+    private void maySetOff(RunDrone drone) {
+        Look look = looks.get(drone.id());
+        if (look == null || look.place() == null || !look.waits() || !look.airborne()) {
+            return;
+        }
+        Track mine = far.mission(drone, look.place(), 0);
+        draft.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()) && other.stage().mayFly())
+                .filter(other -> far.of(draft, other, looks.get(other.id())).stream()
+                        .anyMatch(way -> isInTheWay(mine, way, other)))
+                .findFirst()
+                .ifPresent(other -> draft.put(yielding(drone, other.id())));
     }
 
     private void mayGoOn(RunDrone drone) {
         Look look = looks.get(drone.id());
-        if (drone.stage() != DroneStage.HOLDING || look == null || look.place() == null) {
+        boolean home = drone.stage() == DroneStage.RETURNING;
+        if (!(home || drone.stage() == DroneStage.HOLDING) || look == null || look.place() == null) {
             draft.put(drone.with(drone.signs().yields(null)));
         } else if (drone.errand() == null && look.waits() && drone.next() == null && !isBusy(drone)) {
-            List<Track> mine = List.of(far.mission(drone, look.place(), 0));
-            boolean clear = draft.drones().stream()
-                    .filter(other -> !other.id().equals(drone.id()))
-                    .noneMatch(other -> meet(mine, far.of(draft, other, looks.get(other.id()))));
-            boolean late = Duration.between(drone.since(), draft.now()).compareTo(LONGEST_YIELD) > 0;
-            if (clear) {
-                draft.put(drone.with(drone.signs().yields(null)).to(DroneStage.CONTINUING, draft.now()));
-            } else if (late) {
-                draft.put(drone.with(drone.signs().yields(null)));
-                draft.cause(Trigger.TOO_NEAR, drone.id(), drone.name() + " cannot pass; another way is looked for.");
-            }
+            Track mine = home ? far.homeward(drone, look.place()) : far.mission(drone, look.place(), 0);
+            goOn(drone, look.place(), isClear(drone, mine));
+        } else if (isHomeward(drone, look)) {
+            draft.put(drone.errand() == null ? drone.with(drone.signs().yields(null)) : drone);
+        }
+    }
+
+    private boolean isClear(RunDrone drone, Track mine) {
+        return draft.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()))
+                .flatMap(other -> far.of(draft, other, looks.get(other.id())).stream())
+                .allMatch(way -> isPassable(mine, way));
+    }
+
+    /** Whoever is on its way home is called again. */
+    private void goOn(RunDrone drone, Place place, boolean clear) {
+        boolean late = Duration.between(drone.since(), draft.now()).compareTo(LONGEST_YIELD) > 0;
+        if (clear) {
+            RunDrone free = drone.with(drone.signs().yields(null));
+            draft.put(drone.stage() == DroneStage.RETURNING ? free : free.to(DroneStage.CONTINUING, draft.now()));
+        } else if (late) {
+            late(drone, place);
+        }
+    }
+
+    /** Apart all along, or never nearer than they are now: who came too near already may leave. */
+    private boolean isPassable(Track mine, Track way) {
+        double now = mine.stopping(0).clearance(way.stopping(0), horizontal, vertical);
+        return mine.clearance(way, horizontal, vertical) >= Math.min(1, now - LEAVING);
+    }
+
+    /** Whoever is on its way home comes over those who do not pass; others get another way. */
+    private void late(RunDrone drone, Place place) {
+        if (drone.stage() != DroneStage.RETURNING) {
+            draft.put(drone.with(drone.signs().yields(null)));
+            draft.cause(Trigger.TOO_NEAR, drone.id(), drone.name() + " cannot pass; another way is looked for.");
+            return;
+        }
+        Place higher = place.at(place.altitudeAmslMeters() + OVER_METERS);
+        boolean may = new FenceJudge(draft.setting().barriers(), drone.craft())
+                .fault(new Fix(place, 0), new Fix(higher, 1), false)
+                .isEmpty();
+        RunDrone again = drone.to(DroneStage.RETURNING, draft.now());
+        boolean low = place.altitudeAmslMeters() - drone.craft().homeAmslMeters() < HIGHEST_OVER_METERS;
+        if (may && low && !isWaitedForByEarlier(drone)) {
+            go(again.busy(draft.now().plus(UNTIL_OVER)), higher);
+            draft.say(Trigger.TOO_NEAR, drone.id(), drone.name() + " climbs to come home over those who do not pass.");
+        } else {
+            draft.put(again);
         }
     }
 }

@@ -3,6 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,8 @@ final class Planning {
     private static final Duration BESIDE_SEARCH = Duration.ofSeconds(3);
 
     private static final Duration UNTIL_HELD = Duration.ofSeconds(3);
+    /** For one that joins to be held and heard. */
+    private static final Duration UNTIL_JOINED = Duration.ofSeconds(15);
 
     private Planning() {}
 
@@ -35,19 +38,40 @@ final class Planning {
             return;
         }
         Map<DroneId, Craft> usable = usable(draft, looks);
+        List<Cause> early = draft.causes().stream()
+                .filter(cause -> isEarly(draft, cause, usable))
+                .toList();
+        if (early.size() == draft.causes().size()) {
+            return;
+        }
         List<Waypoint> open = open(draft, usable);
-        if (usable.isEmpty()
-                || (open.isEmpty()
-                        && usable.values().stream()
-                                .noneMatch(craft -> craft.start().airborne()))) {
+        if (usable.isEmpty() || (open.isEmpty() && areDown(usable.values()))) {
             nobody(draft);
-            return;
+        } else if (!waitsForChanges(draft)) {
+            draft.causes().removeAll(early);
+            request(draft, looks, new ArrayList<>(usable.values()), open);
+            draft.causes().addAll(early);
         }
-        if (draft.causes().stream().allMatch(Cause::isBetter)
-                && draft.drones().stream().anyMatch(Planning::isChanging)) {
-            return;
+    }
+
+    private static boolean waitsForChanges(Draft draft) {
+        return draft.causes().stream().allMatch(Cause::isBetter)
+                && draft.drones().stream().anyMatch(Planning::isChanging);
+    }
+
+    private static boolean areDown(Collection<Craft> crafts) {
+        return crafts.stream().noneMatch(craft -> craft.start().airborne());
+    }
+
+    /** A plan without the drone that joins would not be for it; others do not wait for it. */
+    private static boolean isEarly(Draft draft, Cause cause, Map<DroneId, Craft> usable) {
+        DroneId id = cause.drone();
+        if (cause.trigger() != Trigger.JOINED || id == null || usable.containsKey(id)) {
+            return false;
         }
-        request(draft, looks, new ArrayList<>(usable.values()), open);
+        RunDrone drone = draft.drone(id);
+        return drone.stage() == DroneStage.LANDED
+                && Duration.between(drone.since(), draft.now()).compareTo(UNTIL_JOINED) < 0;
     }
 
     /** It is about to get its part of the present plan. */
@@ -159,7 +183,12 @@ final class Planning {
         boolean asked = draft.setting().mode() == RunOrder.Mode.ASK_FIRST;
         return asked
                 || (draft.causes().stream().allMatch(Cause::isPatient)
-                        && draft.targets().stream().noneMatch(target -> target.state() == Target.State.WAITING));
+                        && draft.targets().stream().noneMatch(Planning::isNobodys));
+    }
+
+    /** What no drone could serve waits for nothing that a plan at once would bring sooner. */
+    private static boolean isNobodys(Target target) {
+        return target.state() == Target.State.WAITING && !target.leftOut();
     }
 
     /** Whose waypoints without a drone were. */

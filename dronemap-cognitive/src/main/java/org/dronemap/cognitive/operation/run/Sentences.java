@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.dronemap.cognitive.plan.Unserved;
 import org.dronemap.cognitive.replan.Moved;
 import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.core.drone.DroneId;
@@ -19,10 +20,7 @@ final class Sentences {
         List<String> parts = new ArrayList<>();
         request.causes().stream().map(Cause::words).distinct().forEach(parts::add);
         parts.add(moved(draft, result.changes().moved()));
-        int unserved = result.after().unserved();
-        if (unserved > 0) {
-            parts.add(Words.count(unserved, "waypoint") + (unserved == 1 ? " has" : " have") + " nobody.");
-        }
+        leftOut(result.plan().unserved()).forEach(parts::add);
         parts.add(String.format(
                 Locale.ROOT,
                 "The last drone is back in %.0f s; before, %s, in %.0f s.",
@@ -30,6 +28,17 @@ final class Sentences {
                 result.before().unserved() == 0 ? "all served" : result.before().unserved() + " not served",
                 result.before().longestSeconds()));
         return String.join(" ", parts);
+    }
+
+    /** One sentence or two for each reason. */
+    private static List<String> leftOut(List<Unserved> all) {
+        Map<String, List<String>> by = new LinkedHashMap<>();
+        all.forEach(
+                left -> by.computeIfAbsent(left.why(), key -> new ArrayList<>()).add(left.waypoint()));
+        return by.entrySet().stream()
+                .map(entry -> Words.list(entry.getValue()) + (entry.getValue().size() == 1 ? " has" : " have")
+                        + " nobody: " + entry.getKey())
+                .toList();
     }
 
     private static String moved(Draft draft, List<Moved> moved) {

@@ -179,6 +179,9 @@ final class Steps {
             draft.put(drone.to(DroneStage.HOLDING, draft.now()));
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
             draft.put(onBoard(drone, next).to(DroneStage.CONTINUING, draft.now()));
+        } else if (!Transfer.isFree(draft, drone, next)) {
+            // A newer plan came while it was about to get the one before.
+            draft.put(drone.to(DroneStage.HOLDING, draft.now()));
         } else {
             draft.give(drone, Errand.Kind.UPLOAD, new Command.UploadMission(next.mission()));
         }
@@ -202,7 +205,7 @@ final class Steps {
         } else if (look.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
             draft.say(Trigger.LATE, drone.id(), drone.name() + " is stuck on its way home.");
             draft.put(drone.noted("It is stuck on its way home.").to(DroneStage.LEFT, draft.now()));
-        } else if (!look.comesDown()) {
+        } else if (!look.comesDown() && drone.signs().yields() == null) {
             Command home = look.canReturn() ? new Command.ReturnToLaunch() : new Command.Land();
             boolean up = look.airborne();
             draft.give(

@@ -13,13 +13,15 @@ import org.jspecify.annotations.Nullable;
  * @param drone whose it is, while it is {@link State#ASSIGNED} or {@link State#RESERVED}
  * @param visits the first is the one that counts; a further one only by a drone that was out of contact
  * @param reason why nobody visits it, as a sentence; null: somebody will, or did
+ * @param leftOut for that reason the newest plan has nobody for it; the next one tries again
  */
 public record Target(
         Waypoint waypoint,
         State state,
         @Nullable DroneId drone,
         List<Visit> visits,
-        @Nullable String reason) {
+        @Nullable String reason,
+        boolean leftOut) {
     /** How it stands with a waypoint. */
     public enum State {
         /** Nobody's yet. */
@@ -45,7 +47,7 @@ public record Target(
     }
 
     static Target waiting(Waypoint waypoint) {
-        return new Target(waypoint, State.WAITING, null, List.of(), null);
+        return new Target(waypoint, State.WAITING, null, List.of(), null, false);
     }
 
     public String id() {
@@ -57,11 +59,15 @@ public record Target(
     }
 
     Target to(State next, @Nullable DroneId whose, @Nullable String why) {
-        return new Target(waypoint, next, whose, visits, why);
+        return new Target(waypoint, next, whose, visits, why, false);
+    }
+
+    Target leftOut(@Nullable String why) {
+        return new Target(waypoint, State.WAITING, null, visits, why, true);
     }
 
     Target with(Waypoint other) {
-        return new Target(other, state, drone, visits, reason);
+        return new Target(other, state, drone, visits, leftOut ? null : reason, false);
     }
 
     /** Whoever it is: the same drone does not count twice. */
@@ -71,6 +77,6 @@ public record Target(
         }
         List<Visit> all = new ArrayList<>(visits);
         all.add(new Visit(by, at));
-        return new Target(waypoint, State.VISITED, null, all, null);
+        return new Target(waypoint, State.VISITED, null, all, null, false);
     }
 }

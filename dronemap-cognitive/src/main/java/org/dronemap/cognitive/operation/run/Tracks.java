@@ -106,7 +106,7 @@ final class Tracks {
                         look.isOnMission()
                                 ? mission(drone, place, 0).stopping(Guard.STRIDES_TO_STAND)
                                 : new Track(standing(place)));
-            case RETURNING -> List.of(homeward(drone, at(place), 0));
+            case RETURNING -> List.of(look.waits() ? new Track(standing(place)) : homeward(drone, place));
             case CRASHED -> Condition.isSeenToFly(drone, look) ? byItself(drone, look, place) : List.of();
             default -> byItself(drone, look, place);
         };
@@ -164,6 +164,10 @@ final class Tracks {
             }
         }
         return walk.track();
+    }
+
+    Track homeward(RunDrone drone, Place from) {
+        return homeward(drone, at(from), 0);
     }
 
     private Track homeward(RunDrone drone, At from, double ago) {

@@ -86,6 +86,28 @@ class GuardTest {
     }
 
     @Test
+    void stopOneOfTwoWhoseWaysHomeCross() {
+        TestFleet fleet = flying();
+        flies(fleet.vehicle(0), 200, 200, "RTL");
+        flies(fleet.vehicle(1), -160, 200, "RTL");
+        flies(fleet.vehicle(2), -300, -300, "AUTO");
+        fleet.closest = Double.POSITIVE_INFINITY;
+        fleet.fly(40);
+
+        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+        assertThat(fleet.said).anyMatch(said -> said.contains("waits until Drone d"));
+        fleet.flyToTheEnd();
+        assertThat(fleet.vehicles.values()).noneMatch(TestVehicle::isUp);
+    }
+
+    private static void flies(TestVehicle vehicle, double east, double north, String mode) {
+        vehicle.east = east;
+        vehicle.north = north;
+        vehicle.altitude = UP;
+        vehicle.mode = mode;
+    }
+
+    @Test
     void doNotTakeOffBelowOneThatIsInTheWay() {
         TestFleet fleet = Runs.fleet(3, 12, 1, CloudLoss.CONTINUE);
         fleet.flyUntil(

@@ -212,6 +212,7 @@ final class TestFleet {
                 s.readyToArm(),
                 s.phase(),
                 s.position(),
+                null,
                 s.motion(),
                 s.attitude(),
                 s.battery(),

@@ -291,6 +291,7 @@ final class TestVehicle {
                 true,
                 armed && isUp() ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND,
                 new Position(Scenes.point(east, north), altitude + 3, altitude - GROUND),
+                null,
                 new Motion(0.0, 0.0, climb, 0.0),
                 new Attitude(0, 0, 0),
                 new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),

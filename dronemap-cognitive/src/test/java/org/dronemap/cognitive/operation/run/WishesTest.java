@@ -7,6 +7,7 @@ import java.util.Set;
 import org.dronemap.cognitive.Scenes;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Supply;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.drone.DroneId;
@@ -114,6 +115,94 @@ class WishesTest {
         assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
         assertThat(fleet.state.targets())
                 .anyMatch(target -> target.visits().get(0).drone().equals(new DroneId("d7")));
+    }
+
+    private static TestFleet limited() {
+        TestFleet fleet = Runs.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        return fleet;
+    }
+
+    private static TestVehicle join(TestFleet fleet) {
+        Craft craft = Scenes.craft(7, 200, 0).with(new Supply(150_000, 30_000));
+        TestVehicle vehicle = new TestVehicle(7, 200, 0);
+        vehicle.fullJoules = 150_000;
+        vehicle.joules = 150_000;
+        fleet.vehicles.put(craft.id(), vehicle);
+        fleet.wish(new RunInput.JoinDrone(fleet.now, "Ann", craft, "Drone d7", VehicleKind.MULTICOPTER));
+        return vehicle;
+    }
+
+    private static void addOutOfReach(TestFleet fleet) {
+        fleet.wish(
+                new RunInput.AddWaypoints(fleet.now, "Ann", List.of(Waypoint.at("far", Scenes.place(0, 30_000, 440)))));
+    }
+
+    @Test
+    void tellWhyNobodyVisitsAWaypointThatIsOutOfReach() {
+        TestFleet fleet = limited();
+        addOutOfReach(fleet);
+        fleet.fly(3);
+
+        String why = fleet.state.target("far").orElseThrow().reason();
+        assertThat(why).startsWith("Out of range");
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.state.target("far").orElseThrow().state()).isEqualTo(Target.State.UNSERVED);
+        assertThat(fleet.state.target("far").orElseThrow().reason()).startsWith("Out of range");
+    }
+
+    @Test
+    void giveAJoiningDroneItsShareThoughAWaypointIsOutOfReach() {
+        TestFleet fleet = limited();
+        addOutOfReach(fleet);
+        fleet.fly(6);
+        TestVehicle joined = join(fleet);
+        fleet.flyToTheEnd();
+
+        assertThat(joined.visits).as("%s", fleet.said).isNotEmpty();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+    }
+
+    @Test
+    void giveAJoiningDroneItsShareThoughItIsHeldLate() {
+        TestFleet fleet = flying();
+        TestVehicle joined = join(fleet);
+        joined.takenBy = "Nobody has it yet.";
+        fleet.fly(6);
+        joined.takenBy = null;
+        fleet.flyToTheEnd();
+
+        assertThat(joined.visits).as("%s", fleet.said).isNotEmpty();
+    }
+
+    @Test
+    void tellWhyNobodyVisitsWhatLiesInANewFence() {
+        TestFleet fleet = flying();
+        String fenced = fleet.drone(0).orders().get(2);
+        fleet.wish(new RunInput.AddBarrier(
+                fleet.now,
+                "Ann",
+                new Barrier(
+                        "the no-fly zone “Crane”",
+                        new FenceZone.Circle(
+                                false,
+                                fleet.state
+                                        .target(fenced)
+                                        .orElseThrow()
+                                        .waypoint()
+                                        .place()
+                                        .point(),
+                                30),
+                        AltitudeBand.ALL,
+                        Set.of())));
+        fleet.fly(2);
+        String why = "It lies where the no-fly zone “Crane” keeps drones from.";
+        assertThat(last(fleet, Trigger.FENCE_ADDED).words()).contains(fenced + " has nobody: " + why);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.target(fenced).orElseThrow().reason()).isEqualTo(why);
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(29);
     }
 
     @Test
