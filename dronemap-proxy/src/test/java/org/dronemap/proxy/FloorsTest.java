@@ -30,6 +30,14 @@ class FloorsTest {
             .definedBy("..proxy.endpoint")
             .layer("outlet")
             .definedBy("..proxy.outlet")
+            .layer("wire")
+            .definedBy("..proxy.roslink.wire")
+            .layer("roslink")
+            .definedBy("..proxy.roslink")
+            .whereLayer("roslink")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("wire")
+            .mayOnlyBeAccessedByLayers("roslink")
             .whereLayer("outlet")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("door")
@@ -37,7 +45,7 @@ class FloorsTest {
             .whereLayer("record")
             .mayOnlyBeAccessedByLayers("door")
             .whereLayer("session")
-            .mayOnlyBeAccessedByLayers("door", "record", "outlet")
+            .mayOnlyBeAccessedByLayers("door", "record", "outlet", "roslink")
             .whereLayer("translate")
             .mayOnlyBeAccessedByLayers("session", "outlet")
             .whereLayer("procedure")
@@ -45,7 +53,7 @@ class FloorsTest {
             .whereLayer("signing")
             .mayOnlyBeAccessedByLayers("door", "session")
             .whereLayer("endpoint")
-            .mayOnlyBeAccessedByLayers("door", "session", "outlet");
+            .mayOnlyBeAccessedByLayers("door", "session", "outlet", "roslink");
 
     @ArchTest
     static final ArchRule THERE_ARE_NO_CYCLES =

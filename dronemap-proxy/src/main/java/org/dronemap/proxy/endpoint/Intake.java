@@ -16,6 +16,7 @@ final class Intake {
     /** A jumbo frame's worth; what is longer is cut, and counted as broken. */
     static final int LARGEST_DATAGRAM = 9_000;
 
+    private final int largest;
     private final ByteBuffer bytes;
     private final int mask;
     private final @Nullable InetSocketAddress[] senders;
@@ -32,7 +33,13 @@ final class Intake {
 
     /** {@code most}, a power of two, is how many datagrams may wait. */
     Intake(int capacityBytes, int most) {
-        if (Integer.bitCount(most) != 1 || capacityBytes < 2 * LARGEST_DATAGRAM) {
+        this(capacityBytes, most, LARGEST_DATAGRAM);
+    }
+
+    /** {@code largest}: bytes of the largest datagram that is taken whole. */
+    Intake(int capacityBytes, int most, int largest) {
+        this.largest = largest;
+        if (Integer.bitCount(most) != 1 || capacityBytes < 2 * largest) {
             throw new IllegalArgumentException(
                     "room for a power of two datagrams and two of the largest: " + most + ", " + capacityBytes);
         }
@@ -51,7 +58,7 @@ final class Intake {
     /** Takes all that the socket has, as far as there is room. */
     void takeFrom(DatagramChannel channel) throws IOException {
         while (hasRoom()) {
-            bytes.limit(next + LARGEST_DATAGRAM).position(next);
+            bytes.limit(next + largest).position(next);
             SocketAddress from = channel.receive(bytes);
             if (from == null) {
                 return;
@@ -80,12 +87,12 @@ final class Intake {
         }
         int oldest = starts[worked & mask];
         if (oldest >= next) {
-            return oldest - next > LARGEST_DATAGRAM;
+            return oldest - next > largest;
         }
-        if (next + LARGEST_DATAGRAM <= bytes.capacity()) {
+        if (next + largest <= bytes.capacity()) {
             return true;
         }
-        if (oldest <= LARGEST_DATAGRAM) {
+        if (oldest <= largest) {
             return false;
         }
         next = 0;

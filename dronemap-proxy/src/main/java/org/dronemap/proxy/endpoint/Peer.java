@@ -27,6 +27,11 @@ public interface Peer {
         return false;
     }
 
+    /** What a WebSocket was opened to, which may hold a secret; else empty. */
+    default String path() {
+        return "";
+    }
+
     /** Sends one frame; false, uncounted, when the link takes no more now. */
     default boolean offer(byte[] frame) {
         send(frame);

@@ -18,5 +18,15 @@ public interface PeerHandler {
         default byte[] greeting() {
             return new byte[0];
         }
+
+        /** How they speak. */
+        default Speech speech() {
+            return Speech.FRAMES;
+        }
+
+        /** Whether WebSockets to that path are for it; what a path says may be a secret. */
+        default boolean takes(String path) {
+            return true;
+        }
     }
 }

@@ -28,10 +28,19 @@ final class Seat implements Peer {
     private volatile long lastHeardNanos;
     private final AtomicBoolean ended = new AtomicBoolean();
 
-    /** What all seats of one endpoint, or of one line, have in common. */
-    record Place(String transport, boolean local, boolean datagram, Optional<String> identity) {
+    /** What all seats of one endpoint, or of one line, have in common; and where a WebSocket was opened to. */
+    record Place(String transport, boolean local, boolean datagram, Optional<String> identity, String path) {
+        Place(String transport, boolean local, boolean datagram, Optional<String> identity) {
+            this(transport, local, datagram, identity, "");
+        }
+
         Place(EndpointUrl url, boolean local, boolean datagram) {
             this(url.kind().transport(), local, datagram, Optional.empty());
+        }
+
+        /** Of a WebSocket that was opened to that path. */
+        Place at(String resource) {
+            return new Place(transport, local, datagram, identity, resource);
         }
     }
 
@@ -130,6 +139,11 @@ final class Seat implements Peer {
     @Override
     public boolean isDatagram() {
         return place.datagram();
+    }
+
+    @Override
+    public String path() {
+        return place.path();
     }
 
     @Override

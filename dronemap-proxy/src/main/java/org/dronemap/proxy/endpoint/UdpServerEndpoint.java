@@ -31,7 +31,7 @@ final class UdpServerEndpoint implements Endpoint {
     private final EndpointCounters counters = new EndpointCounters();
     private final PeerBook<SocketAddress> peers;
     private final Seat.Place place;
-    private final Intake intake = new Intake(INTAKE_BYTES, INTAKE_DATAGRAMS);
+    private final Intake intake;
     private final Thread thread;
 
     private UdpServerEndpoint(EndpointUrl url, DatagramChannel channel, Selector selector, PeerHandler.Factory handlers)
@@ -41,6 +41,7 @@ final class UdpServerEndpoint implements Endpoint {
         this.channel = channel;
         this.selector = selector;
         peers = new PeerBook<>(counters, handlers, LIMITS);
+        intake = new Intake(INTAKE_BYTES, INTAKE_DATAGRAMS, handlers.speech().longestDatagram());
         place = new Seat.Place(this.url, SocketAddresses.isLocal(bound), true);
         thread = new Thread(this::run, "udp-" + bound.getPort());
         thread.setDaemon(true);

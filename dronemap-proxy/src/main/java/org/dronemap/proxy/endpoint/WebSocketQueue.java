@@ -1,13 +1,18 @@
 package org.dronemap.proxy.endpoint;
 
+import java.nio.charset.StandardCharsets;
 import org.java_websocket.WebSocket;
 import org.java_websocket.WebSocketImpl;
 import org.java_websocket.exceptions.WebsocketNotConnectedException;
 import org.java_websocket.framing.CloseFrame;
 
 /** Frames into a WebSocket, whose own queue has no bound: above 256 waiting ones the new frame is dropped. */
-record WebSocketQueue(WebSocket socket) implements Wire {
+record WebSocketQueue(WebSocket socket, boolean text) implements Wire {
     private static final int MOST_WAITING = 256;
+
+    WebSocketQueue(WebSocket socket) {
+        this(socket, false);
+    }
 
     @Override
     public boolean send(byte[] frame) {
@@ -15,7 +20,11 @@ record WebSocketQueue(WebSocket socket) implements Wire {
             return false;
         }
         try {
-            socket.send(frame);
+            if (text) {
+                socket.send(new String(frame, StandardCharsets.UTF_8));
+            } else {
+                socket.send(frame);
+            }
             return true;
         } catch (WebsocketNotConnectedException e) {
             return false;

@@ -3,6 +3,7 @@ package org.dronemap.proxy.endpoint;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -23,24 +24,25 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One WebSocket port for a bounded number of vehicles: MAVLink frames in binary messages, on any path. Browsers are turned
+ * One WebSocket port for a bounded number of vehicles, which speak in frames of bytes or in texts. Browsers are turned
  * away, so that no web page can play a vehicle to a server on its visitor's machine.
  */
 final class WebSocketServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(WebSocketServerEndpoint.class);
     private static final PeerBook.Limits LIMITS = new PeerBook.Limits(2_000, 1_000);
-    private static final int LARGEST_MESSAGE_BYTES = 65_536;
     private static final int OPEN_SECONDS = 10;
 
     private final EndpointUrl url;
     private final EndpointCounters counters = new EndpointCounters();
     private final PeerBook<WebSocket> peers;
+    private final PeerHandler.Factory handlers;
     private final Server server;
     private int port;
 
     private WebSocketServerEndpoint(
             EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, Doors doors) {
         this.url = url;
+        this.handlers = handlers;
         peers = new PeerBook<>(counters, handlers, LIMITS);
         boolean encrypted = url.kind() == EndpointUrl.Kind.WSSSERVER;
         WebSocketDoor door =
@@ -109,8 +111,10 @@ final class WebSocketServerEndpoint implements Endpoint {
             super(
                     address,
                     1,
-                    List.<Draft>of(
-                            new Draft_6455(List.<IExtension>of(), List.of(new Protocol("")), LARGEST_MESSAGE_BYTES)));
+                    List.<Draft>of(new Draft_6455(
+                            List.<IExtension>of(),
+                            List.of(new Protocol("")),
+                            handlers.speech().longestMessage())));
             this.place = place;
             setWebSocketFactory(door);
             setReuseAddr(true);
@@ -126,6 +130,10 @@ final class WebSocketServerEndpoint implements Endpoint {
                 counters.refusedPeer();
                 throw new InvalidDataException(CloseFrame.POLICY_VALIDATION, "vehicles only, no web pages");
             }
+            if (!handlers.takes(request.getResourceDescriptor())) {
+                counters.refusedPeer();
+                throw new InvalidDataException(CloseFrame.POLICY_VALIDATION, "nobody is to be found on this path");
+            }
             return super.onWebsocketHandshakeReceivedAsServer(socket, draft, request);
         }
 
@@ -136,9 +144,10 @@ final class WebSocketServerEndpoint implements Endpoint {
                 return;
             }
             PeerAddress address = PeerAddress.of(remote);
-            WebSocketQueue queue = new WebSocketQueue(socket);
+            WebSocketQueue queue = new WebSocketQueue(socket, handlers.speech().text());
+            Seat.Place at = place.at(handshake.getResourceDescriptor());
             Seat seat = peers.add(
-                    socket, address.host(), System.nanoTime(), welcome -> new Seat(place, address, queue, welcome));
+                    socket, address.host(), System.nanoTime(), welcome -> new Seat(at, address, queue, welcome));
             if (seat == null) {
                 socket.close(CloseFrame.TRY_AGAIN_LATER, "there is no room for more vehicles");
             }
@@ -156,7 +165,11 @@ final class WebSocketServerEndpoint implements Endpoint {
 
         @Override
         public void onMessage(WebSocket socket, String text) {
-            socket.close(CloseFrame.REFUSE, "send MAVLink frames in binary messages");
+            if (handlers.speech().text()) {
+                onMessage(socket, ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8)));
+            } else {
+                socket.close(CloseFrame.REFUSE, "send MAVLink frames in binary messages");
+            }
         }
 
         @Override

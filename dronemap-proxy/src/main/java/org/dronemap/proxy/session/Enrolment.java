@@ -10,10 +10,11 @@ public enum Enrolment {
     NOWHERE;
 
     boolean admits(LinkLabel label) {
-        return switch (this) {
-            case LOOPBACK -> label.local();
-            case EVERYWHERE -> true;
-            case NOWHERE -> label.replay();
-        };
+        return this == NOWHERE ? label.replay() : admits(label.local());
+    }
+
+    /** {@code local}: only this machine can be on the other side. */
+    public boolean admits(boolean local) {
+        return this == EVERYWHERE || (this == LOOPBACK && local);
     }
 }

@@ -12,30 +12,18 @@ import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
  * lane. Methods belong to the drone's lane, except {@link #arrived}.
  */
 final class LinkMeter {
-    private static final long INTERVAL_NANOS = 1_000_000_000L;
     private static final int MOST_COMPONENTS = 32;
-    private static final double SHORT_SECONDS = 5;
-    private static final double LONG_SECONDS = 60;
-
-    /** What came since the start of the session. */
-    record Counts(long received, long lost, long doubled) {
-        private static final Counts NONE = new Counts(0, 0, 0);
-    }
 
     // Owned by the endpoint's thread.
     private final Map<Integer, SequenceGaps> components = new HashMap<>();
-    private volatile Counts counts = Counts.NONE;
+    private volatile LossMeter.Counts counts = LossMeter.Counts.NONE;
 
     private final RoundTripProbe probe;
-    private final LossAverage shortLoss = new LossAverage(SHORT_SECONDS);
-    private final LossAverage longLoss = new LossAverage(LONG_SECONDS);
-    private Counts taken = Counts.NONE;
-    private long takenNanos;
-    private LinkQuality quality = LinkQuality.UNKNOWN;
+    private final LossMeter loss;
 
     LinkMeter(RoundTripProbe probe, long nowNanos) {
         this.probe = probe;
-        takenNanos = nowNanos;
+        loss = new LossMeter(nowNanos);
     }
 
     /** Any frame of the vehicle, as it leaves the socket; on the endpoint's thread. */
@@ -52,15 +40,15 @@ final class LinkMeter {
         long lostBefore = gaps.lost();
         long doubledBefore = gaps.doubled();
         gaps.heard(frame.sequence(), nowNanos);
-        Counts before = counts;
-        counts = new Counts(
+        LossMeter.Counts before = counts;
+        counts = new LossMeter.Counts(
                 before.received() + gaps.received() - receivedBefore,
                 before.lost() + gaps.lost() - lostBefore,
                 before.doubled() + gaps.doubled() - doubledBefore);
     }
 
     /** Any thread. */
-    Counts counts() {
+    LossMeter.Counts counts() {
         return counts;
     }
 
@@ -75,19 +63,7 @@ final class LinkMeter {
 
     /** True when the quality is worth telling: once an interval at most, and only news. */
     boolean tick(long nowNanos) {
-        if (nowNanos - takenNanos < INTERVAL_NANOS) {
-            return false;
-        }
-        Counts now = counts;
-        double seconds = (nowNanos - takenNanos) / 1e9;
-        shortLoss.add(now.received() - taken.received(), now.lost() - taken.lost(), seconds);
-        longLoss.add(now.received() - taken.received(), now.lost() - taken.lost(), seconds);
-        taken = now;
-        takenNanos = nowNanos;
-        LinkQuality before = quality;
-        quality = new LinkQuality(
-                shortLoss.share(), longLoss.share(), probe.roundTrip().smoothedMillis());
-        return !quality.equals(before);
+        return loss.tick(nowNanos, counts, probe.roundTrip().smoothedMillis());
     }
 
     RoundTrip roundTrip() {
@@ -95,6 +71,6 @@ final class LinkMeter {
     }
 
     LinkQuality quality() {
-        return quality;
+        return loss.quality();
     }
 }

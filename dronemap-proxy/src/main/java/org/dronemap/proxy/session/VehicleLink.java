@@ -134,7 +134,7 @@ final class VehicleLink {
     /** What went over it so far. Any thread. */
     VehicleTraffic traffic() {
         VehicleSession owner = session;
-        LinkMeter.Counts counts = meter.counts();
+        LossMeter.Counts counts = meter.counts();
         return new VehicleTraffic(
                 key(),
                 label.transport(),

@@ -25,7 +25,7 @@ public record VehicleTraffic(
         int queue) {
 
     /** Together with another session under the same key: a connection that broke, and the one after it. */
-    VehicleTraffic and(VehicleTraffic other) {
+    public VehicleTraffic and(VehicleTraffic other) {
         return new VehicleTraffic(
                 key,
                 transport,

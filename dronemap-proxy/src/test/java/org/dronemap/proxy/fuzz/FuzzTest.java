@@ -33,4 +33,10 @@ class FuzzTest {
     void sessionsSurviveHostileVehicles() {
         assertThat(SessionFuzz.run(new Budget("sessions", SHORT))).isPositive();
     }
+
+    @Test
+    void anythingInJsonIsAMessageOfARobotOrSaysWhyItIsNone() {
+        assertThat(PacketFuzz.run(new Budget("messages of robots", Duration.ofSeconds(6))))
+                .isPositive();
+    }
 }

@@ -28,7 +28,7 @@ class LinkMeterTest {
                 meter.arrived(Hop.frame(camera, BEAT), now);
             }
         }
-        assertThat(meter.counts()).isEqualTo(new LinkMeter.Counts(480, 0, 0));
+        assertThat(meter.counts()).isEqualTo(new LossMeter.Counts(480, 0, 0));
     }
 
     @Test

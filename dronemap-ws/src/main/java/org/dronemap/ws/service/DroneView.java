@@ -24,6 +24,7 @@ public record DroneView(
         @Nullable Boolean readyToArm,
         @Nullable String flight,
         @Nullable PositionView position,
+        @Nullable LocalView local,
         @Nullable String place,
         @Nullable MotionView motion,
         @Nullable AttitudeView attitude,
@@ -66,6 +67,13 @@ public record DroneView(
             @Nullable Double longitude,
             @Nullable Double altitudeAmsl,
             @Nullable Double altitudeAboveHome) {}
+
+    /** Metres in a frame of its own, such as its map; yaw in degrees counter-clockwise from x. */
+    public record LocalView(
+            double x,
+            double y,
+            @Nullable Double z,
+            @Nullable Double yaw) {}
 
     /** Metres a second; heading in degrees. */
     public record MotionView(

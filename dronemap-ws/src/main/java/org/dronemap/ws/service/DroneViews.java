@@ -19,6 +19,7 @@ import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
@@ -56,6 +57,7 @@ public final class DroneViews {
                 state.readyToArm(),
                 state.phase() == null ? null : WireNames.camel(state.phase()),
                 position(state.position()),
+                local(state.local()),
                 places.place(state),
                 motion(state),
                 attitude(state),
@@ -112,6 +114,12 @@ public final class DroneViews {
                 point == null ? null : point.longitudeDegrees(),
                 position.altitudeAmslMeters(),
                 position.altitudeAboveHomeMeters());
+    }
+
+    private static DroneView.@Nullable LocalView local(@Nullable LocalPosition local) {
+        return local == null
+                ? null
+                : new DroneView.LocalView(local.xMeters(), local.yMeters(), local.zMeters(), local.yawDegrees());
     }
 
     static DroneView.@Nullable MotionView motion(DroneState state) {

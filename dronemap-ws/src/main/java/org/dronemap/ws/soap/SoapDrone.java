@@ -40,6 +40,10 @@ public class SoapDrone {
     private @Nullable Double longitude;
     private @Nullable Double altitudeAmsl;
     private @Nullable Double altitudeAboveHome;
+    private @Nullable Double localX;
+    private @Nullable Double localY;
+    private @Nullable Double localZ;
+    private @Nullable Double localYaw;
     private @Nullable String place;
     private @Nullable Double groundSpeed;
     private @Nullable Double airSpeed;
@@ -72,6 +76,7 @@ public class SoapDrone {
         drone.missionTotal = view.mission().total();
         drone.lastUpdate = view.lastUpdate().toString();
         drone.where(view.position());
+        drone.where(view.local());
         drone.motion(view.motion());
         drone.power(view);
         return drone;
@@ -92,6 +97,15 @@ public class SoapDrone {
             longitude = position.longitude();
             altitudeAmsl = position.altitudeAmsl();
             altitudeAboveHome = position.altitudeAboveHome();
+        }
+    }
+
+    private void where(DroneView.@Nullable LocalView local) {
+        if (local != null) {
+            localX = local.x();
+            localY = local.y();
+            localZ = local.z();
+            localYaw = local.yaw();
         }
     }
 

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantBook;
+import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditedCommands;
 import org.dronemap.core.cloud.AuditedControl;
@@ -35,6 +36,7 @@ import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.record.Recorder;
+import org.dronemap.proxy.roslink.RoslinkProxy;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.proxy.signing.Keyrings;
 import org.dronemap.store.mongo.MongoTelemetryStore;
@@ -59,8 +61,10 @@ final class HouseBuilder {
     private final List<EndpointUrl> endpoints;
     private final Lanes lanes = new Lanes(LANES);
     private final OutletBuilder outlets;
+    private final RobotBuilder robots;
     private @Nullable Outlet outlet;
     private @Nullable Proxy proxy;
+    private @Nullable RoslinkProxy robotLinks;
     private @Nullable LinkStore savedLinks;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
@@ -70,6 +74,7 @@ final class HouseBuilder {
         this.endpoints =
                 settings.endpoints().stream().map(HouseBuilder::endpoint).toList();
         this.outlets = new OutletBuilder(settings.outlet());
+        this.robots = new RobotBuilder(settings.robots());
     }
 
     /** Everything but the links: nothing is heard and nothing sent yet. */
@@ -88,9 +93,10 @@ final class HouseBuilder {
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
-        Outlet clients = outlet(cloud, database, journal, box, grants, doors(dtlsKeys));
+        Outlet clients = outlet(control(cloud, audit), database, journal, box, grants, doors(dtlsKeys));
         Keyrings keyrings = keyrings(cloud, database, journal, box);
         Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), database.links());
+        RoslinkProxy robotSide = robots(cloud, doors(dtlsKeys));
         return new House(
                 cloud,
                 database.access(),
@@ -99,7 +105,8 @@ final class HouseBuilder {
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
                 history,
-                new House.LinkSide(new ProxyLinks(links), database.links(), dtlsKeys, new ProxyOutlet(clients)),
+                new House.LinkSide(
+                        new ProxyLinks(links, robotSide), database.links(), dtlsKeys, new ProxyOutlet(clients)),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()),
@@ -124,10 +131,26 @@ final class HouseBuilder {
         return links;
     }
 
+    private static AuditedOutletControl control(CloudManager cloud, House.AuditSide audit) {
+        return new AuditedOutletControl(cloud, new AuditDesk(audit.store(), Clock.systemUTC(), System::nanoTime));
+    }
+
+    private RoslinkProxy robots(CloudManager cloud, Doors doors) {
+        RoslinkProxy built = robots.build(cloud, lanes, doors, settings.enrolment());
+        closing.add("the links to robots", built);
+        robotLinks = built;
+        return built;
+    }
+
     private Outlet outlet(
-            CloudManager cloud, Database database, Journal journal, SecretBox box, GrantBook grants, Doors doors) {
+            AuditedOutletControl control,
+            Database database,
+            Journal journal,
+            SecretBox box,
+            GrantBook grants,
+            Doors doors) {
         OutletBuilder.AccountOutletRights rights = new OutletBuilder.AccountOutletRights(database.access(), grants);
-        Outlet clients = outlets.build(cloud, database.outlet(box), journal, rights, doors);
+        Outlet clients = outlets.build(control, database.outlet(box), journal, rights, doors);
         closing.add("the outlet", clients);
         outlet = clients;
         return clients;
@@ -296,10 +319,13 @@ final class HouseBuilder {
         return url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
     }
 
-    /** Lets vehicles in, and ground stations. */
+    /** Lets vehicles in, robots and ground stations. */
     void connect() {
         if (outlet != null) {
             outlets.open(outlet);
+        }
+        if (robotLinks != null) {
+            robots.open(robotLinks);
         }
         try {
             if (proxy != null && savedLinks != null) {

@@ -1,12 +1,14 @@
 package org.dronemap.ws.wiring;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
 import org.dronemap.proxy.endpoint.PeerStatus;
+import org.dronemap.proxy.roslink.RoslinkProxy;
 import org.dronemap.proxy.session.VehicleTraffic;
 import org.dronemap.ws.service.EndpointView;
 import org.dronemap.ws.service.TrafficView;
@@ -14,12 +16,14 @@ import org.dronemap.ws.service.VehicleLinks;
 import org.dronemap.ws.service.WireNames;
 
 /** The ways in for vehicles as the proxy has them. */
-record ProxyLinks(Proxy proxy) implements VehicleLinks {
+record ProxyLinks(Proxy proxy, RoslinkProxy robots) implements VehicleLinks {
     private static final int MOST_PEERS_SHOWN = 100;
 
     @Override
     public List<Status> all() {
-        return proxy.links().all().stream().map(ProxyLinks::status).toList();
+        return Stream.concat(proxy.links().all().stream(), robots.endpoints().stream())
+                .map(ProxyLinks::status)
+                .toList();
     }
 
     @Override
@@ -44,7 +48,9 @@ record ProxyLinks(Proxy proxy) implements VehicleLinks {
 
     @Override
     public List<TrafficView> traffic() {
-        return proxy.traffic().stream().map(ProxyLinks::traffic).toList();
+        return Stream.concat(proxy.traffic().stream(), robots.traffic().stream())
+                .map(ProxyLinks::traffic)
+                .toList();
     }
 
     private static Status status(Links.LinkStatus link) {

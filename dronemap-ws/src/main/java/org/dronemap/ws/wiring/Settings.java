@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * Everything that can be set, from the environment; checked here, so that a wrong value ends the start with a sentence.
  *
  * @param outlet where ground stations of other makers attach
+ * @param robots where robots call in
  * @param enrolment from where unknown vehicles come in by themselves
  * @param databaseUrl null: the server runs its own database in the data directory
  * @param tls null: plain HTTP and WebSocket
@@ -43,6 +44,7 @@ public record Settings(
         int streamPort,
         List<String> endpoints,
         OutletSettings outlet,
+        RobotSettings robots,
         Enrolment enrolment,
         @Nullable String databaseUrl,
         boolean publicMode,
@@ -117,6 +119,7 @@ public record Settings(
                 port(environment, "DRONEMAP_STREAM_PORT", DEFAULT_STREAM_PORT),
                 endpoints(environment, bind),
                 OutletSettings.of(environment, host(bind)),
+                RobotSettings.of(environment, host(bind)),
                 enrolment(environment),
                 text(environment, "DRONEMAP_DATABASE_URL"),
                 publicMode,

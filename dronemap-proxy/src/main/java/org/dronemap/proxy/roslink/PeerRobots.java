@@ -1,0 +1,133 @@
+package org.dronemap.proxy.roslink;
+
+import java.nio.ByteBuffer;
+import java.util.HashMap;
+import java.util.Map;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerCounters;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.roslink.wire.Header;
+import org.dronemap.proxy.roslink.wire.Packet;
+import org.dronemap.proxy.roslink.wire.Reading;
+import org.dronemap.proxy.roslink.wire.RobotMessage;
+import org.dronemap.proxy.roslink.wire.Word;
+import org.jspecify.annotations.Nullable;
+
+/** The robots behind one address, told apart by system id. Owned by the endpoint's thread. */
+final class PeerRobots implements PeerHandler {
+    /** Real ones are alone behind their address; a router may have a few. */
+    private static final int MOST_ROBOTS = 64;
+
+    private final RobotTable table;
+    private final Peer peer;
+    private final PeerCounters counters;
+    private final RobotPath path;
+    private final Map<Integer, RobotLink> links = new HashMap<>();
+
+    PeerRobots(RobotTable table, Peer peer, PeerCounters counters, RobotPath path) {
+        this.table = table;
+        this.peer = peer;
+        this.counters = counters;
+        this.path = path;
+    }
+
+    @Override
+    public void received(ByteBuffer bytes) {
+        int length = bytes.remaining();
+        Reading reading = table.reader().read(bytes);
+        if (reading instanceof Reading.Good good) {
+            counters.received(1, 0);
+            route(good.packet());
+        } else if (reading instanceof Reading.Bad bad) {
+            counters.received(0, length);
+            table.refusals().broken(peer.address(), bad.fault());
+        }
+    }
+
+    private void route(Packet packet) {
+        Header header = packet.header();
+        RobotLink link = links.get(header.systemId());
+        if (link != null && link.isOver()) {
+            links.remove(header.systemId());
+            link = null;
+        }
+        RobotName name = name(header, link);
+        if (name == null) {
+            return;
+        }
+        if (link == null) {
+            link = open(packet, name);
+            if (link == null) {
+                return;
+            }
+        } else if (!link.name().equals(name)) {
+            table.refusals().robot(peer.address(), header, "it does not show the key that it came with");
+            return;
+        }
+        deliver(link, packet);
+    }
+
+    private void deliver(RobotLink link, Packet packet) {
+        boolean isNew = link.arrived(packet);
+        RobotSession session = link.session();
+        if (session == null) {
+            if (packet.message() instanceof RobotMessage.Heartbeat heartbeat) {
+                table.introduce(link, RobotType.of(heartbeat.type()));
+            }
+        } else if (isNew && !session.offer(packet)) {
+            counters.droppedIn();
+        }
+    }
+
+    private @Nullable RobotLink open(Packet packet, RobotName name) {
+        if (!(packet.message() instanceof RobotMessage.Heartbeat)) {
+            return null;
+        }
+        if (links.size() >= MOST_ROBOTS) {
+            table.refusals().robot(peer.address(), packet.header(), "there are too many behind one address");
+            return null;
+        }
+        RobotLink link = new RobotLink(peer, counters, name, packet.header(), table::now);
+        links.put(packet.header().systemId(), link);
+        table.add(link);
+        return link;
+    }
+
+    /** By what it is known; null, and reported, when what it says does not fit together. */
+    private @Nullable RobotName name(Header header, @Nullable RobotLink link) {
+        Word said = header.key();
+        String key = said == null ? path.key() : said.text();
+        if (path.key() != null && !path.key().equals(key)) {
+            table.refusals().robot(peer.address(), header, "its key is not that of its connection");
+            return null;
+        }
+        if (key == null) {
+            // A connection belongs to whoever opened it; a datagram may come from anybody.
+            return link != null && !peer.isDatagram()
+                    ? link.name()
+                    : RobotName.ofAddress(peer.address() + ":" + header.systemId());
+        }
+        RobotKeys.Issued issued = table.keys().find(key).orElse(null);
+        return issued == null ? RobotName.ofOwnKey(key, header.systemId()) : name(header, issued);
+    }
+
+    private @Nullable RobotName name(Header header, RobotKeys.Issued issued) {
+        String owner = header.owner() == null ? path.owner() : header.owner().text();
+        if (issued.systemId() != header.systemId()) {
+            table.refusals().robot(peer.address(), header, "its key was issued for another system id");
+            return null;
+        }
+        if (issued.owner() != null && owner != null && !issued.owner().equals(owner)) {
+            table.refusals().robot(peer.address(), header, "its key was issued to another owner");
+            return null;
+        }
+        return RobotName.ofIssued(issued);
+    }
+
+    /** The session runs out by itself: what is under way goes on if the robot comes back in time. */
+    @Override
+    public void closed() {
+        links.values().forEach(RobotLink::broke);
+        links.clear();
+    }
+}

@@ -1,0 +1,69 @@
+package org.dronemap.proxy.roslink;
+
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.LongSupplier;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.proxy.endpoint.PeerAddress;
+import org.dronemap.proxy.roslink.wire.Header;
+import org.dronemap.proxy.roslink.wire.Reading;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What came and was not let in: all counted, and told in the log once in a while, so that a flood does not fill it. Never
+ * with a key. Thread-safe.
+ */
+final class Refusals {
+    private static final Logger LOG = LoggerFactory.getLogger(Refusals.class);
+    private static final long BETWEEN_NANOS = 5_000_000_000L;
+
+    private final LongSupplier nanoTime;
+    private final LongAdder broken = new LongAdder();
+    private final LongAdder robots = new LongAdder();
+    private final AtomicLong brokenToldNanos;
+    private final AtomicLong robotsToldNanos;
+
+    Refusals(LongSupplier nanoTime) {
+        this.nanoTime = nanoTime;
+        long before = nanoTime.getAsLong() - BETWEEN_NANOS;
+        brokenToldNanos = new AtomicLong(before);
+        robotsToldNanos = new AtomicLong(before);
+    }
+
+    void broken(PeerAddress from, Reading.Fault fault) {
+        broken.increment();
+        if (isDue(brokenToldNanos)) {
+            LOG.warn("What came from {} {}; {} such messages so far", from, fault.phrase(), broken.sum());
+        }
+    }
+
+    void robot(PeerAddress from, Header header, String why) {
+        robot(new DroneKey(from.host(), from.port(), header.systemId()), why);
+    }
+
+    void robot(DroneKey robot, String why) {
+        robots.increment();
+        if (isDue(robotsToldNanos)) {
+            LOG.warn(
+                    "A message of the robot at {} is not believed: {}; {} such messages so far",
+                    robot,
+                    why,
+                    robots.sum());
+        }
+    }
+
+    private boolean isDue(AtomicLong told) {
+        long now = nanoTime.getAsLong();
+        long before = told.get();
+        return now - before >= BETWEEN_NANOS && told.compareAndSet(before, now);
+    }
+
+    long brokenCount() {
+        return broken.sum();
+    }
+
+    long robotCount() {
+        return robots.sum();
+    }
+}

@@ -1,0 +1,153 @@
+package org.dronemap.proxy.roslink;
+
+import java.util.function.LongSupplier;
+import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerCounters;
+import org.dronemap.proxy.roslink.wire.Header;
+import org.dronemap.proxy.roslink.wire.Order;
+import org.dronemap.proxy.roslink.wire.OrderWriter;
+import org.dronemap.proxy.roslink.wire.Packet;
+import org.dronemap.proxy.roslink.wire.SequenceWatch;
+import org.dronemap.proxy.session.LossMeter;
+import org.dronemap.proxy.session.VehicleTraffic;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One way to one robot: an address and a system id. Heard on its endpoint's thread; sending and measuring belong to the
+ * session's lane.
+ */
+final class RobotLink {
+    private final Peer peer;
+    private final PeerCounters counters;
+    private final RobotName name;
+    private final int systemId;
+    private final LongSupplier nanoTime;
+    private final long bornNanos;
+    private final OrderWriter writer = new OrderWriter();
+    // Owned by the endpoint's thread; its counts are read by the lane.
+    private final SequenceWatch sequence = new SequenceWatch();
+    private volatile LossMeter.Counts counts = LossMeter.Counts.NONE;
+    private volatile long sent;
+    private volatile long lastHeardNanos;
+    private volatile Header header;
+    private volatile boolean broken;
+    private volatile boolean cut;
+    private volatile @Nullable RobotSession session;
+    // Owned by the lane.
+    private final LossMeter loss;
+
+    RobotLink(Peer peer, PeerCounters counters, RobotName name, Header first, LongSupplier nanoTime) {
+        this.peer = peer;
+        this.counters = counters;
+        this.name = name;
+        this.systemId = first.systemId();
+        this.header = first;
+        this.nanoTime = nanoTime;
+        bornNanos = nanoTime.getAsLong();
+        lastHeardNanos = bornNanos;
+        loss = new LossMeter(bornNanos);
+    }
+
+    /** A message as its endpoint brought it; false for a copy. On the endpoint's thread. */
+    boolean arrived(Packet packet) {
+        lastHeardNanos = nanoTime.getAsLong();
+        header = packet.header();
+        boolean isNew = sequence.isNew(packet.header());
+        counters.lost(sequence.lost() - counts.lost());
+        counts = new LossMeter.Counts(sequence.received(), sequence.lost(), sequence.doubled());
+        return isNew;
+    }
+
+    RobotName name() {
+        return name;
+    }
+
+    long bornNanos() {
+        return bornNanos;
+    }
+
+    String host() {
+        return peer.address().host();
+    }
+
+    String transport() {
+        return peer.transport();
+    }
+
+    boolean isLocal() {
+        return peer.isLocal() || host().startsWith("127.") || host().equals("0:0:0:0:0:0:0:1");
+    }
+
+    DroneKey key() {
+        return new DroneKey(host(), peer.address().port(), systemId);
+    }
+
+    @Nullable
+    RobotSession session() {
+        return session;
+    }
+
+    /** Any thread. */
+    void belongsTo(RobotSession owner) {
+        session = owner;
+    }
+
+    /** Its connection has ended. Any thread. */
+    void broke() {
+        broken = true;
+    }
+
+    /** It is not believed any more. Any thread. */
+    void cut() {
+        cut = true;
+    }
+
+    /** Who calls from there next is somebody new. Any thread. */
+    boolean isOver() {
+        RobotSession owner = session;
+        return cut || (owner != null && owner.isOver());
+    }
+
+    /** For how long nothing came; for ever when its connection has ended. Any thread. */
+    long silenceNanos() {
+        return broken || cut ? Long.MAX_VALUE : nanoTime.getAsLong() - lastHeardNanos;
+    }
+
+    /** Sends as long as the fence lets it, in the shape and with the words of the robot's newest message. */
+    @SuppressWarnings("NonAtomicVolatileUpdate") // the lane alone writes
+    void send(Order order, Fence fence) {
+        fence.pass(() -> {
+            sent++;
+            peer.send(writer.write(header, order));
+        });
+    }
+
+    /** True when the quality is worth telling: once an interval at most, and only news. */
+    boolean measure(long nowNanos) {
+        // Robots answer nothing that could be timed.
+        return loss.tick(nowNanos, counts, null);
+    }
+
+    LinkQuality quality() {
+        return loss.quality();
+    }
+
+    /** What went over it so far. Any thread. */
+    VehicleTraffic traffic() {
+        RobotSession owner = session;
+        LossMeter.Counts now = counts;
+        return new VehicleTraffic(
+                key(),
+                transport(),
+                owner == null ? null : owner.drone(),
+                now.received(),
+                sent,
+                now.lost(),
+                now.doubled(),
+                0,
+                0);
+    }
+}

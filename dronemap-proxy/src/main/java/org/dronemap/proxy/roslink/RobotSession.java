@@ -1,0 +1,168 @@
+package org.dronemap.proxy.roslink;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.dronemap.core.cloud.DroneLink;
+import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkReport;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.proxy.roslink.wire.Packet;
+import org.dronemap.proxy.roslink.wire.RobotMessage;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One robot on its links, bound to its drone. Belongs to the drone's lane; what says so may be called from anywhere.
+ */
+final class RobotSession implements VehicleChannel, Lane.Ticker {
+    private static final long GIVEN_UP_NANOS = 120_000_000_000L;
+
+    private final RobotTable table;
+    private final RobotName name;
+    private final RobotLinks links;
+    private final RobotTelemetry telemetry;
+    private final Map<CommandId, Errand> errands = new LinkedHashMap<>();
+    private volatile @Nullable DroneLink drone;
+    private volatile boolean over;
+    private @Nullable LinkReport told;
+
+    RobotSession(RobotTable table, RobotLink first, RobotType type) {
+        this.table = table;
+        this.name = first.name();
+        links = new RobotLinks(first);
+        telemetry = new RobotTelemetry(type, name.hardware(), this::tell);
+    }
+
+    /** Any thread. */
+    RobotLinks links() {
+        return links;
+    }
+
+    RobotName name() {
+        return name;
+    }
+
+    /** Any thread. */
+    Identification identification() {
+        return telemetry.identification();
+    }
+
+    /** Any thread; null as long as it is bound to none. */
+    @Nullable
+    DroneId drone() {
+        DroneLink bound = drone;
+        return bound == null ? null : bound.id();
+    }
+
+    /** A new heartbeat makes a new session. Any thread. */
+    boolean isOver() {
+        return over;
+    }
+
+    /** It speaks for that drone. On the registry lane, once. */
+    void bind(DroneLink bound) {
+        drone = bound;
+        Lane lane = bound.lane();
+        lane.execute(() -> {
+            lane.addTicker(this);
+            telemetry.identified();
+        });
+    }
+
+    /** Takes a message in; false when there was no room. Any thread. */
+    boolean offer(Packet packet) {
+        DroneLink bound = drone;
+        return bound != null && bound.lane().offer(() -> take(bound, packet));
+    }
+
+    private void take(DroneLink bound, Packet packet) {
+        if (over || isGone(bound)) {
+            return;
+        }
+        bound.heard();
+        telemetry.heard(packet.message());
+        RobotMessage message = packet.message();
+        long now = table.now();
+        List.copyOf(errands.values()).forEach(errand -> errand.heard(message, telemetry.facts(), now));
+        errands.values().removeIf(Errand::isOver);
+    }
+
+    /** Its drone was removed, or answers to another session. */
+    private boolean isGone(DroneLink bound) {
+        if (bound.isGone()) {
+            end("Another link now speaks for the robot; look at the drone.");
+            return true;
+        }
+        return false;
+    }
+
+    private void tell(DroneEvent event) {
+        DroneLink bound = drone;
+        if (bound != null) {
+            bound.accept(event);
+        }
+    }
+
+    @Override
+    public void tick() {
+        DroneLink bound = Objects.requireNonNull(drone);
+        if (over || isGone(bound)) {
+            return;
+        }
+        long now = table.now();
+        List.copyOf(errands.values()).forEach(errand -> errand.tick(telemetry.facts(), now));
+        errands.values().removeIf(Errand::isOver);
+        links.measure(now);
+        LinkReport report = links.report();
+        if (!report.equals(told)) {
+            told = report;
+            bound.reached(report);
+        }
+        if (links.silenceNanos() > GIVEN_UP_NANOS && errands.isEmpty()) {
+            end("The robot has fallen silent.");
+        }
+    }
+
+    private void end(String why) {
+        over = true;
+        errands.values().forEach(errand -> errand.abandon(why));
+        errands.clear();
+        Objects.requireNonNull(drone).lane().removeTicker(this);
+        table.ended(this);
+    }
+
+    @Override
+    public void perform(Mandate mandate, Command command, Report report) {
+        Optional<Aim> aim = Aim.of(command);
+        if (aim.isEmpty()) {
+            report.ended(new Outcome.Refused("vehicle", "These robots cannot be told to " + command.summary() + "."));
+            return;
+        }
+        CommandId id = Objects.requireNonNull(mandate.command());
+        Fence fence = mandate.fence();
+        errands.put(
+                id,
+                new Errand(
+                        aim.get(), telemetry.facts(), order -> links.best().send(order, fence), report, table.now()));
+    }
+
+    @Override
+    public void cancel(CommandId id) {
+        errands.remove(id);
+    }
+
+    @Override
+    public void probe() {
+        // Robots answer no question; they speak once a second by themselves.
+    }
+}

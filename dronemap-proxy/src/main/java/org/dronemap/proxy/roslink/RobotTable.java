@@ -1,0 +1,189 @@
+package org.dronemap.proxy.roslink;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
+import java.util.stream.Collectors;
+import org.dronemap.core.cloud.Admission;
+import org.dronemap.core.cloud.Claim;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.cloud.LinkSession;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerCounters;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.endpoint.Speech;
+import org.dronemap.proxy.roslink.wire.PacketReader;
+import org.dronemap.proxy.session.Enrolment;
+import org.dronemap.proxy.session.VehicleTraffic;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Makes sessions of robots that call in, one a robot whatever links it has, up to a bound. Any thread; who speaks for whom is
+ * decided on the registry lane.
+ */
+final class RobotTable implements PeerHandler.Factory {
+    private static final Logger LOG = LoggerFactory.getLogger(RobotTable.class);
+    private static final int MOST_LINKS = 5_000;
+    private static final int LARGEST_DATAGRAM = 65_535;
+    private static final long BETWEEN_ALARMS_NANOS = 10_000_000_000L;
+
+    private final CloudManager cloud;
+    private final Lanes lanes;
+    private final Enrolment enrolment;
+    private final RobotKeys keys;
+    private final LongSupplier nanoTime;
+    private final PacketReader reader = new PacketReader();
+    private final Refusals refusals;
+    private final Set<RobotLink> links = ConcurrentHashMap.newKeySet();
+    // Owned by the registry lane.
+    private final Map<RobotName, RobotSession> sessions = new HashMap<>();
+    private final Map<RobotName, Long> alarmedNanos = new HashMap<>();
+
+    RobotTable(CloudManager cloud, Lanes lanes, Enrolment enrolment, RobotKeys keys, LongSupplier nanoTime) {
+        this.cloud = cloud;
+        this.lanes = lanes;
+        this.enrolment = enrolment;
+        this.keys = keys;
+        this.nanoTime = nanoTime;
+        refusals = new Refusals(nanoTime);
+    }
+
+    @Override
+    public PeerHandler opened(Peer peer, PeerCounters counters) {
+        // What is asked for elsewhere was turned away at the door.
+        RobotPath path = RobotPath.of(peer.path()).orElse(RobotPath.BARE);
+        return new PeerRobots(this, peer, counters, path);
+    }
+
+    @Override
+    public Speech speech() {
+        return new Speech(true, LARGEST_DATAGRAM, PacketReader.LONGEST_BYTES);
+    }
+
+    @Override
+    public boolean takes(String path) {
+        return RobotPath.of(path).isPresent();
+    }
+
+    PacketReader reader() {
+        return reader;
+    }
+
+    RobotKeys keys() {
+        return keys;
+    }
+
+    Refusals refusals() {
+        return refusals;
+    }
+
+    /** Monotonic, in ns. */
+    long now() {
+        return nanoTime.getAsLong();
+    }
+
+    /** What went over the links of all robots, once for each address. */
+    List<VehicleTraffic> traffic() {
+        return List.copyOf(links.stream()
+                .map(RobotLink::traffic)
+                .collect(Collectors.toMap(
+                        traffic -> traffic.key() + traffic.transport(), Function.identity(), VehicleTraffic::and))
+                .values());
+    }
+
+    /** A link is there; the oldest silent ones go when there are too many. */
+    void add(RobotLink link) {
+        if (links.size() >= MOST_LINKS) {
+            links.removeIf(old -> old.isOver() || old.silenceNanos() > RobotLinks.SILENT_NANOS);
+        }
+        if (links.size() < MOST_LINKS) {
+            links.add(link);
+        } else {
+            link.cut();
+            refusals.robot(link.key(), "there are " + MOST_LINKS + " links already");
+        }
+    }
+
+    /** A link without a session brought a heartbeat. */
+    void introduce(RobotLink link, RobotType type) {
+        if (!lanes.registry().offer(() -> claim(link, type))) {
+            LOG.debug("The registry has no room for {}; its next heartbeat tries again", link.key());
+        }
+    }
+
+    private void claim(RobotLink link, RobotType type) {
+        if (link.session() != null || link.isOver()) {
+            return;
+        }
+        RobotSession session = sessions.get(link.name());
+        if (session == null || session.isOver()) {
+            begin(link, type);
+            return;
+        }
+        Optional<String> why = session.links().join(link);
+        if (why.isEmpty()) {
+            link.belongsTo(session);
+        } else {
+            keepOutside(session, link, why.get());
+        }
+    }
+
+    private void begin(RobotLink link, RobotType type) {
+        RobotSession session = new RobotSession(this, link, type);
+        LinkSession label = new LinkSession(
+                link.key(),
+                link.transport(),
+                false,
+                type.label() + " " + link.key().systemId(),
+                session);
+        boolean trusted = enrolment.admits(link.isLocal());
+        Claim claim =
+                new Claim(label, session.identification(), link.name().proof(), trusted, now() - link.bornNanos());
+        if (cloud.admit(claim) instanceof Admission.Bound bound) {
+            sessions.put(link.name(), session);
+            session.bind(bound.link());
+            link.belongsTo(session);
+        } else {
+            refusals.robot(link.key(), "it is not let in");
+        }
+    }
+
+    /** Who shows the same key while the robot is heard elsewhere is told of, and gets and gives nothing. */
+    private void keepOutside(RobotSession session, RobotLink link, String why) {
+        refusals.robot(link.key(), why);
+        DroneId drone = session.drone();
+        Long before = alarmedNanos.get(session.name());
+        if (drone != null && (before == null || now() - before > BETWEEN_ALARMS_NANOS)) {
+            alarmedNanos.put(session.name(), now());
+            cloud.say(
+                    drone,
+                    Severity.ALERT,
+                    "Another robot at " + link.key() + " says that it is this one, but " + why
+                            + ". Nothing that it says is believed, and no command goes to it.");
+        }
+    }
+
+    /** Any thread. */
+    void ended(RobotSession session) {
+        links.removeIf(RobotLink::isOver);
+        try {
+            lanes.registry().execute(() -> {
+                sessions.remove(session.name(), session);
+                alarmedNanos.remove(session.name());
+            });
+        } catch (RejectedExecutionException e) {
+            // It stays in the list as one that is over: the next heartbeat takes its place.
+            LOG.debug("The registry has no room; {} is forgotten later", session.name(), e);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package org.dronemap.proxy.roslink;
+
+import org.dronemap.core.drone.VehicleKind;
+import org.jspecify.annotations.Nullable;
+
+/** What machine a robot is, by the number in its heartbeat; each bridge speaks of its state in its own words. */
+enum RobotType {
+    GENERIC(0, "robot", VehicleKind.UNKNOWN, Words.NONE),
+    FIXED_WING(1, "fixed wing", VehicleKind.FIXED_WING, Words.MAVROS),
+    /** Not in the protocol's list, but in a launch file of its drone. */
+    GAPTER(2, "Gapter", VehicleKind.MULTICOPTER, Words.MAVROS),
+    QUADROTOR(3, "quadrotor", VehicleKind.MULTICOPTER, Words.MAVROS),
+    COAXIAL(4, "coaxial helicopter", VehicleKind.HELICOPTER, Words.MAVROS),
+    HELICOPTER(5, "helicopter", VehicleKind.HELICOPTER, Words.MAVROS),
+    HEXAROTOR(6, "hexarotor", VehicleKind.MULTICOPTER, Words.MAVROS),
+    TURTLEBOT(8, "TurtleBot", VehicleKind.ROVER, Words.WHEELS),
+    PARROT(9, "AR.Drone", VehicleKind.MULTICOPTER, Words.AR_DRONE),
+    BEBOP(10, "Bebop", VehicleKind.MULTICOPTER, Words.AR_DRONE),
+    ERLE_COPTER(11, "Erle-Copter", VehicleKind.MULTICOPTER, Words.MAVROS),
+    RIA_E100(12, "RIA E100", VehicleKind.ROVER, Words.WHEELS);
+
+    private final int number;
+    private final String label;
+    private final VehicleKind kind;
+    private final Words words;
+
+    /** How its bridge speaks of state and height, and what it can be told. */
+    enum Words {
+        /** Nothing is known of them. */
+        NONE,
+        /** A ground robot: its z is a yaw. */
+        WHEELS,
+        /** A flight controller behind mavros: modes of ArduCopter, its z the height above its start. */
+        MAVROS,
+        /** Flies by itself and knows no arming, its z the height above its start. */
+        AR_DRONE;
+
+        boolean flies() {
+            return this == MAVROS || this == AR_DRONE;
+        }
+    }
+
+    RobotType(int number, String label, VehicleKind kind, Words words) {
+        this.number = number;
+        this.label = label;
+        this.kind = kind;
+        this.words = words;
+    }
+
+    /** A type that is not in the list is some robot. */
+    static RobotType of(@Nullable Integer number) {
+        for (RobotType type : values()) {
+            if (number != null && type.number == number) {
+                return type;
+            }
+        }
+        return GENERIC;
+    }
+
+    /** As users know it. */
+    String label() {
+        return label;
+    }
+
+    VehicleKind kind() {
+        return kind;
+    }
+
+    Words words() {
+        return words;
+    }
+}

@@ -1,0 +1,84 @@
+package org.dronemap.proxy.roslink;
+
+import java.io.IOException;
+import java.util.List;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.Lanes;
+import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.endpoint.Links;
+import org.dronemap.proxy.session.Enrolment;
+import org.dronemap.proxy.session.VehicleTraffic;
+
+/** The links to robots: opens the configured endpoints and keeps them until closed. Any thread. */
+public final class RoslinkProxy implements AutoCloseable {
+    private final List<EndpointUrl> urls;
+    private final RobotTable table;
+    private final Links links;
+
+    /**
+     * How robots are let in.
+     *
+     * @param keys issued to robots
+     * @param doors what links are guarded with
+     * @param enrolment from where those that show no such key come in by themselves
+     */
+    public record Policy(RobotKeys keys, Doors doors, Enrolment enrolment) {}
+
+    public RoslinkProxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy) {
+        this.urls = List.copyOf(urls);
+        table = new RobotTable(cloud, lanes, policy.enrolment(), policy.keys(), System::nanoTime);
+        links = new Links(table, policy.doors());
+    }
+
+    /**
+     * Opens all configured endpoints or none.
+     *
+     * @throws IOException with a sentence that says which one and why
+     */
+    public synchronized void start() throws IOException {
+        try {
+            for (int number = 0; number < urls.size(); number++) {
+                links.open(id(number), urls.get(number));
+            }
+        } catch (IOException e) {
+            close();
+            throw e;
+        }
+    }
+
+    /** Opens all configured endpoints; one whose port is taken is tried again. */
+    public synchronized void keep() {
+        for (int number = 0; number < urls.size(); number++) {
+            links.keep(id(number), urls.get(number));
+        }
+    }
+
+    private static String id(int number) {
+        return "robots-" + (number + 1);
+    }
+
+    public List<Links.LinkStatus> endpoints() {
+        return links.all();
+    }
+
+    /** What went over the link of each robot. */
+    public List<VehicleTraffic> traffic() {
+        return table.traffic();
+    }
+
+    /** Messages that were none. */
+    public long brokenCount() {
+        return table.refusals().brokenCount();
+    }
+
+    /** Messages that were not believed to come from whom they say. */
+    public long refusedCount() {
+        return table.refusals().robotCount();
+    }
+
+    @Override
+    public synchronized void close() {
+        links.close();
+    }
+}

@@ -1,0 +1,75 @@
+package org.dronemap.proxy.roslink.wire;
+
+/** What the cloud may ask of a robot; none is ever acknowledged. Metres, m/s, rad/s. */
+public sealed interface Order {
+    /** The number that the wire knows it by. */
+    int messageId();
+
+    /** Speeds along and turns about the robot's axes; bridges stop only when told to. */
+    record Twist(double vx, double vy, double vz, double wx, double wy, double wz) implements Order {
+        public static final Twist STOP = new Twist(0, 0, 0, 0, 0, 0);
+
+        @Override
+        public int messageId() {
+            return 100;
+        }
+    }
+
+    /** Go to a place in the map's frame, or in the robot's own. */
+    record GoTo(double x, double y, double z, boolean robotFrame) implements Order {
+        @Override
+        public int messageId() {
+            return 101;
+        }
+    }
+
+    record TakeOff(double altitude) implements Order {
+        @Override
+        public int messageId() {
+            return 102;
+        }
+    }
+
+    record Land() implements Order {
+        @Override
+        public int messageId() {
+            return 103;
+        }
+    }
+
+    record Arm() implements Order {
+        @Override
+        public int messageId() {
+            return 104;
+        }
+    }
+
+    record Disarm() implements Order {
+        @Override
+        public int messageId() {
+            return 105;
+        }
+    }
+
+    /** By the autopilot's own number of the mode. */
+    record SetMode(int mode) implements Order {
+        @Override
+        public int messageId() {
+            return 106;
+        }
+    }
+
+    record GetMap() implements Order {
+        @Override
+        public int messageId() {
+            return 107;
+        }
+    }
+
+    record EmergencyStop() implements Order {
+        @Override
+        public int messageId() {
+            return 108;
+        }
+    }
+}

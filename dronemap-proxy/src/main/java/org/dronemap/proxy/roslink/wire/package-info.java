@@ -1,0 +1,5 @@
+/** ROSLink on the wire: JSON in, messages of robots out; orders in, JSON out. Pure, without time or sockets. */
+@NullMarked
+package org.dronemap.proxy.roslink.wire;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.roslink;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.roslink.wire;
+
+import org.jspecify.annotations.NullMarked;
