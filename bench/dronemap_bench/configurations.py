@@ -41,6 +41,20 @@ class Flood:
 
 
 @dataclass(frozen=True)
+class Clients:
+    """Ground stations at the outlet that watch all vehicles for the second half of the time."""
+
+    count: int = 50
+    stuck: int = 1
+    """Beside them, attached by TCP and never reading."""
+    settle_seconds: int = 10
+    """Between their coming and the measurement."""
+
+    def arguments(self) -> list[str]:
+        return ["--clients", str(self.count), "--stuck", str(self.stuck)]
+
+
+@dataclass(frozen=True)
 class Configuration:
     """So many vehicles, each with so many messages a second."""
 
@@ -53,6 +67,7 @@ class Configuration:
     only_positions: bool = False
     impairment: Impairment | None = None
     flood: Flood | None = None
+    clients: Clients | None = None
     recorded: bool = True
 
     @property
@@ -60,8 +75,17 @@ class Configuration:
         """Vehicles are spread over so many addresses; a flood comes from the first of them."""
         return 2 if self.flood else 1
 
+    @property
+    def halved(self) -> bool:
+        """What it is about happens in the second half; the first is measured by itself."""
+        return self.flood is not None or self.clients is not None
+
+    @property
+    def settle_seconds(self) -> int:
+        return self.clients.settle_seconds if self.clients else 0
+
     def steps(self) -> int:
-        return self.rate * (self.warm_up + self.seconds)
+        return self.rate * (self.warm_up + self.seconds + self.settle_seconds)
 
     def short(self, seconds: int) -> "Configuration":
         return replace(self, seconds=seconds, warm_up=min(self.warm_up, max(4, seconds // 2)))
@@ -130,6 +154,13 @@ CONFIGURATIONS = [
         24,
         only_positions=True,
         flood=Flood("hostile"),
+    ),
+    Configuration(
+        "attached",
+        "50 vehicles, 20 messages/s each; then 50 ground stations at the outlet, and a stuck one",
+        50,
+        20,
+        clients=Clients(),
     ),
 ]
 

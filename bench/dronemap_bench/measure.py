@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from . import machine
+from . import machine, outlet
 from .configurations import Configuration
 from .programs import Json, Load, Programs, Server, free_port
 
@@ -30,6 +30,7 @@ def measure(configuration: Configuration) -> Json:
 
 def _measure(c: Configuration, server: Server, folder: Path) -> Json:
     time.sleep(2)
+    passphrases = outlet.passphrases(server, c.clients.count + c.clients.stuck) if c.clients else []
     idle_bytes = machine.resident_bytes(server.pid)
     pace = ["--vehicles", str(c.vehicles), "--rate", str(c.rate)]
     hosts = ["--hosts", str(c.hosts)]
@@ -40,8 +41,10 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
             sender = programs.start("send", *pace, *kind, *hosts, "--port", str(port))
             sender.await_ready()
             start = time.monotonic() + LEAD_SECONDS
-            begin, end = start + c.warm_up, start + c.warm_up + c.seconds
-            flooded = begin + c.seconds / 2
+            begin = start + c.warm_up
+            end = begin + c.seconds + c.settle_seconds
+            disturbed = begin + c.seconds / 2
+            settled = disturbed + c.settle_seconds
             sender.tell(str(int(start * 1e9)))
             _sleep_until(begin - 3)
             where = [
@@ -54,14 +57,15 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
                 "--key",
                 server.key(),
             ]
-            watcher = programs.start("watch", *where, *_between(flooded if c.flood else begin, end))
-            calm = programs.start("watch", *where, *_between(begin, flooded)) if c.flood else None
-            flooder = _flooder(c, programs, port, (flooded, end))
+            watcher = programs.start("watch", *where, *_between(settled if c.halved else begin, end))
+            calm = programs.start("watch", *where, *_between(begin, disturbed)) if c.halved else None
+            flooder = _flooder(c, programs, port, (disturbed, end))
             _sleep_until(begin)
             before, heard_before = machine.sample(server.pid, server.udp_port), server.frames_in()
             own_before = programs.cpu()
-            _sleep_until(flooded)
+            _sleep_until(disturbed)
             middle_bytes = machine.resident_bytes(server.pid)
+            clients = _clients(c, programs, server, passphrases, (settled, end))
             _sleep_until(end)
             after, heard_after = machine.sample(server.pid, server.udp_port), server.frames_in()
             own_after = programs.cpu()
@@ -72,6 +76,7 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
                 "stream": watcher.result(END_SECONDS),
                 "calm": calm.result(END_SECONDS) if calm else None,
                 "flood": flooder.result(END_SECONDS) if flooder else None,
+                "clients": clients.result(END_SECONDS) if clients else None,
             }
         finally:
             programs.stop()
@@ -83,6 +88,7 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
         "vehicles": c.vehicles,
         "rate": c.rate,
         "seconds": c.seconds,
+        "measuredSeconds": c.seconds / 2 if c.halved else c.seconds,
         "impaired": c.impairment is not None,
         "live": live,
         **ends,
@@ -153,6 +159,16 @@ def _flooder(c: Configuration, programs: Programs, port: int, when: tuple[float,
     if c.flood is None:
         return None
     return programs.start("flood", "--port", str(port), *_between(*when), *c.flood.arguments())
+
+
+def _clients(
+    c: Configuration, programs: Programs, server: Server, passphrases: list[str], when: tuple[float, float]
+) -> Load | None:
+    if c.clients is None:
+        return None
+    ports = ["--port", str(server.outlet_udp_port), "--tcp-port", str(server.outlet_tcp_port)]
+    keys = ["--passphrases", ",".join(passphrases)]
+    return programs.start("attach", *ports, *keys, *_between(*when), *c.clients.arguments())
 
 
 def _live(server: Server) -> int:

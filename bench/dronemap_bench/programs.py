@@ -37,6 +37,8 @@ class Server:
         self.http_port = free_port()
         self.stream_port = free_port()
         self.udp_port = free_port(socket.SOCK_DGRAM)
+        self.outlet_udp_port = free_port(socket.SOCK_DGRAM)
+        self.outlet_tcp_port = free_port()
         self._data = data
         data.mkdir(parents=True)
         options = os.environ.get("DRONEMAP_JAVA_OPTS", "").split()
@@ -52,6 +54,8 @@ class Server:
                     "DRONEMAP_HTTP_PORT": str(self.http_port),
                     "DRONEMAP_STREAM_PORT": str(self.stream_port),
                     "DRONEMAP_ENDPOINTS": f"udpserver://127.0.0.1:{self.udp_port}",
+                    "DRONEMAP_OUTLET": f"udpserver://127.0.0.1:{self.outlet_udp_port},"
+                    f"tcpserver://127.0.0.1:{self.outlet_tcp_port}",
                     "DRONEMAP_RECORD": "flights" if recorded else "never",
                     # Every recording is fetched at once afterwards, to be compared with what was sent.
                     "DRONEMAP_RATE_EXPORTS": "0",

@@ -63,6 +63,7 @@ def _beside(results: Json) -> list[str]:
     all_results = results["configurations"]
     lines = [_router(r) for r in all_results if r.get("router")]
     lines += [_flood(r) for r in all_results if r.get("flood")]
+    lines += [_clients(r) for r in all_results if r.get("clients")]
     return ["", *lines] if lines else []
 
 
@@ -85,6 +86,23 @@ def _flood(r: Json) -> str:
     )
 
 
+def delivered(r: Json) -> float:
+    """The share of all frames that reached ground stations at the outlet; heartbeats count like any other."""
+    every: float = r["clients"]["clients"] * r["vehicles"] * r["rate"] * r["measuredSeconds"]
+    return int(r["clients"]["frames"]) / every
+
+
+def _clients(r: Json) -> str:
+    calm, watched = (r[when]["age"]["percentiles"] for when in ("calm", "stream"))
+    ages = [f"{calm[p] / 1000:.2f} and {watched[p] / 1000:.2f} ms" for p in ("50.0", "99.0")]
+    clients = r["clients"]
+    return (
+        f"- `{r['name']}`: {clients['clients']} ground stations got {100 * delivered(r):.2f} % of all frames "
+        f"({clients['frames'] / r['measuredSeconds']:,.0f}/s), {clients['stuck']} stuck beside them; "
+        f"on the stream without and with them p50 {ages[0]}, p99 {ages[1]}"
+    )
+
+
 def row(r: Json) -> list[str]:
     late = r["sent"]["lateness"]["percentiles"]["99.0"] / 1000
     return [
@@ -93,7 +111,7 @@ def row(r: Json) -> list[str]:
         str(r["kernelDrops"]),
         f"{r['tlogs']['found']:,}",
         f"{r['tlogs']['expected']:,}",
-        f"{r['stream']['messages'] / r['seconds']:.0f}",
+        f"{r['stream']['messages'] / r.get('measuredSeconds', r['seconds']):.0f}",
         f"{millis(r, '50.0'):.2f}",
         f"{millis(r, '99.0'):.2f}",
         f"{millis(r, '99.9'):.2f}",

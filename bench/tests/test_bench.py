@@ -7,10 +7,18 @@ import pytest
 
 from dronemap_bench import configurations, report
 from dronemap_bench.__main__ import main
-from dronemap_bench.configurations import Configuration, Impairment
+from dronemap_bench.configurations import Clients, Configuration, Impairment
 from dronemap_bench.measure import measure
 
-SMALL = Configuration("small", "5 vehicles, 20 messages/s each", 5, 20, seconds=6, warm_up=4)
+SMALL = Configuration(
+    "small",
+    "5 vehicles, 20 messages/s each, then 3 ground stations and a stuck one",
+    5,
+    20,
+    seconds=6,
+    warm_up=4,
+    clients=Clients(3, stuck=1, settle_seconds=2),
+)
 BAD = Configuration(
     "bad",
     "5 vehicles over a bad network",
@@ -34,6 +42,8 @@ def test_every_frame_sent_is_in_a_recording_byte_for_byte() -> None:
     assert result["stream"]["vehicles"] == 5
     assert result["stream"]["age"]["count"] > 0
     assert result["cpuMicrosPerMessage"] > 0
+    assert (result["clients"]["clients"], result["clients"]["stuck"]) == (3, 1)
+    assert 0.95 <= report.delivered(result) <= 1.05, result["clients"]
 
 
 def test_a_bad_network_is_felt_and_its_delay_is_seen() -> None:
@@ -120,3 +130,11 @@ def test_a_flood_from_one_address_leaves_other_vehicles_alone(name: str) -> None
 def test_an_unstable_network_adds_its_delay_and_little_more(name: str) -> None:
     result = measure(configurations.named([name])[0])
     assert report.millis(result, "50.0") <= 500 + 10, result
+
+
+@pytest.mark.soak
+def test_fifty_ground_stations_and_a_stuck_one_leave_the_vehicles_own_path_as_it_was() -> None:
+    result = measure(configurations.named(["attached"])[0])
+    assert report.delivered(result) >= 0.999, result["clients"]
+    calm, watched = (result[when]["age"]["percentiles"] for when in ("calm", "stream"))
+    assert watched["50.0"] <= 1.1 * calm["50.0"], result

@@ -11,6 +11,7 @@ os.environ.setdefault("MAVLINK20", "1")
 
 from pymavlink import mavutil
 
+from . import newer as newer  # teaches pymavlink
 from .api import Api
 from .server import Server
 from .waiting import wait_for
@@ -39,6 +40,16 @@ def new_user(server: Server, api: Api, role: str) -> User:
     answer = session.call("PUT", "/outlet/passphrase", {})
     assert answer.ok, answer.text
     return User(name, session, str(answer.json()["passphrase"]))
+
+
+def granted(server: Server, api: Api, role: str, drones: list[str]) -> User:
+    """A user who sees these drones and no other drone."""
+    user = new_user(server, api, role)
+    assert api.call("PUT", f"/users/{user.name}/only-granted", {"onlyGranted": True}).status_code == 204
+    operations = ["view"] if role == "viewer" else ["view", "plan", "command"]
+    body = {"user": user.name, "drones": drones, "operations": operations}
+    assert api.call("POST", "/grants", body).status_code == 201
+    return user
 
 
 class Ground:

@@ -27,6 +27,10 @@ class Server:
         self.tcp_port = free_port()
         self.outlet_udp_port = free_port(socket.SOCK_DGRAM)
         self.outlet_tcp_port = free_port()
+        self.outlet_dtls_port = free_port(socket.SOCK_DGRAM)
+        self.outlet_web_socket_port = free_port()
+        self.robot_udp_port = free_port(socket.SOCK_DGRAM)
+        self.robot_web_port = free_port()
         self._settings = settings
         self._process: subprocess.Popen[bytes] | None = None
 
@@ -58,6 +62,11 @@ class Server:
             ),
             "DRONEMAP_OUTLET": (
                 f"udpserver://127.0.0.1:{self.outlet_udp_port},tcpserver://127.0.0.1:{self.outlet_tcp_port}"
+                f",dtlsserver://127.0.0.1:{self.outlet_dtls_port}"
+                f",wsserver://127.0.0.1:{self.outlet_web_socket_port}"
+            ),
+            "DRONEMAP_ROBOTS": (
+                f"udpserver://127.0.0.1:{self.robot_udp_port},wsserver://127.0.0.1:{self.robot_web_port}"
             ),
         }
         with (self.data / "server.log").open("ab") as log:

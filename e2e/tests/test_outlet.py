@@ -11,6 +11,8 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.carriers import WebSocketCaller
+from dronemap_e2e.dtls import DtlsClient, HandshakeError
 from dronemap_e2e.ground import Ground, User, new_user
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import MINUTE, now_ticks, resigned
@@ -230,3 +232,38 @@ def test_another_passphrase_ends_the_clients_of_the_one_before(
     assert viewer.api.call("DELETE", "/outlet/passphrase").status_code == 204
     wait_for("no client is left", lambda: not own(api, viewer))
     assert viewer.api.get("/outlet")["passphraseSet"] is False
+
+
+def hear_both(twins: list[Json], user: User, client: DtlsClient | WebSocketCaller) -> None:
+    """Attaches by what carries frames, and waits for the vehicles' heartbeats."""
+    writer = mavlink.MAVLink(None, srcSystem=250, srcComponent=190)
+    writer.signing.secret_key = hashlib.sha256(user.passphrase.encode()).digest()
+    writer.signing.sign_outgoing = True
+    writer.signing.timestamp = now_ticks()
+    client.send(bytes(writer.heartbeat_encode(6, 8, 0, 0, 4).pack(writer)))
+    reader = mavlink.MAVLink(None)
+    heard: set[int] = set()
+
+    def both() -> bool:
+        frames = reader.parse_buffer(client.receive()) or []
+        heard.update(m.get_srcSystem() for m in frames if m.get_type() == "HEARTBEAT")
+        return len(heard - {254, 255}) >= len(twins)
+
+    wait_for("both are heard", both, 20, 0.001)
+    client.close()
+
+
+def test_a_client_may_attach_by_dtls_with_the_users_own_key_only(
+    twins: list[Json], server: Server, viewer: User
+) -> None:
+    key = hashlib.sha256(viewer.passphrase.encode()).digest()
+    outlet = ("127.0.0.1", server.outlet_dtls_port)
+    with pytest.raises(HandshakeError):
+        DtlsClient(outlet, viewer.name, key, timeout=2)
+    with pytest.raises(HandshakeError):
+        DtlsClient(outlet, "nobody", hashlib.sha256(key).digest(), timeout=2)
+    hear_both(twins, viewer, DtlsClient(outlet, viewer.name, hashlib.sha256(key).digest()))
+
+
+def test_a_client_may_attach_by_web_socket(twins: list[Json], server: Server, viewer: User) -> None:
+    hear_both(twins, viewer, WebSocketCaller(server.outlet_web_socket_port))

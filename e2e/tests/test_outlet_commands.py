@@ -2,71 +2,21 @@
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
-from dronemap_e2e.api import Api, Json
-from dronemap_e2e.ground import Ground, User, new_user
+from dronemap_e2e.api import Api
+from dronemap_e2e.copter import PARAMETERS, Copter, ids
+from dronemap_e2e.ground import Ground, User, granted
 from dronemap_e2e.server import Server
-from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
 ACCEPTED, REJECTED, DENIED, UNSUPPORTED = 0, 1, 2, 3
 GUIDED = 4
-PARAMETERS = 1_000
-
-# What the cloud says to vehicles by itself, whoever looks on; commands: which.
-OWN_MESSAGES = {"HEARTBEAT", "TIMESYNC", "PING", "MISSION_REQUEST_LIST", "MISSION_REQUEST_INT", "MISSION_ACK"}
-OWN_MESSAGES |= {"REQUEST_DATA_STREAM", "PARAM_REQUEST_READ"}
-OWN_COMMANDS = {mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAV_CMD_REQUEST_MESSAGE}
 
 Attach = Callable[..., Ground]
-
-
-class Copter:
-    """A copter of system id 1 behind a tap, as the server lists it."""
-
-    def __init__(self, server: Server, api: Api, log: Path, hardware: int) -> None:
-        self.tap = Tap(server.udp_port)
-        self.hardware = hardware
-        before = {d["id"] for d in api.drones()}
-        self._simulator = Simulator(
-            log,
-            f"udp://127.0.0.1:{self.tap.port}",
-            *("--sysid", "1", "--hardware", str(hardware), "--speedup", "3"),
-            *("--parameters", str(PARAMETERS)),
-        )
-
-        def ready() -> Json | None:
-            found = [
-                d
-                for d in api.drones()
-                if d["id"] not in before and d["link"]["port"] in self.tap.upstream_ports()
-            ]
-            fit = (
-                found and found[0]["readyToArm"] and found[0]["home"] and found[0]["link"]["state"] == "live"
-            )
-            return found[0] if fit else None
-
-        self.id = str(wait_for("the copter is ready", ready, 90)["id"])
-
-    def close(self) -> None:
-        self._simulator.stop()
-        self.tap.close()
-
-    def told(self) -> list[str]:
-        """What the vehicle was sent beside what the cloud sends anyhow."""
-        said = [h.message for h in self.tap.heard(up=False)]
-        return [
-            f"{m.get_type()} {getattr(m, 'command', '')}".strip()
-            for m in said
-            if m.get_type() not in OWN_MESSAGES
-            and not (m.get_type() in ("COMMAND_LONG", "COMMAND_INT") and m.command in OWN_COMMANDS)
-        ]
 
 
 @pytest.fixture(scope="module")
@@ -93,16 +43,6 @@ def attach(server: Server) -> Iterator[Attach]:
         ground.close()
 
 
-def granted(server: Server, api: Api, role: str, copters: list[Copter]) -> User:
-    """A user who sees these copters and no other drone."""
-    user = new_user(server, api, role)
-    assert api.call("PUT", f"/users/{user.name}/only-granted", {"onlyGranted": True}).status_code == 204
-    operations = ["view"] if role == "viewer" else ["view", "plan", "command"]
-    body = {"user": user.name, "drones": [copter.id for copter in copters], "operations": operations}
-    assert api.call("POST", "/grants", body).status_code == 201
-    return user
-
-
 def command(ground: Ground, number: int, command: int, *params: float, seconds: float = 30) -> int:
     """Sends a command as a ground station does; the result that it is acknowledged with."""
     before = len(ground.heard("COMMAND_ACK", number))
@@ -123,7 +63,7 @@ def landed(api: Api, drone: str) -> bool:
 def test_two_vehicles_of_one_system_id_are_flown_from_one_client(
     server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
-    pilot = granted(server, api, "operator", copters)
+    pilot = granted(server, api, "operator", ids(copters))
     ground = attach(pilot)
     numbers = sorted(ground.wait_vehicles(2))
     for number in numbers:
@@ -146,7 +86,7 @@ def test_two_vehicles_of_one_system_id_are_flown_from_one_client(
 
 
 def test_a_refusal_says_why(server: Server, api: Api, copters: list[Copter], attach: Attach) -> None:
-    ground = attach(granted(server, api, "viewer", copters[:1]))
+    ground = attach(granted(server, api, "viewer", ids(copters[:1])))
     (number,) = ground.wait_vehicles(1)
     told = len(copters[0].told())
     assert command(ground, number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == DENIED
@@ -160,7 +100,7 @@ def test_a_refusal_says_why(server: Server, api: Api, copters: list[Copter], att
 def test_who_has_no_control_is_refused_and_told_who_has(
     server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
-    holder, other = (granted(server, api, "operator", copters[1:]) for _ in range(2))
+    holder, other = (granted(server, api, "operator", ids(copters[1:])) for _ in range(2))
     assert holder.api.call("POST", f"/drones/{copters[1].id}/control/take").ok
     ground = attach(other)
     (number,) = ground.wait_vehicles(1)
@@ -169,6 +109,45 @@ def test_who_has_no_control_is_refused_and_told_who_has(
     assert holder.api.call("DELETE", f"/drones/{copters[1].id}/control").ok
     assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
     assert other.api.call("DELETE", f"/drones/{copters[1].id}/control").ok
+
+
+OPERATOR_CONTROL, FAILED = 32_100, 4
+
+
+def in_control(ground: Ground, number: int) -> int | None:
+    """Which system has control of the vehicle, as it was told last."""
+    told = ground.heard("CONTROL_STATUS", number)
+    return int(told[-1].gcs_main) if told else None
+
+
+def test_control_is_asked_for_and_handed_over_between_ground_stations_and_lost_with_the_holders(
+    server: Server, api: Api, copters: list[Copter], attach: Attach
+) -> None:
+    drone = copters[1].id
+    users = [granted(server, api, "operator", ids(copters[1:])) for _ in range(2)]
+    ann, bob = attach(users[0], system_id=251), attach(users[1], system_id=252)
+    (number,), (his,) = ann.wait_vehicles(1), bob.wait_vehicles(1)
+    wait_for("it is free", lambda: in_control(ann, number) == 0)
+    assert command(ann, number, OPERATOR_CONTROL, 1) == ACCEPTED
+    wait_for("both are told", lambda: (in_control(ann, number), in_control(bob, his)) == (251, 255))
+
+    assert command(bob, his, OPERATOR_CONTROL, 1) == FAILED
+    asked = wait_for("the holder is asked", lambda: ann.heard("COMMAND_LONG", number))
+    assert (asked[0].command, asked[0].target_system) == (OPERATOR_CONTROL, 251)
+    wait_for(
+        "and told by whom", lambda: f"{users[1].name} asks for control" in "".join(ann.texts().split("\n"))
+    )
+    assert command(ann, number, OPERATOR_CONTROL, 1, 1) == ACCEPTED
+    wait_for("both are told", lambda: (in_control(ann, number), in_control(bob, his)) == (255, 252))
+
+    # Taken on purpose it is kept by heartbeats alone.
+    assert command(bob, his, OPERATOR_CONTROL, 1) == ACCEPTED
+    bob.silent = True
+    wait_for("it is lost", lambda: in_control(ann, number) == 0, 20)
+    records = api.get(f"/audit?drone={drone}&limit=100")["records"]
+    done = [(r["by"], r["operation"]) for r in records if r["face"] == "outlet"]
+    assert (users[0].name, "requestControl") in done
+    assert (users[0].name, "handControlOver") in done
 
 
 def items(ground: Ground, number: int) -> list[Any]:
@@ -211,7 +190,10 @@ def upload(ground: Ground, number: int, places: list[tuple[int, int, float]]) ->
 def test_missions_are_written_by_one_and_read_by_all_without_another_transfer(
     server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
-    users = [granted(server, api, "planner", copters[:1]), granted(server, api, "viewer", copters[:1])]
+    users = [
+        granted(server, api, "planner", ids(copters[:1])),
+        granted(server, api, "viewer", ids(copters[:1])),
+    ]
     grounds = [attach(user) for user in users] + [attach(users[1], system_id=250 + n) for n in range(3)]
     number = next(iter(grounds[0].wait_vehicles(1)))
     places = [(473977000 + 100 * n, 85456000 + 100 * n, 20.0) for n in range(201)]
@@ -228,11 +210,11 @@ def test_missions_are_written_by_one_and_read_by_all_without_another_transfer(
 def test_a_viewer_writes_no_mission_and_what_would_be_lost_is_refused(
     server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
-    viewer = attach(granted(server, api, "viewer", copters[:1]))
+    viewer = attach(granted(server, api, "viewer", ids(copters[:1])))
     (number,) = viewer.wait_vehicles(1)
     assert upload(viewer, number, [(473977000, 85456000, 20.0)] * 2) == mavlink.MAV_MISSION_DENIED
 
-    planner = attach(granted(server, api, "planner", copters[:1]))
+    planner = attach(granted(server, api, "planner", ids(copters[:1])))
     (number,) = planner.wait_vehicles(1)
     planner.say("mission_count", number, 1, 1)
     wait_for("it asks", lambda: planner.heard("MISSION_REQUEST_INT", number))
@@ -244,8 +226,8 @@ def test_a_viewer_writes_no_mission_and_what_would_be_lost_is_refused(
 def test_five_clients_load_all_parameters_and_the_vehicle_is_read_once(
     server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
-    users = [granted(server, api, "operator", copters[1:]) for _ in range(2)]
-    users.append(granted(server, api, "viewer", copters[1:]))
+    users = [granted(server, api, "operator", ids(copters[1:])) for _ in range(2)]
+    users.append(granted(server, api, "viewer", ids(copters[1:])))
     grounds = [attach(users[n % 3], system_id=251 + n, tcp=n > 0) for n in range(5)]
     for ground in grounds:
         (number,) = ground.wait_vehicles(1)
@@ -266,7 +248,7 @@ def test_a_parameter_is_set_by_who_may_and_told_as_it_is_to_others(
     server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
     for role, value in (("operator", 2_100.0), ("viewer", 2_100.0)):
-        ground = attach(granted(server, api, role, copters[1:]))
+        ground = attach(granted(server, api, role, ids(copters[1:])))
         (number,) = ground.wait_vehicles(1)
         wanted = value if role == "operator" else 900.0
         ground.say("param_set", number, 1, b"RTL_ALT", wanted, mavlink.MAV_PARAM_TYPE_REAL32)
@@ -305,10 +287,10 @@ def test_nothing_of_who_may_not_command_reaches_the_vehicle(
     who: str, server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
     copter = copters[0]
-    holder = granted(server, api, "operator", [copter])
+    holder = granted(server, api, "operator", ids([copter]))
     assert holder.api.call("POST", f"/drones/{copter.id}/control/take").ok
     role = "viewer" if who == "viewer" else "operator"
-    user = granted(server, api, role, [copter])
+    user = granted(server, api, role, ids([copter]))
     number = next(iter(attach(user, tcp=False, system_id=240).wait_vehicles(1)))
     ground = attach(None if who == "stranger" else user)
     if who != "stranger":

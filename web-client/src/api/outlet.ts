@@ -23,6 +23,21 @@ export interface OutletRefused {
   replayed: number;
   tooOld: number;
   turnedAway: number;
+  /** At a personal port, from where it is not bound to. */
+  elsewhere: number;
+}
+
+/** A port for a program that cannot sign: it looks, and changes nothing. */
+export interface PersonalPort {
+  id: string;
+  endpoint: string;
+  /** From where it may be spoken to: an address or a network. */
+  address: string;
+  /** Who has it; null: nobody has spoken there yet. */
+  peer: string | null;
+  /** Messages from elsewhere. */
+  refused: number;
+  until: string;
 }
 
 /** Where to attach, and what of one's own is attached. */
@@ -30,6 +45,7 @@ export interface OwnOutlet {
   endpoints: string[];
   passphraseSet: boolean;
   clients: OutletClient[];
+  ports: PersonalPort[];
 }
 
 /** All that is attached. */
@@ -60,6 +76,15 @@ export class OutletCalls {
 
   clearPassphrase(): Promise<void> {
     return this.#call('DELETE', '/outlet/passphrase');
+  }
+
+  /** For one hour up to 24. */
+  openPort(address: string, hours: number): Promise<PersonalPort> {
+    return this.#call('POST', '/outlet/ports', { address, hours });
+  }
+
+  closePort(id: string): Promise<void> {
+    return this.#call('DELETE', `/outlet/ports/${encodeURIComponent(id)}`);
   }
 
   all(): Promise<OutletStatus> {

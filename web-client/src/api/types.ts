@@ -50,6 +50,14 @@ export interface Position {
   altitudeAboveHome: number | null;
 }
 
+/** Metres in a frame of its own, such as its map; degrees counter-clockwise from x. */
+export interface LocalPosition {
+  x: number;
+  y: number;
+  z: number | null;
+  yaw: number | null;
+}
+
 export interface Motion {
   groundSpeed: number | null;
   airSpeed: number | null;
@@ -164,6 +172,7 @@ export interface Drone {
   readyToArm?: boolean | null;
   flight: FlightState | null;
   position: Position | null;
+  local?: LocalPosition | null;
   place: string | null;
   motion: Motion | null;
   attitude: Attitude | null;

@@ -35,6 +35,7 @@ const REFUSED: [keyof OutletRefused, string][] = [
   ['replayed', 'sent again'],
   ['tooOld', 'with a clock that is late'],
   ['turnedAway', 'from users who may not attach'],
+  ['elsewhere', 'at personal ports of somebody else'],
 ];
 
 /** Messages of strangers, by reason; null: there were none. */

@@ -1,11 +1,12 @@
 import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import type { OutletClient } from '../api/outlet';
+import type { OutletClient, PersonalPort } from '../api/outlet';
 import { STATION, Station } from '../state/station.svelte';
 import { rateLine, refusedLine, troubleLine, whatLine } from './client-line';
 import OutletClients from './OutletClients.svelte';
 import OwnOutlet from './OwnOutlet.svelte';
-import { settingsFor, wayWords, waysIn } from './settings';
+import { portLine, portPlace } from './port-line';
+import { settingsFor, signerFor, wayWords, waysIn } from './settings';
 
 const CLIENT: OutletClient = {
   id: 'client-1',
@@ -20,8 +21,17 @@ const CLIENT: OutletClient = {
   dropped: 0,
   silentSeconds: 0.4,
 };
-const NOBODY = { unsigned: 0, badSignature: 0, replayed: 0, tooOld: 0, turnedAway: 0 };
+const NOBODY = { unsigned: 0, badSignature: 0, replayed: 0, tooOld: 0, turnedAway: 0, elsewhere: 0 };
 const ENDPOINTS = ['udpserver://0.0.0.0:14560', 'tcpserver://127.0.0.1:5790', 'wssserver://[::]:5791/mav'];
+
+const PORT: PersonalPort = {
+  id: 'port-1',
+  endpoint: 'udpserver://0.0.0.0:14561',
+  address: '192.0.2.7',
+  peer: null,
+  refused: 0,
+  until: '2026-01-01T20:00:00Z',
+};
 
 afterEach(cleanup);
 
@@ -50,6 +60,9 @@ describe('the settings of programs', () => {
       'TCP 127.0.0.1:5790',
       'wss://cloud.example:5791',
     ]);
+    expect(waysIn(['dtlsserver://0.0.0.0:14599'], 'cloud.example').map(wayWords)).toEqual([
+      'DTLS cloud.example:14599',
+    ]);
     expect(waysIn(['serial:///dev/tty'], 'cloud.example')).toEqual([]);
   });
 
@@ -57,7 +70,7 @@ describe('the settings of programs', () => {
     const known = settingsFor(waysIn(ENDPOINTS, 'cloud.example'), 'open sesame 1234567');
     const lines = known.flatMap((program) => program.lines.map((line) => line.text));
     expect(lines).toContain('mavproxy.py --mav20 --master=udpout:cloud.example:14560');
-    expect(lines).toContain('signing key open sesame 1234567');
+    expect(lines).toContain('signing key "open sesame 1234567"');
     expect(known.map((one) => one.program)).toEqual([
       'QGroundControl',
       'Mission Planner',
@@ -67,6 +80,10 @@ describe('the settings of programs', () => {
     const [only] = settingsFor(waysIn([ENDPOINTS[1] ?? ''], 'x'), null).slice(2);
     expect(only?.lines[0]?.text).toBe('mavproxy.py --mav20 --master=tcp:127.0.0.1:5790');
     expect(settingsFor([], null)).toEqual([]);
+    expect(signerFor(waysIn(ENDPOINTS, 'cloud.example'))).toBe(
+      'python -m dronemap_attach --server udp:cloud.example:14560',
+    );
+    expect(signerFor([])).toBeNull();
   });
 });
 
@@ -74,7 +91,7 @@ describe('the outlet page', () => {
   it('shows a new passphrase once, and says when nothing is attached', async () => {
     const station = new Station();
     const { outlet } = station.rest;
-    const own = { endpoints: ENDPOINTS, passphraseSet: false, clients: [] };
+    const own = { endpoints: ENDPOINTS, passphraseSet: false, clients: [], ports: [] };
     const look = vi.spyOn(outlet, 'own').mockResolvedValue(own);
     vi.spyOn(outlet, 'newPassphrase').mockResolvedValue('correct horse battery');
     render(OwnOutlet, { context: new Map([[STATION, station]]) });
@@ -82,6 +99,36 @@ describe('the outlet page', () => {
     expect(await screen.findByText('correct horse battery')).toBeDefined();
     look.mockResolvedValue({ ...own, passphraseSet: true });
     expect(screen.queryByRole('list', { name: 'Attached in your name' })).toBeNull();
+  });
+
+  it('opens a personal port for an address, and closes it only when it is confirmed', async () => {
+    const station = new Station();
+    const { outlet } = station.rest;
+    const own = { endpoints: ENDPOINTS, passphraseSet: false, clients: [], ports: [] };
+    const look = vi.spyOn(outlet, 'own').mockResolvedValue(own);
+    const openPort = vi.spyOn(outlet, 'openPort').mockResolvedValue(PORT);
+    const closePort = vi.spyOn(outlet, 'closePort').mockResolvedValue();
+    render(OwnOutlet, { context: new Map([[STATION, station]]) });
+    await fireEvent.click(await screen.findByText('Programs that cannot sign'));
+    await fireEvent.input(screen.getByLabelText('Address of the program, or its network'), {
+      target: { value: ' 192.0.2.7 ' },
+    });
+    look.mockResolvedValue({ ...own, ports: [PORT] });
+    await fireEvent.click(screen.getByRole('button', { name: 'Open a port to look' }));
+    expect(openPort).toHaveBeenCalledWith('192.0.2.7', 8);
+    const button = await screen.findByRole('button', { name: /Close/ });
+    await fireEvent.click(button);
+    expect(closePort).not.toHaveBeenCalled();
+    await fireEvent.click(button);
+    expect(closePort).toHaveBeenCalledWith('port-1');
+  });
+
+  it('tells of a personal port where it is, who has it and how long', () => {
+    expect(portPlace(PORT, 'cloud.example')).toBe('UDP cloud.example:14561');
+    expect(portLine(PORT)).toMatch(/^for the first from 192\.0\.2\.7 · until /);
+    expect(portLine({ ...PORT, peer: '192.0.2.7:5000', refused: 3 })).toMatch(
+      /^192\.0\.2\.7:5000 has it · until .* · 3 messages of others kept outside$/,
+    );
   });
 
   it('lists who is attached, and disconnects only when it is confirmed', async () => {

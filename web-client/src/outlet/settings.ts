@@ -1,6 +1,6 @@
 /** One way in: what it listens on, as a client is to name it. */
 export interface WayIn {
-  scheme: 'udp' | 'tcp' | 'ws' | 'wss';
+  scheme: 'udp' | 'tcp' | 'dtls' | 'ws' | 'wss';
   host: string;
   port: string;
 }
@@ -15,6 +15,7 @@ export interface ProgramSettings {
 const SERVERS: Record<string, WayIn['scheme']> = {
   udpserver: 'udp',
   tcpserver: 'tcp',
+  dtlsserver: 'dtls',
   wsserver: 'ws',
   wssserver: 'wss',
 };
@@ -35,9 +36,17 @@ export function waysIn(endpoints: readonly string[], host: string): WayIn[] {
 }
 
 export function wayWords({ scheme, host, port }: WayIn): string {
-  return scheme === 'udp' || scheme === 'tcp'
-    ? `${scheme.toUpperCase()} ${host}:${port}`
-    : `${scheme}://${host}:${port}`;
+  return scheme === 'ws' || scheme === 'wss'
+    ? `${scheme}://${host}:${port}`
+    : `${scheme.toUpperCase()} ${host}:${port}`;
+}
+
+/** What signs for programs that cannot, in a shell; null: it finds no way in. */
+export function signerFor(ways: readonly WayIn[]): string | null {
+  const way = ways.find((one) => one.scheme === 'udp' || one.scheme === 'tcp');
+  return way === undefined
+    ? null
+    : `python -m dronemap_attach --server ${way.scheme}:${way.host}:${way.port}`;
 }
 
 /** Exact settings of the usual programs; `passphrase` null: it is not known here any more. */
@@ -75,7 +84,7 @@ export function settingsFor(ways: readonly WayIn[], passphrase: string | null): 
       steps: [],
       lines: [
         { label: 'In the shell', text: `mavproxy.py --mav20 --master=${address}` },
-        { label: 'In MAVProxy', text: `signing key ${secret}` },
+        { label: 'In MAVProxy', text: `signing key "${secret}"` },
       ],
     },
     {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.Set;
 import org.dronemap.core.access.KeyRights;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** One's own passphrase for the outlet. */
 class OwnOutletTest {
     private static final String PATH = "/api/v1/outlet/passphrase";
+    private static final String PORTS = "/api/v1/outlet/ports";
 
     @TempDir
     static Path data;
@@ -86,5 +88,53 @@ class OwnOutletTest {
         }
         assertThat(set(new Http(house, house.key(Role.OPERATOR)), "{}").status())
                 .isEqualTo(200);
+    }
+
+    private static Http.Answer open(Http who, String body) {
+        return who.post(PORTS, body);
+    }
+
+    private static Http.Answer close(Http who, String id) {
+        return who.send(PORTS + "/" + id, HttpRequest.Builder::DELETE);
+    }
+
+    @Test
+    void aPersonalPortIsOfItsUserAloneAndClosedByAdministratorsToo() {
+        Http ann = new Http(house, house.key(Role.VIEWER));
+        Http bob = new Http(house, house.key(Role.OPERATOR));
+        Http.Answer answer = open(ann, "{\"address\":\"192.0.2.77/24\",\"hours\":2}");
+        assertThat(answer.status()).isEqualTo(201);
+        assertThat(answer.json().path("address").asString("")).isEqualTo("192.0.2.0/24");
+        Instant since = Instant.parse(answer.json().path("since").asString(""));
+        assertThat(answer.json().path("until").asString(""))
+                .isEqualTo(since.plus(Duration.ofHours(2)).toString());
+        String id = answer.json().path("id").asString("");
+        assertThat(ann.get("/api/v1/outlet").json().path("ports").findValuesAsString("id"))
+                .containsExactly(id);
+        assertThat(bob.get("/api/v1/outlet").json().path("ports").size()).isZero();
+        assertThat(close(bob, id).status()).isEqualTo(404);
+        assertThat(close(ann, id).status()).isEqualTo(204);
+        assertThat(close(ann, id).status()).isEqualTo(404);
+        String second =
+                open(ann, "{\"address\":\"192.0.2.7\"}").json().path("id").asString("");
+        assertThat(close(new Http(house, house.key(Role.ADMINISTRATOR)), second).status())
+                .isEqualTo(204);
+    }
+
+    @Test
+    void aPersonalPortWantsASmallRangeAndAFewHours() {
+        Http ann = new Http(house, house.key(Role.VIEWER));
+        for (String address : new String[] {"", "localhost", "192.0.0.0/16", "0.0.0.0/0"}) {
+            Http.Answer answer = open(ann, "{\"address\":\"" + address + "\"}");
+            assertThat(answer.status()).isEqualTo(422);
+            assertThat(answer.json().path("field").asString("")).isEqualTo("address");
+        }
+        assertThat(open(ann, "{}").status()).isEqualTo(422);
+        Http.Answer long25 = open(ann, "{\"address\":\"192.0.2.7\",\"hours\":25}");
+        assertThat(long25.status()).isEqualTo(422);
+        assertThat(long25.json().path("field").asString("")).isEqualTo("hours");
+        KeyScope one = new KeyScope(Set.of(new DroneId("drone-1")), Set.of(Permission.values()));
+        Http bounded = new Http(house, house.key(new KeyRights(Role.OPERATOR, one, null)));
+        assertThat(open(bounded, "{\"address\":\"192.0.2.7\"}").status()).isEqualTo(403);
     }
 }

@@ -47,7 +47,9 @@ public final class CommandRules {
     }
 
     private static @Nullable String stateForbids(DroneState drone, Capability capability) {
-        boolean armed = Boolean.TRUE.equals(drone.armed());
+        // What has no motors to arm is always ready.
+        boolean arms = drone.capabilities().commands().contains(Capability.ARM);
+        boolean armed = !arms || Boolean.TRUE.equals(drone.armed());
         return switch (capability) {
             case ARM -> armed ? ALREADY_ARMED : null;
             case DISARM -> armed ? (drone.airborne() ? "It is in the air; land first." : null) : "It is not armed.";

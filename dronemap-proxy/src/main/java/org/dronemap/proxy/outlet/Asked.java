@@ -3,17 +3,17 @@ package org.dronemap.proxy.outlet;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
-import org.dronemap.mavlink.message.Statustext;
 
 /** What a client asked of a drone that it sees and that is in contact. Owned by the outlet's thread. */
 record Asked(OutletClient client, DroneId drone, VehicleTap vehicle, Frame frame) {
-    private static final int WARNING = 4;
-    private static final int CHUNK = 50;
-    private static final int MOST_CHUNKS = 5;
+    /** In which it is answered. */
+    private Voice voice() {
+        return new Voice(client, drone, vehicle);
+    }
 
     /** Answers in the name of the drone's autopilot. */
     void answer(Message message) {
-        client.say(new Letter.ForVehicle(drone, vehicle.component(), message));
+        voice().say(message);
     }
 
     /** Who asked, as an answer is addressed. */
@@ -27,11 +27,6 @@ record Asked(OutletClient client, DroneId drone, VehicleTap vehicle, Frame frame
 
     /** Says why not, in as many parts as that takes. */
     void explain(String sentence) {
-        int parts = Math.min(MOST_CHUNKS, (sentence.length() + CHUNK - 1) / CHUNK);
-        int number = parts > 1 ? client.nextText() : 0;
-        for (int part = 0; part < parts; part++) {
-            String text = sentence.substring(part * CHUNK, Math.min(sentence.length(), (part + 1) * CHUNK));
-            answer(new Statustext(WARNING, text, number, part));
-        }
+        voice().explain(sentence);
     }
 }

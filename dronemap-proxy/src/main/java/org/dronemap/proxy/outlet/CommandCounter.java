@@ -30,6 +30,7 @@ final class CommandCounter {
 
     private final CloudManager cloud;
     private final Orders orders;
+    private final ControlCounter controls;
     private final Map<Place, Given> given = new LinkedHashMap<>() {
         private static final long serialVersionUID = 1L;
 
@@ -44,9 +45,10 @@ final class CommandCounter {
     /** {@code result} null: not answered yet. */
     private record Given(Command command, @Nullable Integer result, long nanos) {}
 
-    CommandCounter(CloudManager cloud, Orders orders) {
+    CommandCounter(CloudManager cloud, Orders orders, ControlCounter controls) {
         this.cloud = cloud;
         this.orders = orders;
+        this.controls = controls;
     }
 
     /** COMMAND_LONG, COMMAND_INT or SET_MODE. */
@@ -87,8 +89,13 @@ final class CommandCounter {
     }
 
     private void grant(Asked asked, int number, Wish wish, boolean again, long now) {
-        if (wish instanceof Wish.Order order) {
+        if (asked.client().onlyLooks() && changes(wish)) {
+            acknowledge(asked, number, Reasons.DENIED);
+            asked.explain("This is a port to look only; to command, sign.");
+        } else if (wish instanceof Wish.Order order) {
             order(asked, number, order.command(), again, now);
+        } else if (changes(wish)) {
+            controls.take(asked, wish);
         } else if (wish instanceof Wish.Show show) {
             Frame newest = asked.vehicle().newest(show.messageId());
             acknowledge(asked, number, newest == null ? Reasons.TEMPORARILY_REJECTED : Reasons.ACCEPTED);
@@ -104,6 +111,10 @@ final class CommandCounter {
             acknowledge(asked, number, Reasons.UNSUPPORTED);
             asked.explain("Command " + number + " does not pass the cloud.");
         }
+    }
+
+    private static boolean changes(Wish wish) {
+        return wish instanceof Wish.Order || wish instanceof Wish.Control || wish instanceof Wish.Release;
     }
 
     private void order(Asked asked, int number, Command command, boolean again, long now) {

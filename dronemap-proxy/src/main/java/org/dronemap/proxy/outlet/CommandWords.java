@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 /** The MAVLink commands that pass, and what they come to; all others do not. Stateless. */
 final class CommandWords {
     static final int SET_MODE = 176;
+    static final int OPERATOR_CONTROL = 32_100;
     private static final int FORCE = 21_196;
     private static final int GLOBAL = 0;
     private static final int RELATIVE = 3;
@@ -100,12 +101,26 @@ final class CommandWords {
                         asked -> new Wish.Show(Math.round(asked.command().param1()))));
         words.put(519, new Word("REQUEST_PROTOCOL_VERSION", "from the cache", asked -> new Wish.Show(300)));
         words.put(520, new Word("REQUEST_AUTOPILOT_CAPABILITIES", "from the cache", asked -> new Wish.Show(148)));
+        words.put(
+                OPERATOR_CONTROL,
+                new Word("REQUEST_OPERATOR_CONTROL", "takes, asks for, hands over, gives back", CommandWords::control));
         words.put(2000, new Word("IMAGE_START_CAPTURE", "takePicture", asked -> order(new Command.TakePicture())));
         return words;
     }
 
     private static Wish order(Command command) {
         return new Wish.Order(command);
+    }
+
+    /** Whether to have it, and whether to give it to whoever asks. */
+    private static Wish control(Context asked) {
+        float action = asked.command().param1();
+        if (action == 0) {
+            return new Wish.Release();
+        }
+        return action == 1
+                ? new Wish.Control(asked.command().param2() == 1)
+                : new Wish.Denied("Control is asked for with 1, or given back with 0.");
     }
 
     /** PX4 takes altitudes above the sea, others above home. */

@@ -6,10 +6,10 @@ import org.dronemap.mavlink.MessageTable;
 
 /** Which messages of vehicles clients get to see: all but what belongs to talks between the vehicle and the cloud. */
 final class DownlinkRules {
-    /** Missions, parameters, logs, files, keys, time, acknowledgements: the cloud itself talks about those. */
+    /** Missions, parameters, logs, files, keys, time, control, acknowledgements: the cloud itself talks about those. */
     static final Set<Integer> ENDS_IN_THE_CLOUD = Set.of(
             4, 6, 7, 20, 21, 22, 23, 37, 38, 39, 40, 41, 43, 44, 45, 47, 50, 51, 52, 53, 73, 75, 76, 77, 80, 110, 111,
-            117, 118, 119, 120, 121, 122, 126, 130, 131, 256, 320, 321, 322, 323, 324, 345, 385);
+            117, 118, 119, 120, 121, 122, 126, 130, 131, 256, 320, 321, 322, 323, 324, 345, 385, 512);
 
     /** Each counts; a newer one does not stand for an older one. */
     private static final Set<Integer> EVENTS = Set.of(46, 180, 253, 263);

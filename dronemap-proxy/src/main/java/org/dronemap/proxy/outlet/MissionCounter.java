@@ -8,9 +8,13 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Home;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItem;
@@ -20,6 +24,7 @@ import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
 import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.procedure.Target;
+import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.dronemap.proxy.mavlink.translate.FenceCodec;
 import org.jspecify.annotations.Nullable;
 
@@ -32,6 +37,7 @@ final class MissionCounter {
     static final int ACK_INVALID_SEQUENCE = 13;
     static final int ACK_DENIED = 14;
     private static final int MOST_LISTS = 512;
+    private static final int WAYPOINT = 16;
     private static final double E7 = 1e7;
 
     private final CloudManager cloud;
@@ -133,11 +139,29 @@ final class MissionCounter {
 
     private @Nullable MissionItemInt item(Asked asked, int kind, int seq) {
         List<MissionItemInt> items = lists.get(new Place(asked.client().id(), asked.drone(), kind));
+        MissionItemInt home = items != null && items.isEmpty() && seq == 0 ? home(asked, kind) : null;
+        if (home != null) {
+            return addressed(home, asked, seq);
+        }
         if (items == null || seq >= items.size()) {
             acknowledge(asked, ACK_INVALID_SEQUENCE, kind);
             return null;
         }
         return addressed(items.get(seq), asked, seq);
+    }
+
+    /** Autopilots that keep home as item 0 show it also where there is no mission, and programs count on it. */
+    private @Nullable MissionItemInt home(Asked asked, int kind) {
+        Frame beat = asked.vehicle().newest(Heartbeat.ID);
+        Home home = cloud.drone(asked.drone()).map(DroneState::home).orElse(null);
+        boolean kept = beat != null && Autopilot.of(Heartbeat.decode(beat)).itemsBeforeMission() > 0;
+        if (home == null || !kept || kind != MissionKind.MISSION.number()) {
+            return null;
+        }
+        int x = (int) Math.round(home.point().latitudeDegrees() * E7);
+        int y = (int) Math.round(home.point().longitudeDegrees() * E7);
+        float z = (float) home.altitudeAmslMeters();
+        return new MissionItemInt(0, 0, 0, 0, WAYPOINT, 0, 1, 0, 0, 0, 0, x, y, z, kind);
     }
 
     static void acknowledge(Asked asked, int type, int kind) {

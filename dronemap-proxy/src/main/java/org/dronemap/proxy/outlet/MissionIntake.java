@@ -26,6 +26,7 @@ import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Takes missions, fences and rally points of clients in, item by item, and puts them on vehicles by commands of the cloud.
@@ -41,6 +42,7 @@ final class MissionIntake {
     private final CloudManager cloud;
     private final Orders orders;
     private final Map<Place, Intake> intakes = new LinkedHashMap<>();
+    private final List<Asked> due = new ArrayList<>();
 
     private record Place(String client, DroneId drone) {}
 
@@ -52,7 +54,10 @@ final class MissionIntake {
         private final List<MissionItemInt> items = new ArrayList<>();
         private int tries;
         private long askedNanos;
+        private boolean older;
         private boolean given;
+        /** Announced while this one was being cleared away; null: nothing. */
+        private @Nullable Asked next;
 
         Intake(Asked asked, int kind, int count) {
             this.asked = asked;
@@ -83,6 +88,8 @@ final class MissionIntake {
         Place place = new Place(asked.client().id(), asked.drone());
         Intake before = intakes.get(place);
         if (before != null && before.given) {
+            // What is on its way is announced again by who is not patient; after a clearance it is something new.
+            before.next = before.count == 0 ? asked : null;
             return;
         }
         if (announced.count() > MOST_ITEMS) {
@@ -113,7 +120,7 @@ final class MissionIntake {
 
     /** MISSION_ITEM_INT. */
     void item(Asked asked, long now) {
-        take(asked, MissionItemInt.decode(asked.frame()), now);
+        take(asked, MissionItemInt.decode(asked.frame()), false, now);
     }
 
     /** MISSION_ITEM, as older clients send it. */
@@ -138,10 +145,11 @@ final class MissionIntake {
                         (int) Math.round(item.y() * (place ? E7 : 1)),
                         item.z(),
                         item.missionType()),
+                true,
                 now);
     }
 
-    private void take(Asked asked, MissionItemInt item, long now) {
+    private void take(Asked asked, MissionItemInt item, boolean older, long now) {
         Place place = new Place(asked.client().id(), asked.drone());
         Intake intake = intakes.get(place);
         if (intake == null || intake.given || item.seq() != intake.items.size() || item.missionType() != intake.kind) {
@@ -149,6 +157,7 @@ final class MissionIntake {
         }
         intake.items.add(item);
         intake.tries = 0;
+        intake.older = older;
         goOn(place, intake, now);
     }
 
@@ -179,18 +188,21 @@ final class MissionIntake {
         return MissionReading.of(intake.kind, intake.items, before);
     }
 
-    /** In the newer form first, and in the older one to who does not answer that. */
+    /** In the newer form first, in the older one to who does not answer that, and from then on in the one that was answered. */
     private static void ask(Intake intake, int seq, long now) {
         Asked asked = intake.asked;
         intake.askedNanos = now;
         asked.answer(
-                intake.tries % 2 == 0
+                intake.older == (intake.tries % 2 == 1)
                         ? new MissionRequestInt(asked.fromSystem(), asked.fromComponent(), seq, intake.kind)
                         : new MissionRequest(asked.fromSystem(), asked.fromComponent(), seq, intake.kind));
     }
 
     /** Asks again for what does not come, and gives up; keeps those patient whose mission is on its way to the vehicle. */
     void tick(long now) {
+        List<Asked> next = List.copyOf(due);
+        due.clear();
+        next.forEach(asked -> begin(asked, now));
         for (Iterator<Intake> each = intakes.values().iterator(); each.hasNext(); ) {
             Intake intake = each.next();
             if (now - intake.askedNanos < ASK_AGAIN_NANOS) {
@@ -259,6 +271,9 @@ final class MissionIntake {
             } else {
                 int type = outcome instanceof Outcome.Refused ? MissionCounter.ACK_DENIED : MissionCounter.ACK_ERROR;
                 refuse(intake.asked, type, intake.kind, Reasons.sentence(outcome));
+            }
+            if (intake.next != null) {
+                due.add(intake.next);
             }
         }
     }

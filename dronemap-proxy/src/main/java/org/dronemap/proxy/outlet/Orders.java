@@ -18,6 +18,9 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseStep;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -31,6 +34,7 @@ final class Orders implements CloudListener, AutoCloseable {
     private static final int MOST_WAITING = 256;
 
     private final CloudManager cloud;
+    private final OutletControl control;
     private final Consumer<Runnable> answering;
     private final Map<CommandId, Answer> open = new ConcurrentHashMap<>();
     private final ThreadPoolExecutor thread;
@@ -45,8 +49,9 @@ final class Orders implements CloudListener, AutoCloseable {
     }
 
     /** {@code answering} runs what is to be answered. */
-    Orders(CloudManager cloud, Consumer<Runnable> answering) {
+    Orders(CloudManager cloud, OutletControl control, Consumer<Runnable> answering) {
         this.cloud = cloud;
+        this.control = control;
         this.answering = answering;
         thread = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(MOST_WAITING), task -> {
             Thread created = new Thread(task, "outlet-orders");
@@ -74,6 +79,28 @@ final class Orders implements CloudListener, AutoCloseable {
         } catch (RuntimeException e) {
             LOG.error("A command of {} at the outlet could not be given", principal.name(), e);
             end(id, new Outcome.Failed("The server could not take the command down; nothing was sent."));
+        }
+    }
+
+    /** Does something about the control of a drone, in order with commands; {@code answer} hears null when it could not be done. */
+    void act(Principal principal, DroneId drone, LeaseEvent event, Consumer<@Nullable LeaseStep> answer) {
+        try {
+            thread.execute(() -> {
+                LeaseStep step = decided(principal, drone, event);
+                answering.accept(() -> answer.accept(step));
+            });
+        } catch (RejectedExecutionException e) {
+            LOG.warn("The outlet had no room for what {} wanted with the control of a drone", principal.name());
+            answering.accept(() -> answer.accept(null));
+        }
+    }
+
+    private @Nullable LeaseStep decided(Principal principal, DroneId drone, LeaseEvent event) {
+        try {
+            return control.act(principal, drone, event);
+        } catch (RuntimeException e) {
+            LOG.error("What {} wanted with the control of {} could not be done", principal.name(), drone, e);
+            return null;
         }
     }
 

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.outlet;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -27,15 +28,25 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     private final OutletRoom room;
     private final RightsWatch rights;
     private final Links links;
+    private final PersonalPorts ports;
     private final Map<DroneId, VehicleTap> vehicles = new ConcurrentHashMap<>();
 
-    /** Opens nothing before {@link #start}; clients come in over listeners that prove nothing of their own. */
+    /**
+     * Opens nothing before {@link #start}; clients come in over listeners that prove nothing of their own but
+     * DTLS, which users' programs open by name and key; of {@code doors} it takes the rest.
+     */
     public Outlet(List<EndpointUrl> urls, OutletPolicy policy, Doors doors) {
+        this(urls, PortRange.NONE, policy, doors);
+    }
+
+    /** {@code personal}: where users may open ports of their own. */
+    public Outlet(List<EndpointUrl> urls, PortRange personal, OutletPolicy policy, Doors doors) {
         this.urls = List.copyOf(urls);
         keys = new OutletKeys(policy.store(), policy.clock(), policy.nanoTime());
         rights = new RightsWatch(policy.rights(), keys);
         room = new OutletRoom(policy, counts, vehicles, rights);
-        links = new Links(this, doors);
+        links = new Links(this, new Doors(keys::dtlsSecret, doors.tls(), doors.limits()));
+        ports = new PersonalPorts(this, urls, personal, policy);
     }
 
     /**
@@ -46,7 +57,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
      */
     public void start(boolean patient) throws IOException {
         room.start();
-        rights.start(room);
+        rights.start(room, ports::sweep);
         for (int number = 0; number < urls.size(); number++) {
             String id = "outlet-" + (number + 1);
             if (patient) {
@@ -82,7 +93,30 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     }
 
     public OutletStatus status() {
-        return room.status();
+        return room.status(ports.all());
+    }
+
+    /**
+     * Opens a port of the user's own, for a program that cannot sign and that only looks: for the first address within
+     * {@code allowed} that speaks there. It ends with the time, or with the server.
+     *
+     * @throws IllegalStateException with a sentence when there can be no more
+     */
+    public OutletStatus.Port openPort(String user, AddressRange allowed, Duration time) {
+        return ports.open(user, allowed, time);
+    }
+
+    /** False when there is no such port. */
+    public boolean closePort(String id) {
+        boolean closed = ports.close(id);
+        room.keysChanged();
+        return closed;
+    }
+
+    /** Closes all ports of a user's own. */
+    public void closePortsOf(String user) {
+        ports.closeOf(user);
+        room.keysChanged();
     }
 
     /** Ends a client, which may come back in a minute; false when there is no such client. */
@@ -106,9 +140,14 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         return new VehicleTap(this, componentId);
     }
 
-    /** A client sent what its key has signed; false when there was no room. */
-    boolean heard(Peer peer, UserKey key, Frame frame) {
-        return room.heard(peer, key, frame);
+    /** A client sent something by its right; false when there was no room. */
+    boolean heard(Peer peer, Pass pass, Frame frame) {
+        return room.heard(peer, pass, frame);
+    }
+
+    /** Somebody spoke to a personal port of somebody else. */
+    void refusedElsewhere() {
+        counts.elsewhere();
     }
 
     /** A client's address has fallen silent, or its connection has ended. */
@@ -138,6 +177,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     @Override
     public void close() {
         links.close();
+        ports.close();
         rights.close();
         room.close();
     }

@@ -9,6 +9,7 @@ import java.util.Set;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -30,7 +31,7 @@ final class OutletClient {
 
     private final String id;
     private final Peer peer;
-    private final UserKey key;
+    private final Pass pass;
     private final SystemNumbers numbers;
     private final Instant since;
     private final int systemId;
@@ -42,38 +43,55 @@ final class OutletClient {
     private byte @Nullable [] ready;
     private int orders;
     private int lastText;
-    private long saidOfSteeringNanos = Long.MIN_VALUE;
+    /** When it was told what; of a few sentences. */
+    private final Map<String, Long> toldNanos = new HashMap<>();
+
     private long lastHeardNanos;
     private volatile @Nullable Principal principal;
 
     /** What makes a client: whose it is, the system id that it gives itself, since when. */
-    record Entry(String id, UserKey key, int systemId, Instant since, long nowNanos) {}
+    record Entry(String id, Pass pass, int systemId, Instant since, long nowNanos) {}
 
     OutletClient(Entry entry, Peer peer, SystemNumbers numbers, Principal principal) {
         this.id = entry.id();
-        this.key = entry.key();
+        this.pass = entry.pass();
         this.systemId = entry.systemId();
         this.since = entry.since();
         this.lastHeardNanos = entry.nowNanos();
         this.peer = peer;
         this.numbers = numbers;
-        this.principal = principal;
+        this.principal = pass.rights(principal);
     }
 
     String id() {
         return id;
     }
 
-    UserKey key() {
-        return key;
+    Pass pass() {
+        return pass;
+    }
+
+    /** It came by a port at which nothing is ever changed. */
+    boolean onlyLooks() {
+        return pass instanceof PersonalPort;
     }
 
     String user() {
-        return key.user();
+        return pass.user();
     }
 
     Peer peer() {
         return peer;
+    }
+
+    /** What it calls itself. */
+    int systemId() {
+        return systemId;
+    }
+
+    /** What the cloud calls itself to it. */
+    int cloudId() {
+        return systemId == OWN_SYSTEM ? OTHER_SYSTEM : OWN_SYSTEM;
     }
 
     Outbox outbox() {
@@ -82,7 +100,7 @@ final class OutletClient {
 
     /** What its user may do from now on; null: nothing any more. Any thread. */
     void rightsAre(@Nullable Principal now) {
-        principal = now;
+        principal = now == null ? null : pass.rights(now);
     }
 
     /** Null when its user may do nothing any more. */
@@ -94,6 +112,11 @@ final class OutletClient {
     boolean sees(DroneId drone) {
         Principal now = principal;
         return now != null && now.may(Role.VIEWER, drone);
+    }
+
+    /** It sees the drone, and has heard it. */
+    boolean shows(DroneId drone) {
+        return shown.contains(drone) && sees(drone);
     }
 
     void heard(long nowNanos) {
@@ -167,11 +190,15 @@ final class OutletClient {
         }
         if (letter instanceof Letter.ForVehicle spoken) {
             int number = numberOf(spoken.drone(), 0);
-            return number == 0 ? null : writer(number, spoken.component()).frame(spoken.message(), key);
+            return number == 0 ? null : frame(writer(number, spoken.component()), spoken.message());
         }
         Message message = ((Letter.OfCloud) letter).message();
-        return writer(systemId == OWN_SYSTEM ? OTHER_SYSTEM : OWN_SYSTEM, OWN_COMPONENT)
-                .frame(message, key);
+        return frame(writer(cloudId(), OWN_COMPONENT), message);
+    }
+
+    private byte[] frame(FrameWriter writer, Message message) {
+        FrameSigner signer = pass.signer();
+        return signer == null ? writer.frame(message) : writer.frame(message, signer);
     }
 
     private byte @Nullable [] copy(Letter.OfVehicle letter) {
@@ -179,7 +206,7 @@ final class OutletClient {
         return number == 0
                 ? null
                 : writer(number, letter.frame().componentId())
-                        .copy(letter.frame(), key)
+                        .copy(letter.frame(), pass.signer())
                         .orElse(null);
     }
 
@@ -221,10 +248,13 @@ final class OutletClient {
         return lastText;
     }
 
-    /** True at most once in so long. */
-    boolean mayHearOfSteering(long nowNanos, long everyNanos) {
-        boolean due = saidOfSteeringNanos == Long.MIN_VALUE || nowNanos - saidOfSteeringNanos > everyNanos;
-        saidOfSteeringNanos = due ? nowNanos : saidOfSteeringNanos;
+    /** True at most once in so long for each sentence. */
+    boolean mayBeTold(String sentence, long nowNanos, long everyNanos) {
+        Long before = toldNanos.get(sentence);
+        boolean due = before == null || nowNanos - before > everyNanos;
+        if (due) {
+            toldNanos.put(sentence, nowNanos);
+        }
         return due;
     }
 

@@ -10,6 +10,7 @@ final class OutletCounts {
     private final LongAdder replayed = new LongAdder();
     private final LongAdder tooOld = new LongAdder();
     private final LongAdder turnedAway = new LongAdder();
+    private final LongAdder elsewhere = new LongAdder();
     private final LongAdder unread = new LongAdder();
     private final LongAdder notPassed = new LongAdder();
 
@@ -29,6 +30,11 @@ final class OutletCounts {
         turnedAway.increment();
     }
 
+    /** A personal port was spoken to from where it is not bound to. */
+    void elsewhere() {
+        elsewhere.increment();
+    }
+
     /** A vehicle's frame found no room on its way to the clients. */
     void unread() {
         unread.increment();
@@ -41,7 +47,7 @@ final class OutletCounts {
 
     OutletStatus.Refused refused() {
         return new OutletStatus.Refused(
-                unsigned.sum(), badSignature.sum(), replayed.sum(), tooOld.sum(), turnedAway.sum());
+                unsigned.sum(), badSignature.sum(), replayed.sum(), tooOld.sum(), turnedAway.sum(), elsewhere.sum());
     }
 
     long unreadFrames() {

@@ -35,11 +35,16 @@ final class OutletKeys {
         this.nanoTime = nanoTime;
         trials = TRIALS_PER_SECOND;
         filledNanos = nanoTime.getAsLong();
-        store.keys().forEach(kept -> keys.put(kept.user(), new UserKey(kept, clock)));
+        store.keys().forEach(kept -> keys.put(kept.user(), UserKey.kept(kept, clock)));
     }
 
     boolean has(String user) {
         return keys.containsKey(user);
+    }
+
+    /** Of a user; empty for one who has none. */
+    Optional<byte[]> dtlsSecret(String user) {
+        return Optional.ofNullable(keys.get(user)).map(UserKey::dtlsSecret);
     }
 
     /** Whose key made this frame's signature; empty also when too much was tried lately. */
@@ -74,7 +79,7 @@ final class OutletKeys {
             return false;
         }
         store.saveKey(new OutletKey(user, key, 0));
-        UserKey before = keys.put(user, new UserKey(new OutletKey(user, key, 0), clock));
+        UserKey before = keys.put(user, UserKey.fresh(new OutletKey(user, key, 0), clock));
         if (before != null) {
             before.withdraw();
         }

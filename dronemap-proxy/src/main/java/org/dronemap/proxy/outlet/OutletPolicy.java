@@ -12,6 +12,7 @@ import org.dronemap.core.cloud.Journal;
  * @param store keys of users, and what they call drones
  * @param journal writes to it in the background
  * @param rights what users may do now
+ * @param control does and takes down what users want with the control of drones
  * @param nanoTime monotonic, in ns
  */
 public record OutletPolicy(
@@ -19,5 +20,6 @@ public record OutletPolicy(
         OutletStore store,
         Journal journal,
         OutletRights rights,
+        OutletControl control,
         Clock clock,
         LongSupplier nanoTime) {}

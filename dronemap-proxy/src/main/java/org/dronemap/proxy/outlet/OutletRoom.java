@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
  * The clients of the outlet and the one thread that serves them. What comes in waits in bounded queues; what happens to
  * clients belongs to the thread.
  */
-final class OutletRoom implements AutoCloseable {
+final class OutletRoom implements ControlNews.Room, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(OutletRoom.class);
     private static final int MOST_CLIENTS = 200;
     private static final int MOST_FROM_CLIENTS = 4_096;
@@ -53,13 +53,17 @@ final class OutletRoom implements AutoCloseable {
     // From here on owned by the thread.
     private final Map<Peer, OutletClient> clients = new LinkedHashMap<>();
     private final Map<Peer, Long> outsideUntil = new HashMap<>();
+    private final Map<SentAway, Long> sentAwayUntil = new HashMap<>();
     private final SystemNumbers numbers;
     private final Uplink uplink;
     private int lastId;
     private long tickNanos;
     private long secondNanos;
 
-    private record Heard(Peer peer, UserKey key, Frame frame) {}
+    private record Heard(Peer peer, Pass pass, Frame frame) {}
+
+    /** Whom somebody disconnected: that user, from there, whatever the port. */
+    private record SentAway(String user, String host) {}
 
     private record Said(DroneId drone, Frame frame) {}
 
@@ -76,12 +80,13 @@ final class OutletRoom implements AutoCloseable {
                                 "what " + number.user() + " calls a drone",
                                 () -> policy.store().saveNumber(number),
                                 () -> {}));
-        uplink = new Uplink(policy.cloud(), counts, vehicles, this::later);
+        uplink = new Uplink(policy, counts, vehicles, this);
         thread.setDaemon(true);
     }
 
     /** On the clients' thread, soon. Any thread. */
-    private void later(Runnable task) {
+    @Override
+    public void later(Runnable task) {
         tasks.add(task);
         LockSupport.unpark(thread);
     }
@@ -92,8 +97,8 @@ final class OutletRoom implements AutoCloseable {
     }
 
     /** False when there was no room. Any thread. */
-    boolean heard(Peer peer, UserKey key, Frame frame) {
-        boolean taken = fromClients.offer(new Heard(peer, key, frame));
+    boolean heard(Peer peer, Pass pass, Frame frame) {
+        boolean taken = fromClients.offer(new Heard(peer, pass, frame));
         LockSupport.unpark(thread);
         return taken;
     }
@@ -113,11 +118,11 @@ final class OutletRoom implements AutoCloseable {
         });
     }
 
-    /** Clients whose key was changed or taken away end. Any thread. */
+    /** Clients whose passphrase was changed or taken away, or whose port was closed, end. Any thread. */
     void keysChanged() {
         tasks.add(() -> List.copyOf(clients.values()).stream()
-                .filter(client -> client.key().isWithdrawn())
-                .forEach(client -> end(client.peer(), "its passphrase is no longer good")));
+                .filter(client -> client.pass().isWithdrawn())
+                .forEach(client -> end(client.peer(), "it is no longer let in")));
     }
 
     /** Any thread. */
@@ -135,7 +140,8 @@ final class OutletRoom implements AutoCloseable {
             return false;
         }
         tasks.add(() -> {
-            outsideUntil.put(found.peer(), policy.nanoTime().getAsLong() + OUTSIDE_NANOS);
+            SentAway whom = new SentAway(found.user(), found.peer().address().host());
+            sentAwayUntil.put(whom, policy.nanoTime().getAsLong() + OUTSIDE_NANOS);
             end(found.peer(), "somebody disconnected it");
         });
         LockSupport.unpark(thread);
@@ -143,13 +149,14 @@ final class OutletRoom implements AutoCloseable {
     }
 
     /** Any thread. */
-    List<OutletClient> clients() {
+    @Override
+    public List<OutletClient> clients() {
         return all;
     }
 
     /** At most a second old. Any thread. */
-    OutletStatus status() {
-        return new OutletStatus(shown, counts.refused(), counts.unreadFrames(), counts.notPassedFrames());
+    OutletStatus status(List<OutletStatus.Port> ports) {
+        return new OutletStatus(shown, ports, counts.refused(), counts.unreadFrames(), counts.notPassedFrames());
     }
 
     private void run() {
@@ -200,11 +207,11 @@ final class OutletRoom implements AutoCloseable {
     }
 
     private void take(Heard heard, long now) {
-        if (heard.key().isWithdrawn()) {
+        if (heard.pass().isWithdrawn()) {
             return;
         }
         OutletClient client = clients.get(heard.peer());
-        if (client != null && client.key() == heard.key()) {
+        if (client != null && client.pass() == heard.pass()) {
             client.heard(now);
             uplink.take(client, heard.frame(), now);
         } else {
@@ -214,23 +221,27 @@ final class OutletRoom implements AutoCloseable {
 
     /** Asks once what a new client's user may do; what it sends meanwhile is lost, and is sent again by all who need it. */
     private void knock(Heard heard, long now) {
-        Long until = outsideUntil.get(heard.peer());
-        if (until != null && now - until < 0) {
+        SentAway whom = new SentAway(heard.pass().user(), heard.peer().address().host());
+        if (isBefore(now, outsideUntil.get(heard.peer())) || isBefore(now, sentAwayUntil.get(whom))) {
             counts.turnedAway();
             return;
         }
         outsideUntil.put(heard.peer(), now + REFUSED_NANOS);
-        rights.ask(heard.key().user(), principal -> tasks.add(() -> welcome(heard, principal)));
+        rights.ask(heard.pass().user(), principal -> tasks.add(() -> welcome(heard, principal)));
+    }
+
+    private static boolean isBefore(long now, @Nullable Long until) {
+        return until != null && now - until < 0;
     }
 
     private void welcome(Heard heard, @Nullable Principal principal) {
-        UserKey key = heard.key();
+        Pass pass = heard.pass();
         long ofUser = clients.values().stream()
-                .filter(client -> client.user().equals(key.user()))
+                .filter(client -> client.user().equals(pass.user()))
                 .count();
         if (principal == null
                 || !principal.may(Role.VIEWER)
-                || key.isWithdrawn()
+                || pass.isWithdrawn()
                 || clients.size() >= MOST_CLIENTS
                 || ofUser >= MOST_OF_A_USER) {
             counts.turnedAway();
@@ -241,7 +252,7 @@ final class OutletRoom implements AutoCloseable {
         long now = policy.nanoTime().getAsLong();
         OutletClient.Entry entry = new OutletClient.Entry(
                 "client-" + ++lastId,
-                key,
+                pass,
                 heard.frame().systemId(),
                 policy.clock().instant(),
                 now);
@@ -267,7 +278,9 @@ final class OutletRoom implements AutoCloseable {
     private void second(long now) {
         for (OutletClient client : List.copyOf(clients.values())) {
             Principal principal = client.principal();
-            if (principal == null || !principal.may(Role.VIEWER)) {
+            if (client.pass().isWithdrawn()) {
+                end(client.peer(), "it is no longer let in");
+            } else if (principal == null || !principal.may(Role.VIEWER)) {
                 end(client.peer(), "its user may look no more");
             } else if (client.peer().isDatagram() && client.silenceNanos(now) > SILENCE_NANOS) {
                 end(client.peer(), "it said nothing for half a minute");
@@ -278,7 +291,9 @@ final class OutletRoom implements AutoCloseable {
                 }
             }
         }
+        uplink.second();
         outsideUntil.values().removeIf(until -> now - until > 0);
+        sentAwayUntil.values().removeIf(until -> now - until > 0);
         shown = clients.values().stream().map(client -> client.status(now)).toList();
     }
 

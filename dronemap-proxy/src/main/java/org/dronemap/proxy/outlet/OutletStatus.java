@@ -2,6 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import java.time.Instant;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * How the outlet is doing at one moment.
@@ -9,7 +10,7 @@ import java.util.List;
  * @param unread frames of vehicles that found no room on their way to the clients
  * @param notPassed frames of clients that are of a kind that does not pass
  */
-public record OutletStatus(List<Client> clients, Refused refused, long unread, long notPassed) {
+public record OutletStatus(List<Client> clients, List<Port> ports, Refused refused, long unread, long notPassed) {
     /**
      * A ground station or program that is attached.
      *
@@ -35,6 +36,30 @@ public record OutletStatus(List<Client> clients, Refused refused, long unread, l
             int waiting,
             double silentSeconds) {}
 
-    /** Frames of strangers by why they stayed outside; {@code turnedAway}: signed rightly, and yet. */
-    public record Refused(long unsigned, long badSignature, long replayed, long tooOld, long turnedAway) {}
+    /**
+     * A personal port.
+     *
+     * @param endpoint where it listens
+     * @param allowed from where it may be spoken to
+     * @param peer who has it; null until somebody speaks
+     * @param refused frames from elsewhere
+     */
+    public record Port(
+            String id,
+            String user,
+            String endpoint,
+            String allowed,
+            @Nullable String peer,
+            long refused,
+            Instant since,
+            Instant until) {}
+
+    /**
+     * Frames of strangers by why they stayed outside.
+     *
+     * @param turnedAway signed rightly, and yet
+     * @param elsewhere at a personal port, from where it is not bound to
+     */
+    public record Refused(
+            long unsigned, long badSignature, long replayed, long tooOld, long turnedAway, long elsewhere) {}
 }

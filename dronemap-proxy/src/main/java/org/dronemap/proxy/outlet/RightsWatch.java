@@ -34,10 +34,10 @@ final class RightsWatch implements AutoCloseable {
         this.keys = keys;
     }
 
-    /** Looks at the clients that there are from now on. */
-    void start(OutletRoom room) {
-        var unused =
-                thread.scheduleWithFixedDelay(() -> look(room), RHYTHM_MILLIS, RHYTHM_MILLIS, TimeUnit.MILLISECONDS);
+    /** Looks at the clients that there are from now on, and does {@code often} as often. */
+    void start(OutletRoom room, Runnable often) {
+        var unused = thread.scheduleWithFixedDelay(
+                () -> look(room, often), RHYTHM_MILLIS, RHYTHM_MILLIS, TimeUnit.MILLISECONDS);
     }
 
     /** Answers on its thread; null: the user is gone, may do nothing, or could not be looked up. */
@@ -58,8 +58,9 @@ final class RightsWatch implements AutoCloseable {
         }
     }
 
-    private void look(OutletRoom room) {
+    private void look(OutletRoom room, Runnable often) {
         try {
+            often.run();
             for (OutletClient client : room.clients()) {
                 client.rightsAre(rights.principal(client.user()).orElse(null));
             }

@@ -1,19 +1,18 @@
 package org.dronemap.proxy.outlet;
 
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.MessageTable;
+import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.FileTransferProtocol;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.LogEntry;
+import org.dronemap.mavlink.message.LogRequestData;
 import org.dronemap.mavlink.message.LogRequestList;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionClearAll;
@@ -23,6 +22,7 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
+import org.dronemap.mavlink.message.MissionSetCurrent;
 import org.dronemap.mavlink.message.ParamRequestList;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
@@ -38,10 +38,23 @@ import org.dronemap.mavlink.message.Timesync;
  */
 final class Uplink implements AutoCloseable {
     /** Heard, and nothing more: signs of life, and what is as wanted already. */
-    static final Set<Integer> HEARD = Set.of(Heartbeat.ID, SystemTime.ID, RequestDataStream.ID, MissionAck.ID);
+    static final Set<Integer> HEARD =
+            Set.of(Heartbeat.ID, SystemTime.ID, RequestDataStream.ID, MissionAck.ID, CommandAck.ID);
 
     /** Sticks and setpoints, which do not pass, and say so. */
     static final Set<Integer> STEERING = Set.of(69, 70, 82, 84, 86, 139);
+
+    private static final String LOGS =
+            "Logs on board and recordings of flights are fetched from the server's page, not here.";
+
+    /** What is done otherwise than by these messages. */
+    private static final Map<Integer, String> ELSEWHERE = Map.of(
+            LogRequestList.ID,
+            LOGS,
+            LogRequestData.ID,
+            LOGS,
+            MissionSetCurrent.ID,
+            "The item to go on from is not set through the cloud; upload the mission from there on.");
 
     private static final long BETWEEN_SENTENCES_NANOS = 10_000_000_000L;
 
@@ -49,17 +62,21 @@ final class Uplink implements AutoCloseable {
     private final Map<DroneId, VehicleTap> vehicles;
     private final CloudManager cloud;
     private final Orders orders;
+    private final ControlCounter controls;
+    private final ControlNews news;
     private final CommandCounter commands;
     private final ParameterCounter parameters;
     private final MissionCounter missions;
     private final MissionIntake intake;
 
-    Uplink(CloudManager cloud, OutletCounts counts, Map<DroneId, VehicleTap> vehicles, Consumer<Runnable> tasks) {
-        this.cloud = cloud;
+    Uplink(OutletPolicy policy, OutletCounts counts, Map<DroneId, VehicleTap> vehicles, ControlNews.Room room) {
+        this.cloud = policy.cloud();
         this.counts = counts;
         this.vehicles = vehicles;
-        orders = new Orders(cloud, tasks);
-        commands = new CommandCounter(cloud, orders);
+        orders = new Orders(cloud, policy.control(), room::later);
+        controls = new ControlCounter(cloud, orders);
+        news = new ControlNews(cloud, vehicles, room);
+        commands = new CommandCounter(cloud, orders, controls);
         parameters = new ParameterCounter(cloud, orders);
         missions = new MissionCounter(cloud, orders);
         intake = new MissionIntake(cloud, orders);
@@ -67,6 +84,9 @@ final class Uplink implements AutoCloseable {
 
     void take(OutletClient client, Frame frame, long now) {
         int message = frame.messageId();
+        if (message == Heartbeat.ID) {
+            controls.alive(client);
+        }
         if (HEARD.contains(message)) {
             return;
         }
@@ -100,10 +120,7 @@ final class Uplink implements AutoCloseable {
             case LogRequestList.ID -> logs(asked);
             case FileTransferProtocol.ID -> FileCounter.take(asked);
             default -> {
-                if (STEERING.contains(asked.frame().messageId())
-                        && asked.client().mayHearOfSteering(now, BETWEEN_SENTENCES_NANOS)) {
-                    asked.explain("Sticks and setpoints do not pass the cloud; use modes, go-to and missions.");
-                }
+                explain(asked, now);
                 return false;
             }
         }
@@ -134,18 +151,26 @@ final class Uplink implements AutoCloseable {
         }
     }
 
-    /** What the cloud knows of the logs on board; one that says nothing stands for none. */
-    private void logs(Asked asked) {
-        List<VehicleLog> known = cloud.onBoard(asked.drone()).logs();
-        List<VehicleLog> logs = known == null ? List.of() : known;
-        int last = logs.stream().mapToInt(VehicleLog::number).max().orElse(0);
-        if (logs.isEmpty()) {
-            asked.answer(new LogEntry(0, 0, 0, 0, 0));
+    /** None can be fetched here; who asks is told so at once, and where they are. */
+    private static void logs(Asked asked) {
+        asked.answer(new LogEntry(0, 0, 0, 0, 0));
+        asked.explain(LOGS);
+    }
+
+    /** Says why nothing comes of it, and not again at once. */
+    private static void explain(Asked asked, long now) {
+        int message = asked.frame().messageId();
+        String why = STEERING.contains(message)
+                ? "Sticks and setpoints do not pass the cloud; use modes, go-to and missions."
+                : ELSEWHERE.get(message);
+        if (why != null && asked.client().mayBeTold(why, now, BETWEEN_SENTENCES_NANOS)) {
+            asked.explain(why);
         }
-        for (VehicleLog log : logs) {
-            long at = log.at() == null ? 0 : log.at().getEpochSecond();
-            asked.answer(new LogEntry(log.number(), logs.size(), last, at, log.sizeBytes()));
-        }
+    }
+
+    /** Tells what is told once a second. */
+    void second() {
+        news.second();
     }
 
     /** Goes on with what takes longer. */
@@ -156,6 +181,7 @@ final class Uplink implements AutoCloseable {
 
     /** The client has gone. */
     void forget(OutletClient client) {
+        controls.forget(client.id());
         parameters.forget(client.id());
         missions.forget(client.id());
         intake.forget(client.id());
@@ -163,6 +189,7 @@ final class Uplink implements AutoCloseable {
 
     @Override
     public void close() {
+        news.close();
         orders.close();
     }
 }

@@ -1,7 +1,10 @@
 package org.dronemap.proxy.outlet;
 
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.time.InstantSource;
 import org.dronemap.core.access.OutletKey;
+import org.dronemap.core.access.Principal;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameSigner;
 import org.dronemap.mavlink.signing.OutgoingSigner;
@@ -14,28 +17,69 @@ import org.dronemap.mavlink.signing.Verdict;
  * One user's key for the outlet: judges what the user's programs send, from wherever, and signs what they get. A frame is
  * good once for all of them. Any thread: every method holds the object's lock.
  */
-final class UserKey implements FrameSigner {
+final class UserKey implements FrameSigner, Pass {
     private static final int OUTLET_LINK = 0;
 
     private final String user;
     private final SigningKey key;
     private final SigningClock clock;
     private final SignatureCheck check;
+    private final byte[] dtlsSecret;
     private final OutgoingSigner signer;
+    /** What was signed until then may have been heard before: which streams there were is not stored. */
+    private final long heardBefore;
+
     private long storedStamp;
     private volatile boolean withdrawn;
 
-    UserKey(OutletKey kept, InstantSource time) {
+    private UserKey(OutletKey kept, InstantSource time, boolean inUse) {
         user = kept.user();
         key = new SigningKey(kept.key().secret());
+        dtlsSecret = digest(kept.key().secret());
         clock = new SigningClock(time, kept.stamp());
         check = new SignatureCheck(key, clock);
         signer = new OutgoingSigner(key, clock, OUTLET_LINK);
         storedStamp = kept.stamp();
+        heardBefore = inUse ? clock.now() : 0;
     }
 
-    String user() {
+    /** One that nobody has signed with yet. */
+    static UserKey fresh(OutletKey made, InstantSource time) {
+        return new UserKey(made, time, false);
+    }
+
+    /** One of an earlier process: what was signed before this one began, or before the last that was heard then, is too old. */
+    static UserKey kept(OutletKey kept, InstantSource time) {
+        return new UserKey(kept, time, true);
+    }
+
+    private static byte[] digest(byte[] secret) {
+        try {
+            return MessageDigest.getInstance("SHA-256").digest(secret);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** What the user's programs encrypt with (the digest of the key, which nobody can sign with). */
+    byte[] dtlsSecret() {
+        return dtlsSecret.clone();
+    }
+
+    @Override
+    public String user() {
         return user;
+    }
+
+    @Override
+    public FrameSigner signer() {
+        return this;
+    }
+
+    /** All of them: whoever signs is the user. */
+    @Override
+    public Principal rights(Principal of) {
+        return of;
     }
 
     /** True when this key made the frame's signature; says nothing of its time. */
@@ -44,7 +88,8 @@ final class UserKey implements FrameSigner {
     }
 
     synchronized Verdict judge(Frame frame) {
-        return check.judge(frame);
+        boolean early = frame.signed() && frame.signatureTimestamp() <= heardBefore && key.signed(frame);
+        return early ? Verdict.TOO_OLD : check.judge(frame);
     }
 
     @Override
@@ -67,7 +112,8 @@ final class UserKey implements FrameSigner {
         withdrawn = true;
     }
 
-    boolean isWithdrawn() {
+    @Override
+    public boolean isWithdrawn() {
         return withdrawn;
     }
 }

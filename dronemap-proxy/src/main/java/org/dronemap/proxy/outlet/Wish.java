@@ -13,6 +13,12 @@ sealed interface Wish {
     /** It is as wanted already. */
     record Granted() implements Wish {}
 
+    /** Wants to have control, also by letting go to whoever asks. */
+    record Control(boolean allowTakeover) implements Wish {}
+
+    /** Gives control back. */
+    record Release() implements Wish {}
+
     /** It does not pass, and why. */
     record Denied(String sentence) implements Wish {}
 

@@ -8,6 +8,7 @@ import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
@@ -36,11 +37,18 @@ final class MatrixClient implements Peer {
     private final PeerHandler handler;
     private final FrameWriter writer;
     private final @Nullable OutgoingSigner signer;
+    private final @Nullable Consumer<Frame> listener;
     private final AtomicInteger vehicles = new AtomicInteger();
     private final AtomicInteger refusals = new AtomicInteger();
 
     /** {@code user} null: it signs nothing. */
-    MatrixClient(Outlet outlet, @Nullable String user, int systemId) {
+    MatrixClient(PeerHandler.Factory outlet, @Nullable String user, int systemId) {
+        this(outlet, user, systemId, null);
+    }
+
+    /** {@code listener} hears all that it is sent, on the outlet's thread, and hands over the items itself. */
+    MatrixClient(PeerHandler.Factory outlet, @Nullable String user, int systemId, @Nullable Consumer<Frame> listener) {
+        this.listener = listener;
         handler = outlet.opened(this, new PeerCounters(new EndpointCounters()));
         writer = new FrameWriter(systemId, 190, 2);
         signer = user == null
@@ -80,7 +88,9 @@ final class MatrixClient implements Peer {
         if (frame.messageId() == CommandAck.ID && CommandAck.decode(frame).result() != 0) {
             refusals.incrementAndGet();
         }
-        if (frame.messageId() == MissionRequestInt.ID) {
+        if (listener != null) {
+            listener.accept(frame);
+        } else if (frame.messageId() == MissionRequestInt.ID) {
             MissionRequestInt wanted = MissionRequestInt.decode(frame);
             says(item(frame.systemId(), wanted.seq(), wanted.missionType()));
         }

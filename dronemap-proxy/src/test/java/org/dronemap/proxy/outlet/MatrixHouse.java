@@ -3,6 +3,7 @@ package org.dronemap.proxy.outlet;
 import java.io.IOException;
 import java.time.Clock;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -54,7 +55,11 @@ final class MatrixHouse implements AutoCloseable {
     private final MatrixClient watcher;
 
     /** Who sends, and who has control of the drone. */
-    record Cast(Optional<Role> role, boolean inControl) {}
+    record Cast(Optional<Role> role, boolean inControl, boolean atPersonalPort) {
+        Cast(Optional<Role> role, boolean inControl) {
+            this(role, inControl, false);
+        }
+    }
 
     MatrixHouse(Cast cast) throws IOException {
         Map<String, Principal> users = Map.of(
@@ -67,6 +72,7 @@ final class MatrixHouse implements AutoCloseable {
                 store,
                 journal,
                 user -> Optional.ofNullable(users.get(user)),
+                (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
                 Clock.systemUTC(),
                 () -> System.nanoTime() + jumped.get());
         outlet = new Outlet(List.of(), policy, Doors.of(DtlsKeys.none()));
@@ -78,13 +84,24 @@ final class MatrixHouse implements AutoCloseable {
         String holder = cast.inControl() ? "sender" : "holder";
         cloud.cloud().controls().apply(drone, new LeaseEvent.Take(holder));
         watcher = attached("watcher", 253);
-        client = cast.role().isPresent() ? attached("sender", 254) : new MatrixClient(outlet, null, 254);
+        client = cast.atPersonalPort()
+                ? attached("sender", personal())
+                : cast.role().isPresent() ? attached("sender", 254) : new MatrixClient(outlet, null, 254);
         is(MatrixVehicle.State.DISARMED);
         cloud.awaitDrone(state -> state.mission().items() != null);
     }
 
     private MatrixClient attached(String user, int systemId) {
-        MatrixClient attached = new MatrixClient(outlet, user, systemId);
+        return attached(user, new MatrixClient(outlet, user, systemId));
+    }
+
+    private MatrixClient personal() {
+        PersonalPort.Terms terms = new PersonalPort.Terms(
+                "port-1", "sender", AddressRange.parse("192.0.2.1"), Instant.MIN, Instant.MAX, Long.MAX_VALUE);
+        return new MatrixClient(new PersonalPort(outlet, terms, () -> 0), null, 254);
+    }
+
+    private static MatrixClient attached(String user, MatrixClient attached) {
         attached.says(GROUND);
         TestCloud.await(PATIENCE, attached::seesAVehicle, () -> user + " sees no vehicle");
         return attached;

@@ -16,8 +16,13 @@ import org.dronemap.mavlink.MessageTable;
 
 /** The committed table of what reaches a vehicle's socket: a row for each message and each command, a column for each sender. */
 final class MatrixTable {
-    static final List<String> COLUMNS =
-            List.of("stranger", "viewer", "planner", "operator without control", "operator with control");
+    static final List<String> COLUMNS = List.of(
+            "stranger",
+            "viewer",
+            "planner",
+            "operator without control",
+            "operator with control",
+            "operator with control at a personal port");
     private static final Path FILE = Path.of("src/test/resources/org/dronemap/proxy/outlet/what-reaches-vehicles.md");
     private static final Path SEEN = Path.of("target/what-was-seen");
     private static final Pattern ROW = Pattern.compile("\\| (message|command) (\\d+) `(\\w+)` \\|(.*)\\|");

@@ -25,7 +25,8 @@ class OutletMatrixTest {
             "viewer", new MatrixHouse.Cast(Optional.of(Role.VIEWER), false),
             "planner", new MatrixHouse.Cast(Optional.of(Role.PLANNER), false),
             "operator without control", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), false),
-            "operator with control", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), true));
+            "operator with control", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), true),
+            "operator with control at a personal port", new MatrixHouse.Cast(Optional.of(Role.OPERATOR), true, true));
 
     /** Few enough that what a client may give in a second is not reached. */
     private static final int AT_ONCE = 20;

@@ -15,7 +15,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.assertj.core.api.ListAssert;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -27,8 +28,13 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.ControlStatus;
 import org.dronemap.mavlink.message.FileTransferProtocol;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.LogEntry;
+import org.dronemap.mavlink.message.LogRequestData;
+import org.dronemap.mavlink.message.LogRequestList;
+import org.dronemap.mavlink.message.MissionSetCurrent;
 import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.signing.OutgoingSigner;
@@ -69,6 +75,7 @@ class OutletTest {
                         store,
                         journal,
                         user -> Optional.ofNullable(users.get(user)),
+                        (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
                         Clock.fixed(NOW, ZoneOffset.UTC),
                         System::nanoTime),
                 Doors.of(DtlsKeys.none()));
@@ -146,6 +153,23 @@ class OutletTest {
     }
 
     @Test
+    void whatWasHeardBeforeARestartIsTakenByNobodyAfterIt() throws Exception {
+        Client ann = new Client("ann", 255).attach();
+        byte[] heard = ann.last();
+        outlet.close();
+        outlet = open();
+        outlet.start(false);
+        Client thief = new Client("ann", 255);
+        thief.sends(heard);
+        eventually(() -> assertThat(outlet.status().refused().tooOld()).isEqualTo(1));
+        assertThat(thief.heard).isEmpty();
+        // Her own next word is a later one.
+        Client again = new Client("ann", 255);
+        again.timeIs(NOW.plus(Duration.ofSeconds(1)));
+        again.attach();
+    }
+
+    @Test
     void whoMayNotLookStaysOutside() {
         users.put("bob", new Principal("bob", Role.REPORTER));
         Client bob = new Client("bob", 255);
@@ -172,7 +196,9 @@ class OutletTest {
                 .containsExactly(1L, 2_000L);
         assertThat(heard.stream().filter(frame -> frame.messageId() == Statustext.ID))
                 .hasSize(1);
-        assertThat(heard).extracting(Frame::sequence).containsExactly(0, 1, 2);
+        assertThat(stuck.ofVehicles())
+                .extracting(Frame::sequence)
+                .isEqualTo(IntStream.range(0, stuck.ofVehicles().size()).boxed().toList());
     }
 
     private static LinkKey key(String user) {
@@ -202,6 +228,32 @@ class OutletTest {
         assertThat(answers).extracting(payload -> payload[3]).containsExactly(129, 129, 128);
         assertThat(answers).extracting(payload -> payload[5]).containsExactly(4, 6, 1);
         assertThat(answers).extracting(payload -> payload[12]).containsExactly(10, 9, 0);
+    }
+
+    @Test
+    void whoAsksForLogsOrForAnotherItemIsToldWhereInstead() {
+        Vehicle vehicle = new Vehicle(FIRST, 1);
+        Client bob = new Client("bob", 255).attach();
+        vehicle.says(VEHICLE);
+        bob.await(1);
+        bob.says(new LogRequestList(1, 1, 0, 0xFFFF));
+        bob.says(new LogRequestData(1, 1, 1, 0, 90));
+        bob.says(new LogRequestData(1, 1, 1, 90, 90));
+        bob.says(new MissionSetCurrent(1, 1, 2));
+        eventually(() -> assertThat(texts(bob)).contains("upload the mission from there on."));
+        assertThat(texts(bob).split("are fetched from the server's page", -1)).hasSize(3);
+        List<LogEntry> entries = bob.ofVehicles().stream()
+                .filter(frame -> frame.messageId() == LogEntry.ID)
+                .map(LogEntry::decode)
+                .toList();
+        assertThat(entries).extracting(LogEntry::numLogs).containsExactly(0);
+    }
+
+    private static String texts(Client client) {
+        return client.ofVehicles().stream()
+                .filter(frame -> frame.messageId() == Statustext.ID)
+                .map(frame -> Statustext.decode(frame).text())
+                .collect(Collectors.joining());
     }
 
     private static FileTransferProtocol file(int opcode, int number, int session) {
@@ -301,13 +353,19 @@ class OutletTest {
 
         /** What vehicles said, once it is that much. */
         List<Frame> await(int count) {
-            eventually(() -> ofVehicles().hasSizeGreaterThanOrEqualTo(count));
-            return heard.stream().filter(frame -> frame.systemId() < 250).toList();
+            eventually(() -> assertThat(told()).hasSizeGreaterThanOrEqualTo(count));
+            return told();
         }
 
-        private ListAssert<Frame> ofVehicles() {
-            return assertThat(
-                    heard.stream().filter(frame -> frame.systemId() < 250).toList());
+        /** Without who has control of them, which the cloud says in their names. */
+        private List<Frame> told() {
+            return ofVehicles().stream()
+                    .filter(frame -> frame.messageId() != ControlStatus.ID)
+                    .toList();
+        }
+
+        List<Frame> ofVehicles() {
+            return heard.stream().filter(frame -> frame.systemId() < 250).toList();
         }
 
         @Override

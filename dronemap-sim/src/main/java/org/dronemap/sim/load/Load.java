@@ -20,7 +20,7 @@ public final class Load {
     public static void main(String[] words) throws IOException, InterruptedException {
         try {
             if (words.length == 0) {
-                throw new IllegalArgumentException("say send, watch, check, impair, flood or sink");
+                throw new IllegalArgumentException("say send, watch, check, impair, flood, attach or sink");
             }
             Arguments arguments = new Arguments(List.of(Arrays.copyOfRange(words, 1, words.length)));
             System.out.println(
@@ -31,9 +31,10 @@ public final class Load {
                         case "impair" -> Impairer.serve(arguments);
                         case "sink" -> new Sink(arguments).run();
                         case "flood" -> new Flooder(arguments).run();
+                        case "attach" -> new Attached(arguments).run();
                         default ->
                             throw new IllegalArgumentException(
-                                    "'" + words[0] + "' is none of send, watch, check, impair, flood, sink");
+                                    "'" + words[0] + "' is none of send, watch, check, impair, flood, attach, sink");
                     });
         } catch (IllegalArgumentException e) {
             System.err.println(e.getMessage());

@@ -47,10 +47,10 @@ final class Watcher {
         Arrays.fill(lastStep, -1);
         socket = new Socket(InetAddress.getLoopbackAddress(), arguments.integer("--port"));
         socket.setTcpNoDelay(true);
-        socket.setSoTimeout(READ_MILLIS);
         in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), 1 << 18));
         out = socket.getOutputStream();
         shakeHands(arguments.integer("--port"), arguments.text("--key"));
+        socket.setSoTimeout(READ_MILLIS);
     }
 
     String run() throws IOException {

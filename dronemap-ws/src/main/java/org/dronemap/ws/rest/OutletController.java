@@ -11,6 +11,7 @@ import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.DeleteMapping;
 import org.springframework.web.bind.annotation.GetMapping;
 import org.springframework.web.bind.annotation.PathVariable;
+import org.springframework.web.bind.annotation.PostMapping;
 import org.springframework.web.bind.annotation.PutMapping;
 import org.springframework.web.bind.annotation.RequestBody;
 import org.springframework.web.bind.annotation.RequestMapping;
@@ -54,6 +55,24 @@ public class OutletController {
             description = "Programs that use it are disconnected.")
     public void clear() {
         outlet.clearPassphrase(current.principal());
+    }
+
+    @PostMapping("/ports")
+    @ResponseStatus(HttpStatus.CREATED)
+    @Operation(
+            summary = "Open a personal port, view-only, for a program that cannot sign",
+            description = "The first to speak there from that address or network has it, until it is closed, its hours"
+                    + " are over or the server is restarted. It shows unsigned what you may see; nothing sent there"
+                    + " changes anything.")
+    public OutletView.PortView openPort(@RequestBody OutletService.PortRequest request) {
+        return outlet.openPort(current.principal(), request);
+    }
+
+    @DeleteMapping("/ports/{id}")
+    @ResponseStatus(HttpStatus.NO_CONTENT)
+    @Operation(summary = "Close a personal port of one's own, or as an administrator anybody's")
+    public void closePort(@PathVariable String id) {
+        outlet.closePort(current.principal(), id);
     }
 
     @GetMapping("/clients")

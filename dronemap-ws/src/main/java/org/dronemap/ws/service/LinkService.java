@@ -80,7 +80,8 @@ public final class LinkService {
     public void remove(Principal principal, String id) {
         EndpointView endpoint = endpoint(principal, id);
         if (!store.deleteLink(id)) {
-            throw Rejection.conflict(endpoint.url() + " is set by DRONEMAP_ENDPOINTS; change the setting.");
+            throw Rejection.conflict(
+                    endpoint.url() + " is set by DRONEMAP_ENDPOINTS or DRONEMAP_ROBOTS; change the setting.");
         }
         links.remove(id);
     }

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.access.LinkKey;
 
@@ -20,4 +21,18 @@ public interface OutletControl {
 
     /** Ends a client, which may come back in a minute; false when there is no such client. */
     boolean disconnect(String id);
+
+    /**
+     * Opens a port of the user's own, for a program that cannot sign and only looks.
+     *
+     * @param address from where it may be spoken to
+     * @throws IllegalArgumentException with a sentence for what is no such address
+     * @throws IllegalStateException with a sentence when there can be no more
+     */
+    OutletView.PortView openPort(String user, String address, Duration time);
+
+    /** False when there is no such port. */
+    boolean closePort(String id);
+
+    void closePortsOf(String user);
 }

@@ -27,6 +27,7 @@ final class OutletMetrics {
                 .dataPoint(count(refused.replayed(), Labels.of("why", "replayed")))
                 .dataPoint(count(refused.tooOld(), Labels.of("why", "tooOld")))
                 .dataPoint(count(refused.turnedAway(), Labels.of("why", "turnedAway")))
+                .dataPoint(count(refused.elsewhere(), Labels.of("why", "elsewhere")))
                 .build();
         return List.of(
                 clients,

@@ -3,8 +3,10 @@ package org.dronemap.ws.service;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.time.Duration;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.KeyScope;
@@ -19,6 +21,11 @@ import org.jspecify.annotations.Nullable;
 public final class OutletService {
     private static final int SHORTEST = 16;
     private static final int LONGEST = 64;
+    private static final int MOST_HOURS = 24;
+    private static final int USUAL_HOURS = 8;
+    private static final String HOURS_FORM = "1 to " + MOST_HOURS;
+    private static final String ADDRESS_FORM =
+            "an IP address, or a network: at most a /24, of IPv6 a /64 (192.0.2.0/24)";
     private static final String FORM = "16 to 64 printable ASCII characters, without blanks at the ends";
 
     private final OutletControl outlet;
@@ -44,8 +51,21 @@ public final class OutletService {
         }
     }
 
+    /**
+     * A port of one's own for a program that cannot sign.
+     *
+     * @param address from where it may be spoken to: an IP address, or a network
+     * @param hours that it shall be open, 1 to 24; without, 8
+     */
+    public record PortRequest(
+            @Nullable String address, @Nullable Integer hours) {}
+
     /** One's own side of the outlet. */
-    public record OwnOutletView(List<String> endpoints, boolean passphraseSet, List<OutletView.ClientView> clients) {}
+    public record OwnOutletView(
+            List<String> endpoints,
+            boolean passphraseSet,
+            List<OutletView.ClientView> clients,
+            List<OutletView.PortView> ports) {}
 
     /** {@code accounts}: a user who is gone takes the passphrase along. */
     public OutletService(OutletControl outlet, AccessStore store, Accounts accounts, Secrets secrets) {
@@ -56,8 +76,12 @@ public final class OutletService {
     }
 
     private void changed(String user) {
-        if (outlet.hasKey(user) && store.user(user).isEmpty()) {
+        Optional<User> known = store.user(user);
+        if (outlet.hasKey(user) && known.isEmpty()) {
             outlet.removeKey(user);
+        }
+        if (known.filter(User::isActive).isEmpty()) {
+            outlet.closePortsOf(user);
         }
     }
 
@@ -69,6 +93,9 @@ public final class OutletService {
                 outlet.hasKey(principal.name()),
                 status.clients().stream()
                         .filter(client -> client.user().equals(principal.name()))
+                        .toList(),
+                status.ports().stream()
+                        .filter(port -> port.user().equals(principal.name()))
                         .toList());
     }
 
@@ -87,6 +114,40 @@ public final class OutletService {
     public void clearPassphrase(Principal principal) {
         Roles.require(principal, Role.VIEWER);
         outlet.removeKey(principal.name());
+    }
+
+    /** Opens a port at which a program that cannot sign sees what its user may see, and changes nothing. */
+    public OutletView.PortView openPort(Principal principal, PortRequest request) {
+        Roles.require(principal, Role.VIEWER);
+        requireAllRights(principal);
+        String address = request.address();
+        if (address == null || address.isBlank()) {
+            throw new InvalidInput("address", ADDRESS_FORM, "\"address\" is missing: " + ADDRESS_FORM + ".");
+        }
+        Integer hours = request.hours();
+        if (hours != null && (hours < 1 || hours > MOST_HOURS)) {
+            throw new InvalidInput("hours", HOURS_FORM, "\"hours\" must be " + HOURS_FORM + ".");
+        }
+        try {
+            return outlet.openPort(principal.name(), address, Duration.ofHours(hours == null ? USUAL_HOURS : hours));
+        } catch (IllegalArgumentException noAddress) {
+            throw new InvalidInput("address", ADDRESS_FORM, String.valueOf(noAddress.getMessage()));
+        } catch (IllegalStateException none) {
+            throw Rejection.conflict(String.valueOf(none.getMessage()));
+        }
+    }
+
+    /** Closes one's own, or as an administrator of the server anybody's. */
+    public void closePort(Principal principal, String id) {
+        Roles.require(principal, Role.VIEWER);
+        boolean anybodys =
+                principal.may(Role.ADMINISTRATOR) && principal.organisation().isHome() && principal.isWhole();
+        boolean may = outlet.status().ports().stream()
+                .filter(port -> port.id().equals(id))
+                .anyMatch(port -> anybodys || port.user().equals(principal.name()));
+        if (!may || !outlet.closePort(id)) {
+            throw Rejection.unknown("personal port", id);
+        }
     }
 
     public OutletView all(Principal principal) {

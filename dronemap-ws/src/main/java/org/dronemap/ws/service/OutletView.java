@@ -2,6 +2,7 @@ package org.dronemap.ws.service;
 
 import java.time.Instant;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The outlet at one moment.
@@ -11,7 +12,12 @@ import java.util.List;
  * @param notPassed messages of clients of kinds that do not pass
  */
 public record OutletView(
-        List<String> endpoints, List<ClientView> clients, RefusedView refused, long dropped, long notPassed) {
+        List<String> endpoints,
+        List<ClientView> clients,
+        List<PortView> ports,
+        RefusedView refused,
+        long dropped,
+        long notPassed) {
     /**
      * A ground station or program that is attached.
      *
@@ -34,6 +40,30 @@ public record OutletView(
             int queue,
             double silentSeconds) {}
 
-    /** Messages that stayed outside; {@code turnedAway}: signed rightly, by somebody who may not attach. */
-    public record RefusedView(long unsigned, long badSignature, long replayed, long tooOld, long turnedAway) {}
+    /**
+     * A port of a user's own for a program that cannot sign, at which nothing is ever changed.
+     *
+     * @param endpoint where it listens
+     * @param address from where it may be spoken to
+     * @param peer the first that spoke, which has it; null: nobody did
+     * @param refused messages from elsewhere
+     */
+    public record PortView(
+            String id,
+            String user,
+            String endpoint,
+            String address,
+            @Nullable String peer,
+            long refused,
+            Instant since,
+            Instant until) {}
+
+    /**
+     * Messages that stayed outside.
+     *
+     * @param turnedAway signed rightly, by somebody who may not attach
+     * @param elsewhere at a personal port, from where it is not bound to
+     */
+    public record RefusedView(
+            long unsigned, long badSignature, long replayed, long tooOld, long turnedAway, long elsewhere) {}
 }

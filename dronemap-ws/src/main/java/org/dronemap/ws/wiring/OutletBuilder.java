@@ -33,7 +33,7 @@ final class OutletBuilder {
     private static EndpointUrl url(String text) {
         try {
             EndpointUrl url = EndpointUrl.parse(text);
-            if (url.kind().isListener() && url.kind() != EndpointUrl.Kind.DTLSSERVER) {
+            if (url.kind().isListener()) {
                 return url;
             }
         } catch (IllegalArgumentException e) {
@@ -41,12 +41,15 @@ final class OutletBuilder {
         }
         throw new SetupException(
                 "DRONEMAP_OUTLET: \"" + text + "\" cannot be an outlet; write udpserver://, tcpserver://,"
-                        + " wsserver:// or wssserver://, or off.");
+                        + " wsserver://, wssserver:// or dtlsserver://, or off.");
     }
 
-    Outlet build(CloudManager cloud, OutletStore store, Journal journal, AccountOutletRights rights, Doors doors) {
-        OutletPolicy policy = new OutletPolicy(cloud, store, journal, rights, Clock.systemUTC(), System::nanoTime);
-        Outlet outlet = new Outlet(urls, policy, doors);
+    Outlet build(
+            AuditedOutletControl control, OutletStore store, Journal journal, AccountOutletRights rights, Doors doors) {
+        CloudManager cloud = control.cloud();
+        OutletPolicy policy =
+                new OutletPolicy(cloud, store, journal, rights, control, Clock.systemUTC(), System::nanoTime);
+        Outlet outlet = new Outlet(urls, settings.personal(), policy, doors);
         cloud.addListener(new ForgottenDrones(outlet));
         return outlet;
     }

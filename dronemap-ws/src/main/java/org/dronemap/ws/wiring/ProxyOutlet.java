@@ -1,8 +1,10 @@
 package org.dronemap.ws.wiring;
 
+import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.outlet.AddressRange;
 import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.outlet.OutletStatus;
 import org.dronemap.ws.service.OutletControl;
@@ -37,12 +39,14 @@ record ProxyOutlet(Outlet outlet) implements OutletControl {
         return new OutletView(
                 endpoints(),
                 status.clients().stream().map(ProxyOutlet::client).toList(),
+                status.ports().stream().map(ProxyOutlet::port).toList(),
                 new OutletView.RefusedView(
                         refused.unsigned(),
                         refused.badSignature(),
                         refused.replayed(),
                         refused.tooOld(),
-                        refused.turnedAway()),
+                        refused.turnedAway(),
+                        refused.elsewhere()),
                 status.unread(),
                 status.notPassed());
     }
@@ -50,6 +54,33 @@ record ProxyOutlet(Outlet outlet) implements OutletControl {
     @Override
     public boolean disconnect(String id) {
         return outlet.disconnect(id);
+    }
+
+    @Override
+    public OutletView.PortView openPort(String user, String address, Duration time) {
+        return port(outlet.openPort(user, AddressRange.parse(address), time));
+    }
+
+    @Override
+    public boolean closePort(String id) {
+        return outlet.closePort(id);
+    }
+
+    @Override
+    public void closePortsOf(String user) {
+        outlet.closePortsOf(user);
+    }
+
+    private static OutletView.PortView port(OutletStatus.Port port) {
+        return new OutletView.PortView(
+                port.id(),
+                port.user(),
+                port.endpoint(),
+                port.allowed(),
+                port.peer(),
+                port.refused(),
+                port.since(),
+                port.until());
     }
 
     private static OutletView.ClientView client(OutletStatus.Client client) {

@@ -1,16 +1,20 @@
 package org.dronemap.ws.house;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkKey;
+import org.dronemap.proxy.outlet.AddressRange;
 import org.dronemap.ws.service.OutletControl;
 import org.dronemap.ws.service.OutletView;
 
 /** An outlet that only remembers what it was told; as many clients are attached as anybody disconnects. */
 final class ListedClients implements OutletControl {
     private final Map<String, LinkKey> keys = new ConcurrentHashMap<>();
+    private final Map<String, OutletView.PortView> ports = new ConcurrentHashMap<>();
+    private int lastPort;
 
     @Override
     public List<String> endpoints() {
@@ -43,9 +47,37 @@ final class ListedClients implements OutletControl {
         return new OutletView(
                 endpoints(),
                 keys.keySet().stream().sorted().map(ListedClients::client).toList(),
-                new OutletView.RefusedView(1, 2, 3, 4, 5),
+                List.copyOf(ports.values()),
+                new OutletView.RefusedView(1, 2, 3, 4, 5, 6),
                 0,
                 0);
+    }
+
+    @Override
+    public OutletView.PortView openPort(String user, String address, Duration time) {
+        AddressRange allowed = AddressRange.parse(address);
+        String id = "port-" + ++lastPort;
+        OutletView.PortView port = new OutletView.PortView(
+                id,
+                user,
+                "udpserver://127.0.0.1:14561",
+                allowed.toString(),
+                null,
+                0,
+                Instant.EPOCH,
+                Instant.EPOCH.plus(time));
+        ports.put(id, port);
+        return port;
+    }
+
+    @Override
+    public boolean closePort(String id) {
+        return ports.remove(id) != null;
+    }
+
+    @Override
+    public void closePortsOf(String user) {
+        ports.values().removeIf(port -> port.user().equals(user));
     }
 
     private static OutletView.ClientView client(String user) {

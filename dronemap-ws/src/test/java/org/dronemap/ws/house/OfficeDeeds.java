@@ -79,6 +79,10 @@ public final class OfficeDeeds extends Deeds {
                         "DELETE", "invitations/" + made("invitations", "{\"label\":\"x\",\"role\":\"viewer\"}"), ""));
         can("PUT /api/v1/outlet/passphrase", () -> deed("PUT", "outlet/passphrase", "{}"));
         can("DELETE /api/v1/outlet/passphrase", () -> deed("DELETE", "outlet/passphrase", ""));
+        can("POST /api/v1/outlet/ports", () -> deed("POST", "outlet/ports", "{\"address\":\"192.0.2.7\"}"));
+        can(
+                "DELETE /api/v1/outlet/ports/{id}",
+                () -> deed("DELETE", "outlet/ports/" + made("outlet/ports", "{\"address\":\"192.0.2.7\"}"), ""));
         can("DELETE /api/v1/outlet/clients/{id}", () -> deed("DELETE", "outlet/clients/client-1", ""));
         can("POST /api/v1/dtls-keys", () -> deed("POST", "dtls-keys", "{\"label\":\"a copter\"}"));
         can(

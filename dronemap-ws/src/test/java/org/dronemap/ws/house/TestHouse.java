@@ -71,6 +71,7 @@ import org.dronemap.ws.wiring.BoxSealing;
 import org.dronemap.ws.wiring.FacesServer;
 import org.dronemap.ws.wiring.House;
 import org.dronemap.ws.wiring.OutletSettings;
+import org.dronemap.ws.wiring.RobotSettings;
 import org.dronemap.ws.wiring.RunSide;
 import org.dronemap.ws.wiring.Settings;
 import org.jspecify.annotations.Nullable;
@@ -230,6 +231,7 @@ public final class TestHouse implements AutoCloseable {
                 0,
                 List.of(),
                 OutletSettings.OFF,
+                RobotSettings.OFF,
                 Enrolment.LOOPBACK,
                 null,
                 choices.publicMode(),

@@ -1,0 +1,142 @@
+package org.dronemap.proxy.outlet;
+
+import java.nio.ByteBuffer;
+import java.time.Instant;
+import java.util.Set;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.LongSupplier;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Permission;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameReader;
+import org.dronemap.mavlink.FrameSigner;
+import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.endpoint.PeerAddress;
+import org.dronemap.proxy.endpoint.PeerCounters;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A port of one user's own for a program that cannot sign: bound to the first address within its range that speaks there, and
+ * to that alone. Nothing there is proved, so that it lets nobody do more than look. Any thread.
+ */
+final class PersonalPort implements Pass, PeerHandler.Factory {
+    private final Outlet outlet;
+    private final Terms terms;
+    private final LongSupplier nanoTime;
+    private final LongAdder refused = new LongAdder();
+    private volatile boolean closed;
+    private volatile @Nullable PeerAddress first;
+
+    /** {@code untilNanos} is {@code until} by the monotonic clock. */
+    record Terms(String id, String user, AddressRange range, Instant since, Instant until, long untilNanos) {}
+
+    PersonalPort(Outlet outlet, Terms terms, LongSupplier nanoTime) {
+        this.outlet = outlet;
+        this.terms = terms;
+        this.nanoTime = nanoTime;
+    }
+
+    Terms terms() {
+        return terms;
+    }
+
+    /** Frames from elsewhere. */
+    long refused() {
+        return refused.sum();
+    }
+
+    /** Whose it is; null until somebody speaks. */
+    @Nullable
+    PeerAddress first() {
+        return first;
+    }
+
+    /** It is over, whatever comes. */
+    void withdraw() {
+        closed = true;
+    }
+
+    @Override
+    public String user() {
+        return terms.user();
+    }
+
+    @Override
+    public boolean isWithdrawn() {
+        return closed || nanoTime.getAsLong() - terms.untilNanos() >= 0;
+    }
+
+    @Override
+    public @Nullable FrameSigner signer() {
+        return null;
+    }
+
+    /** Looks, whatever else the user may. */
+    @Override
+    public Principal rights(Principal user) {
+        if (!user.may(Role.VIEWER)) {
+            return user;
+        }
+        KeyScope looking = new KeyScope(user.scope().drones(), Set.of(Permission.VIEW));
+        return new Principal(user.name(), Role.VIEWER, looking, user.key(), user.reach());
+    }
+
+    /** The first that speaks from the range has it. */
+    private synchronized boolean admits(PeerAddress address) {
+        PeerAddress known = first;
+        if (known == null && !isWithdrawn() && terms.range().contains(address.host())) {
+            first = address;
+            return true;
+        }
+        return address.equals(known) && !isWithdrawn();
+    }
+
+    @Override
+    public PeerHandler opened(Peer peer, PeerCounters counters) {
+        return new Visitor(peer, counters);
+    }
+
+    /** One address at this port. Owned by the endpoint's thread. */
+    private final class Visitor implements PeerHandler {
+        private final Peer peer;
+        private final PeerCounters counters;
+        private final FrameReader reader = new FrameReader();
+        private long taken;
+        private long countedBroken;
+
+        Visitor(Peer peer, PeerCounters counters) {
+            this.peer = peer;
+            this.counters = counters;
+        }
+
+        @Override
+        public void received(ByteBuffer bytes) {
+            taken = 0;
+            reader.readDatagram(bytes, this::judge);
+            long broken = reader.counts().skippedBytes();
+            // As at the outlet itself: strangers stay strangers.
+            counters.received(taken, broken - countedBroken);
+            countedBroken = broken;
+        }
+
+        private void judge(Frame frame) {
+            if (!frame.verified() || !admits(peer.address())) {
+                refused.increment();
+                outlet.refusedElsewhere();
+                return;
+            }
+            taken++;
+            if (!outlet.heard(peer, PersonalPort.this, frame)) {
+                counters.droppedIn();
+            }
+        }
+
+        @Override
+        public void closed() {
+            outlet.gone(peer);
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package org.dronemap.proxy.outlet;
+
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.Statustext;
+
+/** What the cloud says to a client in the name of a drone's autopilot. Owned by the outlet's thread. */
+record Voice(OutletClient client, DroneId drone, VehicleTap vehicle) {
+    private static final int WARNING = 4;
+    private static final int CHUNK = 50;
+    private static final int MOST_CHUNKS = 5;
+
+    void say(Message message) {
+        client.say(new Letter.ForVehicle(drone, vehicle.component(), message));
+    }
+
+    /** Says a sentence, in as many parts as that takes. */
+    void explain(String sentence) {
+        int parts = Math.min(MOST_CHUNKS, (sentence.length() + CHUNK - 1) / CHUNK);
+        int number = parts > 1 ? client.nextText() : 0;
+        for (int part = 0; part < parts; part++) {
+            String text = sentence.substring(part * CHUNK, Math.min(sentence.length(), (part + 1) * CHUNK));
+            say(new Statustext(WARNING, text, number, part));
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package org.dronemap.proxy.outlet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** A program that somebody disconnected. */
+class DisconnectedTest {
+    private final StationHouse house = new StationHouse();
+
+    DisconnectedTest() throws IOException {}
+
+    @AfterEach
+    void close() throws IOException {
+        house.close();
+    }
+
+    @Test
+    void itsUserStaysOutsideFromThereByWhateverPortAndNobodyElseDoes() {
+        StationHouse.Station ann = house.new Station("ann", 255);
+        StationHouse.Station bob = house.new Station("bob", 255);
+        Outlet outlet = house.outlet();
+        StationHouse.await(() -> outlet.status().clients().size() == 2, "they are not listed");
+        String id = outlet.status().clients().stream()
+                .filter(client -> client.user().equals("ann"))
+                .findFirst()
+                .orElseThrow()
+                .id();
+        assertThat(outlet.disconnect(id)).isTrue();
+        StationHouse.await(() -> outlet.status().clients().size() == 1, "it is not disconnected");
+        long before = outlet.status().refused().turnedAway();
+        MatrixClient elsewhere = new MatrixClient(outlet, "ann", 254);
+        elsewhere.says(StationHouse.GROUND);
+        ann.says(StationHouse.GROUND);
+        StationHouse.await(() -> outlet.status().refused().turnedAway() >= before + 2, "it is let in");
+        assertThat(elsewhere.seesAVehicle()).isFalse();
+        bob.says(StationHouse.GROUND);
+        assertThat(outlet.status().clients())
+                .extracting(OutletStatus.Client::user)
+                .containsExactly("bob");
+    }
+}

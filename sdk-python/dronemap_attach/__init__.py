@@ -1,0 +1,1 @@
+"""Signs for MAVLink tools that cannot, and checks what the server has signed for them."""

@@ -1,0 +1,44 @@
+"""Addresses as they are written on the command line."""
+
+import ipaddress
+from typing import NamedTuple
+
+
+class Place(NamedTuple):
+    """A host and a port; `stream`: by TCP."""
+
+    host: str
+    port: int
+    stream: bool = False
+
+    def __str__(self) -> str:
+        host = f"[{self.host}]" if ":" in self.host else self.host
+        return f"{'tcp' if self.stream else 'udp'}:{host}:{self.port}"
+
+
+def parsed(text: str) -> Place:
+    """HOST:PORT or [HOST]:PORT, after udp: or tcp: if that is said."""
+    kind, colon, rest = text.partition(":")
+    if kind not in ("udp", "tcp") or not colon:
+        kind, rest = "udp", text
+    host, _, port = rest.rpartition(":")
+    host = host.removeprefix("[").removesuffix("]")
+    if not host or not port.isdecimal() or not 0 < int(port) < 65_536:
+        raise ValueError(f"{text} is no address; write udp:HOST:PORT or tcp:HOST:PORT")
+    return Place(host, int(port), kind == "tcp")
+
+
+def parsed_own(text: str) -> Place:
+    """An address of this machine alone: whoever reaches the tool's side acts in the name of the user."""
+    place = parsed(text)
+    if place.stream:
+        raise ValueError(f"{text}: tools are spoken to by udp")
+    try:
+        own = ipaddress.ip_address(place.host).is_loopback
+    except ValueError:
+        own = place.host == "localhost"
+    if not own:
+        raise ValueError(
+            f"{text} is not only this machine's: whoever reached it would act in your name; use 127.0.0.1"
+        )
+    return place._replace(host="127.0.0.1") if place.host == "localhost" else place

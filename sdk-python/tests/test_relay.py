@@ -1,0 +1,135 @@
+"""A tool and a server that pymavlink plays, on real sockets, with the relay between them."""
+
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v20 import all as dialect
+
+from dronemap_attach.__main__ import arguments, passphrase, relay
+from dronemap_attach.places import Place, parsed, parsed_own
+
+from .test_signing import PASSPHRASE, oracle
+
+SECONDS = 10.0
+Start = Callable[[list[str]], None]
+
+
+def free_port() -> int:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+        sock.bind(("127.0.0.1", 0))
+        return int(sock.getsockname()[1])
+
+
+def datagrams() -> socket.socket:
+    made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    made.bind(("127.0.0.1", 0))
+    made.settimeout(SECONDS)
+    return made
+
+
+def beat(sender: Any) -> bytes:
+    return bytes(dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3).pack(sender))
+
+
+@pytest.fixture
+def start() -> Iterator[Start]:
+    """Runs a relay as the command line has it; ended afterwards."""
+    ended = threading.Event()
+    threads: list[threading.Thread] = []
+
+    def begin(given: list[str]) -> None:
+        made = relay(arguments(given), PASSPHRASE)
+        threads.append(threading.Thread(target=made.run, args=(lambda: not ended.is_set(),)))
+        threads[-1].start()
+
+    yield begin
+    ended.set()
+    for thread in threads:
+        thread.join(SECONDS)
+        assert not thread.is_alive()
+
+
+def test_a_tool_that_sends_reaches_the_server_signed_and_is_answered(start: Start) -> None:
+    server, tool, port = datagrams(), datagrams(), free_port()
+    start(["--server", f"udp:127.0.0.1:{server.getsockname()[1]}", "--listen", f"127.0.0.1:{port}"])
+    with server, tool:
+        tool.sendto(beat(oracle(system=245, passphrase=None)), ("127.0.0.1", port))
+        data, relayed = server.recvfrom(600)
+        (heard,) = oracle().parse_buffer(data)
+        assert heard.get_signed()
+        server.sendto(beat(oracle(passphrase="somebody else's")), relayed)
+        server.sendto(beat(oracle(system=5)), relayed)
+        (answer,) = oracle(passphrase=None).parse_buffer(tool.recv(600))
+        assert (answer.get_srcSystem(), answer.get_signed()) == (5, False)
+
+
+def test_a_tool_that_listens_is_sent_to_before_it_has_spoken(start: Start) -> None:
+    server, tool = datagrams(), datagrams()
+    ports = [sock.getsockname()[1] for sock in (server, tool)]
+    start(["--server", f"udp:127.0.0.1:{ports[0]}", "--to", f"127.0.0.1:{ports[1]}", "--system", "200"])
+    with server, tool:
+        data, relayed = server.recvfrom(600)
+        (first,) = oracle().parse_buffer(data)
+        assert (first.get_srcSystem(), first.get_type()) == (200, "HEARTBEAT")
+        server.sendto(beat(oracle(system=5)), relayed)
+        assert tool.recv(600)
+
+
+def test_a_second_tool_is_not_let_in_beside_the_first(start: Start) -> None:
+    server, tool, other, port = datagrams(), datagrams(), datagrams(), free_port()
+    start(["--server", f"udp:127.0.0.1:{server.getsockname()[1]}", "--listen", f"127.0.0.1:{port}"])
+    with server, tool, other:
+        tool.sendto(beat(oracle(system=201, passphrase=None)), ("127.0.0.1", port))
+        server.recv(600)
+        other.sendto(beat(oracle(system=202, passphrase=None)), ("127.0.0.1", port))
+        tool.sendto(beat(oracle(system=203, passphrase=None)), ("127.0.0.1", port))
+        reader, systems = oracle(), set[int]()
+        while 203 not in systems:
+            systems |= {m.get_srcSystem() for m in reader.parse_buffer(server.recv(600)) or []}
+        assert 202 not in systems
+
+
+def test_a_connection_that_ends_is_made_again_and_half_a_frame_is_forgotten(start: Start) -> None:
+    tool = datagrams()
+    with socket.create_server(("127.0.0.1", 0)) as listener, tool:
+        listener.settimeout(SECONDS)
+        port = listener.getsockname()[1]
+        start(["--server", f"tcp:127.0.0.1:{port}", "--to", f"127.0.0.1:{tool.getsockname()[1]}"])
+        first, _ = listener.accept()
+        with first:
+            first.sendall(beat(oracle(system=5))[:9])
+        second, _ = listener.accept()
+        with second:
+            second.settimeout(SECONDS)
+            second.sendall(beat(oracle(system=6)))
+            (heard,) = oracle(passphrase=None).parse_buffer(tool.recv(600))
+            assert heard.get_srcSystem() == 6
+            assert second.recv(600)
+
+
+@pytest.mark.parametrize(
+    "text", ["0.0.0.0:14550", "192.0.2.1:14550", "tcp:127.0.0.1:14550", "127.0.0.1", ":5"]
+)
+def test_the_tools_side_is_open_to_nobody_but_this_machine(text: str) -> None:
+    with pytest.raises(ValueError):
+        parsed_own(text)
+
+
+def test_addresses_are_read_as_written() -> None:
+    assert parsed("udp:drones.example:14560") == Place("drones.example", 14_560)
+    assert parsed("tcp:[::1]:5790") == Place("::1", 5_790, True)
+    assert parsed_own("localhost:14550") == Place("127.0.0.1", 14_550)
+    assert str(parsed("tcp:[::1]:5790")) == "tcp:[::1]:5790"
+
+
+def test_the_passphrase_comes_from_the_environment_or_a_question(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DRONEMAP_PASSPHRASE", PASSPHRASE)
+    assert passphrase() == PASSPHRASE
+    monkeypatch.delenv("DRONEMAP_PASSPHRASE")
+    monkeypatch.setattr("getpass.getpass", lambda _: "asked for")
+    assert passphrase() == "asked for"
+    with pytest.raises(SystemExit):
+        arguments(["--server", "udp:127.0.0.1:14560", "--passphrase", PASSPHRASE])

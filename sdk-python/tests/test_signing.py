@@ -1,0 +1,197 @@
+"""What is signed and opened, judged by pymavlink's own signing."""
+
+import hashlib
+import time
+from typing import Any
+
+import pytest
+from pymavlink.dialects.v10 import common as older
+from pymavlink.dialects.v20 import all as dialect
+
+from dronemap_attach.bridge import Bridge
+from dronemap_attach.frames import Splitter, checksum, lifted, split_datagram, unsigned
+from dronemap_attach.signing import TICKS_PER_SECOND, Signing, wall_ticks
+
+PASSPHRASE = "correct horse battery"
+MINUTE = 60 * TICKS_PER_SECOND
+
+
+def oracle(system: int = 1, passphrase: str | None = PASSPHRASE, ticks: int | None = None) -> Any:
+    """pymavlink as a sender and as a reader that takes nothing unsigned."""
+    made = dialect.MAVLink(None, srcSystem=system, srcComponent=1)
+    made.robust_parsing = True
+    if passphrase is not None:
+        made.signing.secret_key = hashlib.sha256(passphrase.encode()).digest()
+        made.signing.sign_outgoing = True
+        made.signing.timestamp = wall_ticks() if ticks is None else ticks
+        made.signing.allow_unsigned_callback = lambda *_: False
+    return made
+
+
+def every_message() -> list[Any]:
+    """One of each kind, with numbers that leave no byte zero, and with zeros."""
+    made = []
+    for kind in dialect.mavlink_map.values():
+        if kind.id < 0 or kind.id == dialect.MAVLINK_MSG_ID_TEST_TYPES:
+            continue
+        counts = dict(zip(kind.ordered_fieldnames, kind.array_lengths, strict=True))
+        for value in (0, 1):
+            fields: dict[str, Any] = {}
+            for name, form in zip(kind.fieldnames, kind.fieldtypes, strict=True):
+                text = b"x" * value
+                fields[name] = (
+                    text if form == "char" else [value] * counts[name] if counts[name] > 1 else value
+                )
+            made.append(kind(**fields))
+    return made
+
+
+def test_every_message_of_a_tool_is_signed_so_that_pymavlink_takes_it() -> None:
+    tool, server = oracle(system=245, passphrase=None), oracle()
+    bridge = Bridge(Signing(PASSPHRASE))
+    for message in every_message():
+        (frame,) = bridge.from_tool(bytes(message.pack(tool)))
+        (heard,) = server.parse_buffer(frame)
+        assert heard.get_type() == message.get_type()
+        assert heard.get_signed()
+        assert heard.to_dict() == message.to_dict()
+
+
+def test_every_message_of_the_server_comes_to_the_tool_as_it_was_and_unsigned() -> None:
+    server = oracle()
+    plain = oracle(passphrase=None)
+    bridge = Bridge(Signing(PASSPHRASE))
+    for message in every_message():
+        plain.seq = server.seq
+        (frame,) = bridge.from_server(bytes(message.pack(server)))
+        assert frame == bytes(message.pack(plain))
+
+
+def test_messages_of_mavlink_1_are_lifted_and_say_the_same() -> None:
+    tool = older.MAVLink(None, srcSystem=7, srcComponent=3)
+    bridge, server = Bridge(Signing(PASSPHRASE)), oracle()
+    said = [
+        older.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3),
+        older.MAVLink_command_long_message(1, 1, 400, 0, 1, 0, 0, 0, 0, 0, 0),
+        older.MAVLink_param_request_list_message(0, 0),
+        older.MAVLink_mission_item_message(1, 1, 0, 3, 16, 2, 1, 0, 0, 0, 0, 47.5, 8.5, 20),
+    ]
+    for message in said:
+        (frame,) = bridge.from_tool(bytes(message.pack(tool)))
+        (heard,) = server.parse_buffer(frame)
+        kept = heard.to_dict()
+        assert {name: kept[name] for name in message.to_dict()} == message.to_dict()
+        assert (heard.get_srcSystem(), heard.get_srcComponent()) == (7, 3)
+        assert heard.get_seq() == message.get_seq()
+
+
+def unknown_message(seed: int) -> bytes:
+    """Of a kind that no dialect has."""
+    body = bytes((3, 0, 0, 9, 1, 1, 0xF1, 0xF2, 0xF3)) + b"abc"
+    return b"\xfd" + body + checksum(body + bytes((seed,))).to_bytes(2, "little")
+
+
+def test_a_message_that_nobody_knows_keeps_a_checksum_that_who_knows_it_finds_right() -> None:
+    for seed in (0, 99, 255):
+        frame = unknown_message(seed)
+        signed = Signing(PASSPHRASE).signed(frame)
+        end = len(signed) - 13
+        assert checksum(signed[1 : end - 2] + bytes((seed,))).to_bytes(2, "little") == signed[end - 2 : end]
+        assert unsigned(signed) == frame
+        assert Bridge(Signing(PASSPHRASE)).from_server(signed) == [frame]
+
+
+@pytest.mark.parametrize(
+    ("passphrase", "why"), [("another passphrase", "wrong signature"), (None, "unsigned")], ids=str
+)
+def test_what_the_server_has_not_signed_is_not_shown(passphrase: str | None, why: str) -> None:
+    signing = Signing(PASSPHRASE)
+    stranger = oracle(passphrase=passphrase)
+    beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
+    assert Bridge(signing).from_server(bytes(beat.pack(stranger))) == []
+    assert signing.refused == {why: 1}
+
+
+def test_a_frame_that_was_changed_on_the_way_is_not_shown() -> None:
+    signing = Signing(PASSPHRASE)
+    beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
+    frame = bytearray(beat.pack(oracle()))
+    frame[-1] ^= 1
+    assert signing.opened(bytes(frame)) is None
+
+
+def test_what_was_seen_before_or_is_old_is_not_shown() -> None:
+    signing = Signing(PASSPHRASE)
+    bridge = Bridge(signing)
+    beat = dialect.MAVLink_heartbeat_message(2, 3, 0, 0, 4, 3)
+    server = oracle()
+    first, second = (bytes(beat.pack(server)) for _ in range(2))
+    assert len(bridge.from_server(second)) == 1
+    assert bridge.from_server(second) == []
+    assert bridge.from_server(first) == []
+    old = oracle(system=2, ticks=wall_ticks() - MINUTE - TICKS_PER_SECOND)
+    assert bridge.from_server(bytes(beat.pack(old))) == []
+    assert signing.refused == {"seen before": 2, "more than a minute old": 1}
+
+
+def test_times_rise_when_the_clock_stands_or_goes_back_and_follow_what_was_heard() -> None:
+    ticks = [1_000 * MINUTE]
+    signing = Signing(PASSPHRASE, ticks=lambda: ticks[0])
+    tool = oracle(system=245, passphrase=None)
+    beat = dialect.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)
+
+    def stamp() -> int:
+        return int.from_bytes(signing.signed(bytes(beat.pack(tool)))[-12:-6], "little")
+
+    first = stamp()
+    assert stamp() == first + 1
+    ticks[0] -= MINUTE
+    assert stamp() == first + 2
+    assert signing.opened(bytes(beat.pack(oracle(ticks=first + MINUTE)))) is not None
+    assert stamp() > first + MINUTE
+
+
+def test_noise_and_broken_frames_cost_no_whole_one() -> None:
+    server, splitter = oracle(), Splitter()
+    frames = [bytes(m.pack(server)) for m in every_message()[:40]]
+    broken = bytearray(frames[0])
+    broken[12] ^= 0x55
+    stream = b"\xfd\x01noise\xfe" + bytes(broken) + b"".join(frames) + b"\0" * 300
+    found = []
+    for at in range(0, len(stream), 7):
+        found += splitter.feed(stream[at : at + 7])
+    assert found == frames
+    assert splitter.skipped > len(broken)
+    assert split_datagram(frames[1][:-1]) == []
+
+
+def test_signs_of_life_are_in_the_name_of_the_tool_and_only_once_it_has_one() -> None:
+    bridge = Bridge(Signing(PASSPHRASE))
+    assert bridge.beat() is None
+    beat = dialect.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)
+    bridge.from_tool(bytes(beat.pack(oracle(system=42, passphrase=None))))
+    server = oracle()
+    for number in range(300):
+        frame = bridge.beat()
+        assert frame is not None
+        (heard,) = server.parse_buffer(frame)
+        assert (heard.get_srcSystem(), heard.get_seq(), heard.get_signed()) == (42, number % 256, True)
+
+
+def test_the_cost_of_a_message_leaves_room_for_fifty_drones() -> None:
+    server, bridge = oracle(), Bridge(Signing(PASSPHRASE))
+    place = dialect.MAVLink_global_position_int_message(1, 2, 3, 4, 5, 6, 7, 8, 9)
+    frames = [bytes(place.pack(server)) for _ in range(2_000)]
+    started = time.process_time()
+    assert sum(len(bridge.from_server(frame)) for frame in frames) == len(frames)
+    assert time.process_time() - started < 2
+
+
+def test_a_message_of_zeros_keeps_its_first_byte() -> None:
+    tool = older.MAVLink(None, srcSystem=7, srcComponent=3)
+    frame = bytes(older.MAVLink_param_request_list_message(0, 0).pack(tool))
+    assert lifted(frame)[1] == 1
+
+
+def test_nobody_reads_the_passphrase_from_what_is_printed() -> None:
+    assert PASSPHRASE not in repr(Signing(PASSPHRASE))
