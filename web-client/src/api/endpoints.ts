@@ -31,3 +31,25 @@ export interface DtlsKey {
   /** Only in the answer that made it. */
   secret: string | null;
 }
+
+/** By which one robot is known. */
+export interface RobotKey {
+  /** Of the drone that the robot is. */
+  id: string;
+  label: string;
+  systemId: number;
+  /** Whom the robot has to name where it names an owner; null: anybody. */
+  owner: string | null;
+  madeBy: string;
+  connected: boolean;
+  /** Only in the answer that made it. */
+  key: string | null;
+}
+
+/** Which robot gets a key; with `drone` it replaces that robot's. */
+export interface NewRobotKey {
+  label?: string;
+  systemId?: number;
+  owner?: string;
+  drone?: string;
+}

@@ -2,7 +2,7 @@ import { AccessKeyCalls } from './access-keys';
 import { AccountCalls, type Session } from './accounts';
 import { AuditCalls } from './audit';
 import { ControlCalls } from './control';
-import type { DtlsKey, Endpoint } from './endpoints';
+import type { DtlsKey, Endpoint, NewRobotKey, RobotKey } from './endpoints';
 import { FlightCalls } from './flights';
 import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
@@ -217,6 +217,18 @@ export class RestClient {
 
   revokeDtlsKey(identity: string): Promise<void> {
     return this.#call('DELETE', `/dtls-keys/${encodeURIComponent(identity)}`);
+  }
+
+  async robotKeys(): Promise<RobotKey[]> {
+    return (await this.#call<{ robotKeys: RobotKey[] }>('GET', '/robot-keys')).robotKeys;
+  }
+
+  issueRobotKey(robot: NewRobotKey): Promise<RobotKey> {
+    return this.#call('POST', '/robot-keys', robot);
+  }
+
+  revokeRobotKey(id: string): Promise<void> {
+    return this.#call('DELETE', `/robot-keys/${encodeURIComponent(id)}`);
   }
 
   async #call<T>(method: string, path: string, body?: unknown): Promise<T> {

@@ -150,6 +150,7 @@ class LinksTest {
                 .contains("dronemap_vehicle_received_total{drone=\"drone-1\",session=\"127.0.0.1:14601:1\"")
                 .contains("dronemap_drones{state=\"live\"}")
                 .contains("dronemap_outlet_clients 0.0")
+                .contains("dronemap_robot_refused_total{why=\"notBelieved\"} 4.0")
                 .contains("dronemap_outlet_refused_total{why=\"badSignature\"} ")
                 .contains("jvm_memory_heap_used_bytes");
         for (String path : new String[] {"/metrics", "/metrics/", "/metrics;x=1", "//metrics"}) {

@@ -251,7 +251,7 @@ public final class CloudManager {
 
     private ManagedDrone enrol(Claim claim) {
         LinkSession session = claim.session();
-        DroneId id = newIds.get();
+        DroneId id = claim.proof() instanceof Proof.OfLink link && link.drone() != null ? link.drone() : newIds.get();
         registrar.accept(id, session);
         DroneRecord record = new DroneRecord(
                 id,

@@ -2,13 +2,22 @@ package org.dronemap.core.cloud;
 
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Evidence;
+import org.jspecify.annotations.Nullable;
 
 /** What nobody but the vehicle itself can show. */
 public sealed interface Proof {
     Evidence evidence();
 
-    /** The identity that an authenticated link was opened with. */
-    record OfLink(String identity) implements Proof {
+    /**
+     * The identity that an authenticated link was opened with.
+     *
+     * @param drone that the identity was issued for, and no other; null where it shows which one that is
+     */
+    record OfLink(String identity, @Nullable DroneId drone) implements Proof {
+        public OfLink(String identity) {
+            this(identity, null);
+        }
+
         @Override
         public Evidence evidence() {
             return Evidence.LINK;

@@ -31,6 +31,12 @@ final class Recognition {
                 return proved(owner.get(), claim);
             }
         }
+        if (claim.proof() instanceof Proof.OfLink link && link.drone() != null) {
+            // It is that drone or none: where it speaks from makes it no other one.
+            return registry.find(link.drone())
+                    .map(owner -> proved(owner, claim))
+                    .orElseGet(Verdict.Stranger::new);
+        }
         Verdict unproved = unproved(claim);
         if (claim.proof() instanceof Proof.OfLink link) {
             return registry.ofLinkIdentity(link.identity())

@@ -1,6 +1,7 @@
 package org.dronemap.core.link;
 
 import java.util.List;
+import org.dronemap.core.drone.DroneId;
 
 /** Keeps the links that were added, and the keys of vehicles; every write returns only after it is durable. */
 public interface LinkStore {
@@ -21,4 +22,13 @@ public interface LinkStore {
 
     /** True when there was one. */
     boolean deleteKey(String identity);
+
+    /** By the time they were made. */
+    List<RobotKey> robotKeys();
+
+    /** Inserts, or replaces the key of the same drone. */
+    void saveRobotKey(RobotKey key);
+
+    /** True when there was one. */
+    boolean deleteRobotKey(DroneId drone);
 }

@@ -304,4 +304,19 @@ class IdentityTest {
 
         assertThat(other.id()).isEqualTo(one.id());
     }
+
+    @Test
+    void makesTheDroneThatAKeyWasIssuedForAndNoOtherAtTheSameAddress() {
+        DroneLink before = letIn(5001, null, null);
+        await().pollDelay(Duration.ofMillis(1_700)).until(() -> true);
+        DroneId issuedFor = new DroneId("drobot0001");
+        Proof.OfLink key = new Proof.OfLink("drobot0001", issuedFor);
+
+        DroneLink robot = Fixtures.bound(cloud.admit(claim(5001, null, key, false)));
+
+        assertThat(robot.id()).isEqualTo(issuedFor).isNotEqualTo(before.id());
+        assertThat(state(before).standing().strongest()).isEqualTo(Evidence.ADDRESS);
+        assertThat(Fixtures.bound(cloud.admit(claim(6001, null, key, false))).id())
+                .isEqualTo(issuedFor);
+    }
 }

@@ -3,6 +3,7 @@ package org.dronemap.proxy.roslink;
 import java.nio.ByteBuffer;
 import java.util.HashMap;
 import java.util.Map;
+import org.dronemap.core.link.RobotKey;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
@@ -107,11 +108,15 @@ final class PeerRobots implements PeerHandler {
                     ? link.name()
                     : RobotName.ofAddress(peer.address() + ":" + header.systemId());
         }
-        RobotKeys.Issued issued = table.keys().find(key).orElse(null);
+        RobotKey issued = table.keys().find(key).orElse(null);
+        if (issued == null && table.keys().isOfIssuedForm(key)) {
+            table.refusals().robot(peer.address(), header, "its key is not valid");
+            return null;
+        }
         return issued == null ? RobotName.ofOwnKey(key, header.systemId()) : name(header, issued);
     }
 
-    private @Nullable RobotName name(Header header, RobotKeys.Issued issued) {
+    private @Nullable RobotName name(Header header, RobotKey issued) {
         String owner = header.owner() == null ? path.owner() : header.owner().text();
         if (issued.systemId() != header.systemId()) {
             table.refusals().robot(peer.address(), header, "its key was issued for another system id");

@@ -1,25 +1,16 @@
 package org.dronemap.proxy.roslink;
 
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
+import org.dronemap.core.link.RobotKey;
 
 /** The keys that were issued to robots. Any thread; answers at once. */
-@FunctionalInterface
 public interface RobotKeys {
-    /** Whose key that is; empty for one that nobody issued. */
-    Optional<Issued> find(String key);
+    /** Whose key that is; empty for one that nobody issued, or that is void. */
+    Optional<RobotKey> find(String key);
 
-    /** Issued nothing. */
-    static RobotKeys none() {
-        return key -> Optional.empty();
-    }
+    /** It can only have been issued, whether it is valid or not; anything else is a word of a robot's own. */
+    boolean isOfIssuedForm(String key);
 
-    /**
-     * Whose a key is.
-     *
-     * @param identity names the key, and is no secret
-     * @param systemId the only one that the robot may have
-     * @param owner whom the robot has to name where it names an owner; null: anybody
-     */
-    record Issued(String identity, int systemId, @Nullable String owner) {}
+    /** It has been neither replaced nor revoked. */
+    boolean isValid(RobotKey key);
 }

@@ -119,6 +119,9 @@ final class RobotLink {
     /** Sends as long as the fence lets it, in the shape and with the words of the robot's newest message. */
     @SuppressWarnings("NonAtomicVolatileUpdate") // the lane alone writes
     void send(Order order, Fence fence) {
+        if (cut) {
+            return;
+        }
         fence.pass(() -> {
             sent++;
             peer.send(writer.write(header, order));

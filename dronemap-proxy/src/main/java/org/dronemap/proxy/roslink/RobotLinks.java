@@ -58,6 +58,11 @@ final class RobotLinks {
         return best;
     }
 
+    /** None of them is believed any more. */
+    synchronized void cut() {
+        links.forEach(RobotLink::cut);
+    }
+
     /** True when there is news to tell of how well they carry. On the lane. */
     synchronized boolean measure(long nowNanos) {
         boolean news = false;

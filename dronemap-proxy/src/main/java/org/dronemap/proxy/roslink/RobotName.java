@@ -5,21 +5,28 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import org.dronemap.core.cloud.Proof;
+import org.dronemap.core.link.RobotKey;
 import org.jspecify.annotations.Nullable;
 
 /**
  * By what the links of one robot are known to be its: the key that was issued to it, else a key of its own making together
  * with its system id, else its address.
  *
- * @param proof null where it shows no issued key
+ * @param issued its key; null where it shows none
  * @param hardware what tells it from others where it proves nothing; null where it has an issued key, or none at all
  */
 record RobotName(
-        String text, @Nullable Proof proof, @Nullable String hardware) {
+        String text, @Nullable RobotKey issued, @Nullable String hardware) {
     private static final int SHOWN_DIGITS = 16;
 
-    static RobotName ofIssued(RobotKeys.Issued issued) {
-        return new RobotName("issued " + issued.identity(), new Proof.OfLink(issued.identity()), null);
+    static RobotName ofIssued(RobotKey issued) {
+        return new RobotName("issued " + issued.drone(), issued, null);
+    }
+
+    /** Null where it shows no issued key. */
+    @Nullable
+    Proof proof() {
+        return issued == null ? null : new Proof.OfLink(issued.drone().value(), issued.drone());
     }
 
     /** A key that nobody issued is no secret and proves nothing, but robots keep theirs. */

@@ -133,6 +133,17 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         }
     }
 
+    /** Its key is void: nothing goes to it from now on, and nothing that it says is heard. Any thread. */
+    void expel() {
+        links.cut();
+        DroneLink bound = Objects.requireNonNull(drone);
+        bound.lane().execute(() -> {
+            if (!over) {
+                end("The key of the robot was revoked.");
+            }
+        });
+    }
+
     private void end(String why) {
         over = true;
         errands.values().forEach(errand -> errand.abandon(why));
@@ -143,6 +154,10 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
 
     @Override
     public void perform(Mandate mandate, Command command, Report report) {
+        if (over) {
+            report.ended(new Outcome.Refused("cloud", "The robot has no link to the cloud."));
+            return;
+        }
         Optional<Aim> aim = Aim.of(command);
         if (aim.isEmpty()) {
             report.ended(new Outcome.Refused("vehicle", "These robots cannot be told to " + command.summary() + "."));

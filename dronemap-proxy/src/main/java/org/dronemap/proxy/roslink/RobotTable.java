@@ -17,6 +17,7 @@ import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.cloud.LinkSession;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.link.RobotKey;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
@@ -122,6 +123,10 @@ final class RobotTable implements PeerHandler.Factory {
     }
 
     private void claim(RobotLink link, RobotType type) {
+        RobotKey issued = link.name().issued();
+        if (issued != null && !keys.isValid(issued)) {
+            link.cut();
+        }
         if (link.session() != null || link.isOver()) {
             return;
         }
@@ -156,6 +161,18 @@ final class RobotTable implements PeerHandler.Factory {
         } else {
             refusals.robot(link.key(), "it is not let in");
         }
+    }
+
+    /** Whoever came with the key that was issued for that drone. Any thread. */
+    void disconnect(String drone) {
+        lanes.registry()
+                .execute(() -> sessions.values().stream()
+                        .filter(session -> {
+                            RobotKey issued = session.name().issued();
+                            return issued != null && issued.drone().value().equals(drone) && !keys.isValid(issued);
+                        })
+                        .toList()
+                        .forEach(RobotSession::expel));
     }
 
     /** Who shows the same key while the robot is heard elsewhere is told of, and gets and gives nothing. */

@@ -62,6 +62,11 @@ public final class RoslinkProxy implements AutoCloseable {
         return links.all();
     }
 
+    /** Ends the links of whoever came with a key for that drone that is void now. */
+    public void disconnect(String drone) {
+        table.disconnect(drone);
+    }
+
     /** What went over the link of each robot. */
     public List<VehicleTraffic> traffic() {
         return table.traffic();

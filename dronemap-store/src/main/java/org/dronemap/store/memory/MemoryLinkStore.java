@@ -4,8 +4,10 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.link.SavedLink;
 import org.dronemap.store.StoredInstant;
 
@@ -13,6 +15,7 @@ import org.dronemap.store.StoredInstant;
 public final class MemoryLinkStore implements LinkStore {
     private final Map<String, SavedLink> links = new HashMap<>();
     private final Map<String, DtlsKey> keys = new HashMap<>();
+    private final Map<DroneId, RobotKey> robotKeys = new HashMap<>();
 
     @Override
     public synchronized List<SavedLink> links() {
@@ -55,5 +58,32 @@ public final class MemoryLinkStore implements LinkStore {
     @Override
     public synchronized boolean deleteKey(String identity) {
         return keys.remove(identity) != null;
+    }
+
+    @Override
+    public synchronized List<RobotKey> robotKeys() {
+        return robotKeys.values().stream()
+                .sorted(Comparator.comparing(RobotKey::madeAt)
+                        .thenComparing(key -> key.drone().value()))
+                .toList();
+    }
+
+    @Override
+    public synchronized void saveRobotKey(RobotKey key) {
+        robotKeys.put(
+                key.drone(),
+                new RobotKey(
+                        key.drone(),
+                        key.label(),
+                        key.systemId(),
+                        key.owner(),
+                        key.hash(),
+                        key.madeBy(),
+                        StoredInstant.of(key.madeAt())));
+    }
+
+    @Override
+    public synchronized boolean deleteRobotKey(DroneId drone) {
+        return robotKeys.remove(drone) != null;
     }
 }

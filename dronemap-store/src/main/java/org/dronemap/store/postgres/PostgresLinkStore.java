@@ -1,8 +1,10 @@
 package org.dronemap.store.postgres;
 
 import java.util.List;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.link.SavedLink;
 
 /** Links and vehicles' keys in PostgreSQL. Thread-safe. */
@@ -59,5 +61,42 @@ public final class PostgresLinkStore implements LinkStore {
     @Override
     public boolean deleteKey(String identity) {
         return sql.update("DELETE FROM link_key WHERE identity = ?", identity) > 0;
+    }
+
+    @Override
+    public List<RobotKey> robotKeys() {
+        return sql.list(
+                "SELECT * FROM robot_key ORDER BY made_at, drone_id COLLATE \"C\"",
+                row -> new RobotKey(
+                        new DroneId(row.text("drone_id")),
+                        row.text("label"),
+                        row.result().getInt("system_id"),
+                        row.textOrNull("owner_id"),
+                        row.text("key_hash"),
+                        row.text("made_by"),
+                        row.time("made_at")));
+    }
+
+    @Override
+    public void saveRobotKey(RobotKey key) {
+        sql.update(
+                """
+                INSERT INTO robot_key (drone_id, label, system_id, owner_id, key_hash, made_by, made_at)
+                VALUES (?, ?, ?, ?, ?, ?, ?)
+                ON CONFLICT (drone_id) DO UPDATE SET label = excluded.label, system_id = excluded.system_id,
+                    owner_id = excluded.owner_id, key_hash = excluded.key_hash, made_by = excluded.made_by,
+                    made_at = excluded.made_at""",
+                key.drone().value(),
+                key.label(),
+                key.systemId(),
+                key.owner(),
+                key.hash(),
+                key.madeBy(),
+                key.madeAt());
+    }
+
+    @Override
+    public boolean deleteRobotKey(DroneId drone) {
+        return sql.update("DELETE FROM robot_key WHERE drone_id = ?", drone.value()) > 0;
     }
 }

@@ -3,8 +3,10 @@ package org.dronemap.store.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Instant;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.DtlsKey;
 import org.dronemap.core.link.LinkStore;
+import org.dronemap.core.link.RobotKey;
 import org.dronemap.core.link.SavedLink;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -72,5 +74,31 @@ public abstract class LinkStoreContract {
         assertThat(store.deleteKey("one")).isTrue();
         assertThat(store.deleteKey("one")).isFalse();
         assertThat(store.keys()).containsExactly(key("two", "sealed 2", 2));
+    }
+
+    private static RobotKey robot(String drone, String hash, int second) {
+        return new RobotKey(new DroneId(drone), "Turtle", 65_535, null, hash, "alice", THEN.plusSeconds(second));
+    }
+
+    @Test
+    void keepsTheKeyOfARobotThatHasNeverCalledIn() {
+        RobotKey later = robot("drobot0001", "aa", 2);
+        RobotKey earlier = new RobotKey(new DroneId("drobot0002"), "Burger", 0, "26", "bb", "bob", THEN.plusSeconds(1));
+        store.saveRobotKey(later);
+        store.saveRobotKey(earlier);
+
+        assertThat(store.robotKeys()).containsExactly(earlier, later);
+    }
+
+    @Test
+    void replacesAndForgetsTheKeyOfARobot() {
+        store.saveRobotKey(robot("drobot0001", "aa", 1));
+        RobotKey newer = robot("drobot0001", "cc", 3);
+        store.saveRobotKey(newer);
+        assertThat(store.robotKeys()).containsExactly(newer);
+
+        assertThat(store.deleteRobotKey(newer.drone())).isTrue();
+        assertThat(store.deleteRobotKey(newer.drone())).isFalse();
+        assertThat(store.robotKeys()).isEmpty();
     }
 }

@@ -33,7 +33,7 @@ final class SharedDatabase {
                             + " recording, link, link_key, control_lease, organisation, drone_owner, user_group,"
                             + " user_group_member, fleet, access_grant, only_granted, invitation, virtual_drone, warehouse_drone,"
                             + " audit, telemetry, drone_event, flight, operation, operation_journal, outlet_key,"
-                            + " outlet_number");
+                            + " outlet_number, robot_key");
             return DATABASE;
         } catch (SQLException e) {
             throw new IllegalStateException(e);

@@ -137,8 +137,13 @@ public final class ServerMetrics {
         CounterSnapshot.Builder clients =
                 CounterSnapshot.builder().name("dronemap_clients_cut").help("Clients cut or turned away.");
         now.clients().forEach((why, times) -> clients.dataPoint(count(times, Labels.of("why", why))));
+        CounterSnapshot.Builder messages = CounterSnapshot.builder()
+                .name("dronemap_robot_refused")
+                .help("Messages of robots that were not taken.");
+        links.refusedMessages().forEach((why, times) -> messages.dataPoint(count(times, Labels.of("why", why))));
         all.add(work.build());
         all.add(clients.build());
+        all.add(messages.build());
     }
 
     private void remembered(List<MetricSnapshot> all) {

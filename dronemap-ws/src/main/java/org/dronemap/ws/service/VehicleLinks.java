@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** The ways in for vehicles; the links' side of the house has them. Any thread. */
@@ -39,4 +40,7 @@ public interface VehicleLinks {
 
     /** Of every vehicle. */
     List<TrafficView> traffic();
+
+    /** How many messages of robots were not taken, by why. */
+    Map<String, Long> refusedMessages();
 }

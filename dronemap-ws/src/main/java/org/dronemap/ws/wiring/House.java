@@ -23,6 +23,7 @@ import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.LinkSecurityControl;
 import org.dronemap.ws.service.OutletControl;
 import org.dronemap.ws.service.Recordings;
+import org.dronemap.ws.service.RobotKeyRing;
 import org.dronemap.ws.service.VehicleLinks;
 import org.jspecify.annotations.Nullable;
 
@@ -56,5 +57,6 @@ public record House(
      * The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with; and the way in
      * for ground stations of other makers.
      */
-    public record LinkSide(VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys, OutletControl outlet) {}
+    public record LinkSide(
+            VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys, RobotKeyRing robotKeys, OutletControl outlet) {}
 }

@@ -47,6 +47,7 @@ import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.ReceiptView;
+import org.dronemap.ws.service.RobotKeyRing;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -96,7 +97,8 @@ final class HouseBuilder {
         Outlet clients = outlet(control(cloud, audit), database, journal, box, grants, doors(dtlsKeys));
         Keyrings keyrings = keyrings(cloud, database, journal, box);
         Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), database.links());
-        RoslinkProxy robotSide = robots(cloud, doors(dtlsKeys));
+        RobotKeyRing robotKeys = new RobotKeyRing(database.links());
+        RoslinkProxy robotSide = robots(cloud, robotKeys, doors(dtlsKeys));
         return new House(
                 cloud,
                 database.access(),
@@ -105,8 +107,7 @@ final class HouseBuilder {
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
                 history,
-                new House.LinkSide(
-                        new ProxyLinks(links, robotSide), database.links(), dtlsKeys, new ProxyOutlet(clients)),
+                linkSide(new ProxyLinks(links, robotSide), database, dtlsKeys, robotKeys, clients),
                 () -> database.health().isUp(),
                 file -> writeBackup(database, file),
                 new ProxyLinkSecurity(links.keyrings()),
@@ -115,6 +116,11 @@ final class HouseBuilder {
                 virtualDrones(cloud, database, grants, audit),
                 runs(cloud, database, grants),
                 audit);
+    }
+
+    private static House.LinkSide linkSide(
+            ProxyLinks vehicles, Database database, DtlsKeyRing dtlsKeys, RobotKeyRing robotKeys, Outlet clients) {
+        return new House.LinkSide(vehicles, database.links(), dtlsKeys, robotKeys, new ProxyOutlet(clients));
     }
 
     private History history(Database database, CloudManager cloud, Clock clock) {
@@ -135,8 +141,9 @@ final class HouseBuilder {
         return new AuditedOutletControl(cloud, new AuditDesk(audit.store(), Clock.systemUTC(), System::nanoTime));
     }
 
-    private RoslinkProxy robots(CloudManager cloud, Doors doors) {
-        RoslinkProxy built = robots.build(cloud, lanes, doors, settings.enrolment());
+    private RoslinkProxy robots(CloudManager cloud, RobotKeyRing keys, Doors doors) {
+        RoslinkProxy.Policy policy = new RoslinkProxy.Policy(new IssuedKeys(keys), doors, settings.enrolment());
+        RoslinkProxy built = robots.build(cloud, lanes, policy);
         closing.add("the links to robots", built);
         robotLinks = built;
         return built;

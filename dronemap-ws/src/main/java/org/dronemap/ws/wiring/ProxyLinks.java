@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.proxy.Proxy;
@@ -44,6 +45,7 @@ record ProxyLinks(Proxy proxy, RoslinkProxy robots) implements VehicleLinks {
     @Override
     public void disconnect(String identity) {
         proxy.links().disconnect(identity);
+        robots.disconnect(identity);
     }
 
     @Override
@@ -51,6 +53,11 @@ record ProxyLinks(Proxy proxy, RoslinkProxy robots) implements VehicleLinks {
         return Stream.concat(proxy.traffic().stream(), robots.traffic().stream())
                 .map(ProxyLinks::traffic)
                 .toList();
+    }
+
+    @Override
+    public Map<String, Long> refusedMessages() {
+        return Map.of("broken", robots.brokenCount(), "notBelieved", robots.refusedCount());
     }
 
     private static Status status(Links.LinkStatus link) {

@@ -39,6 +39,7 @@ import org.dronemap.ws.rest.ProblemAdvice;
 import org.dronemap.ws.rest.RecordingController;
 import org.dronemap.ws.rest.RegistrationController;
 import org.dronemap.ws.rest.ReplayController;
+import org.dronemap.ws.rest.RobotKeyController;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
 import org.dronemap.ws.rest.SessionController;
 import org.dronemap.ws.rest.StreamTicketController;
@@ -100,6 +101,7 @@ import tools.jackson.databind.DeserializationFeature;
     RecordingController.class,
     ReplayController.class,
     LinkController.class,
+    RobotKeyController.class,
     MetricsController.class,
     SystemController.class,
     TelemetryController.class,

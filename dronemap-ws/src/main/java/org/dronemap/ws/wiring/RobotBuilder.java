@@ -4,11 +4,8 @@ import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
-import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
-import org.dronemap.proxy.roslink.RobotKeys;
 import org.dronemap.proxy.roslink.RoslinkProxy;
-import org.dronemap.proxy.session.Enrolment;
 
 /** Builds where robots call in. */
 final class RobotBuilder {
@@ -36,8 +33,8 @@ final class RobotBuilder {
         }
     }
 
-    RoslinkProxy build(CloudManager cloud, Lanes lanes, Doors doors, Enrolment enrolment) {
-        return new RoslinkProxy(cloud, lanes, urls, new RoslinkProxy.Policy(RobotKeys.none(), doors, enrolment));
+    RoslinkProxy build(CloudManager cloud, Lanes lanes, RoslinkProxy.Policy policy) {
+        return new RoslinkProxy(cloud, lanes, urls, policy);
     }
 
     /** Lets robots in. A port of a setting must be free; the usual ones may be another server's for now. */

@@ -44,6 +44,7 @@ import org.dronemap.ws.service.RecordingService;
 import org.dronemap.ws.service.RegistrationService;
 import org.dronemap.ws.service.ReplayOwners;
 import org.dronemap.ws.service.ReplayService;
+import org.dronemap.ws.service.RobotKeyService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
@@ -308,6 +309,13 @@ public class ServiceConfiguration {
     @Bean
     DtlsKeyService dtlsKeyService(House house, Clock clock) {
         return new DtlsKeyService(house.links().keys(), house.links().vehicles(), house.cloud(), clock);
+    }
+
+    @Bean
+    RobotKeyService robotKeyService(House house, OrganisationService organisations, Secrets secrets, Clock clock) {
+        RobotKeyService.Surroundings around =
+                new RobotKeyService.Surroundings(house.links().vehicles(), house.cloud(), organisations);
+        return new RobotKeyService(house.links().robotKeys(), around, secrets, clock, new DroneIds());
     }
 
     @Bean

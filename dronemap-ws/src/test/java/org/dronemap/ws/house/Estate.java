@@ -45,6 +45,7 @@ public final class Estate {
             "zones",
             "users",
             "invitations",
+            "robot-keys",
             "groups",
             "fleets",
             "grants",
@@ -92,6 +93,7 @@ public final class Estate {
             case "zones" -> id(http.post(at, String.format(ZONE, name, drone.id())));
             case "users" -> house.member(organisation, name, Role.VIEWER).name();
             case "invitations" -> id(http.post(at, "{\"label\":\"" + name + "\",\"role\":\"viewer\"}"));
+            case "robot-keys" -> id(http.post(at, "{\"label\":\"" + name + "\",\"systemId\":7}"));
             case "groups", "fleets", "virtual-drones" -> id(http.post(at, "{\"name\":\"" + name + "\"}"));
             case "grants" ->
                 id(http.post(at, "{\"user\":\"" + administrator.name() + "\",\"all\":true,\"operations\":[\"view\"]}"));

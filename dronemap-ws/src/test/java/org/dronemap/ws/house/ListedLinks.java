@@ -67,4 +67,9 @@ public final class ListedLinks implements VehicleLinks {
                 new TrafficView("drone-1", "127.0.0.1", 14601, 1, "udp", 100, 50, 3, 2, 1, 0),
                 new TrafficView("drone-2", "127.0.0.1", 14602, 1, "udp", 1, 0, 0, 0, 0, 0));
     }
+
+    @Override
+    public Map<String, Long> refusedMessages() {
+        return Map.of("broken", 3L, "notBelieved", 4L);
+    }
 }

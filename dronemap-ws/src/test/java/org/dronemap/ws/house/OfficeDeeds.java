@@ -17,6 +17,7 @@ public final class OfficeDeeds extends Deeds {
         owner = root.name();
         sessions();
         keys();
+        robotKeys();
         users();
         groups();
         organisations();
@@ -88,6 +89,12 @@ public final class OfficeDeeds extends Deeds {
         can(
                 "DELETE /api/v1/dtls-keys/{identity}",
                 () -> deed("DELETE", "dtls-keys/" + made("dtls-keys", "{\"label\":\"a copter\"}", "identity"), ""));
+    }
+
+    private void robotKeys() {
+        String body = "{\"label\":\"a robot\",\"systemId\":7,\"owner\":\"26\"}";
+        can("POST /api/v1/robot-keys", () -> deed("POST", "robot-keys", body));
+        can("DELETE /api/v1/robot-keys/{id}", () -> deed("DELETE", "robot-keys/" + made("robot-keys", body), ""));
     }
 
     private String key() {

@@ -65,6 +65,7 @@ import org.dronemap.ws.security.oidc.OidcSettings;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
+import org.dronemap.ws.service.RobotKeyRing;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.wiring.AccountRights;
 import org.dronemap.ws.wiring.BoxSealing;
@@ -93,6 +94,7 @@ public final class TestHouse implements AutoCloseable {
     private final Journal journal = new Journal();
     private final MemoryAccessStore access = new MemoryAccessStore();
     private final MemoryLinkStore linkStore = new MemoryLinkStore();
+    private final RobotKeyRing robotKeys = new RobotKeyRing(linkStore);
     private final ListedLinks links = new ListedLinks();
     private final AtomicInteger ids = new AtomicInteger();
     private final CloudManager cloud;
@@ -267,9 +269,15 @@ public final class TestHouse implements AutoCloseable {
         return recorder;
     }
 
+    /** As the links to robots ask for them. */
+    public RobotKeyRing robotKeys() {
+        return robotKeys;
+    }
+
     private House.LinkSide linkSide() {
         BoxSealing sealing = new BoxSealing(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
-        return new House.LinkSide(links, linkStore, new DtlsKeyRing(linkStore, sealing), new ListedClients());
+        return new House.LinkSide(
+                links, linkStore, new DtlsKeyRing(linkStore, sealing), robotKeys, new ListedClients());
     }
 
     public RunSide runs() {

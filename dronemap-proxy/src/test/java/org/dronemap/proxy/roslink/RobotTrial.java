@@ -1,0 +1,103 @@
+package org.dronemap.proxy.roslink;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.proxy.TestCloud;
+import org.dronemap.proxy.endpoint.Doors;
+import org.dronemap.proxy.endpoint.DtlsKeys;
+import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.session.Enrolment;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+
+/** A cloud with the links to robots on real sockets, and what tests ask of it. */
+abstract class RobotTrial {
+    static final Duration PATIENCE = Duration.ofSeconds(15);
+    static final int TURTLEBOT = 8;
+    static final int QUADROTOR = 3;
+    static final String SECRET_OF_7 = TestKeys.OF_7;
+    static final String SECRET_OF_8 = TestKeys.OF_8;
+
+    final TestKeys keys = new TestKeys();
+    final TestCloud house = new TestCloud(0);
+    RoslinkProxy proxy = open(Enrolment.LOOPBACK);
+
+    @BeforeEach
+    void start() throws IOException {
+        proxy.start();
+    }
+
+    @AfterEach
+    void stop() {
+        proxy.close();
+        house.close();
+    }
+
+    RoslinkProxy open(Enrolment enrolment) {
+        return new RoslinkProxy(
+                house.cloud(),
+                house.lanes(),
+                List.of(EndpointUrl.parse("udpserver://127.0.0.1:0"), EndpointUrl.parse("wsserver://127.0.0.1:0")),
+                new RoslinkProxy.Policy(keys, Doors.of(DtlsKeys.none()), enrolment));
+    }
+
+    int udp() {
+        return proxy.endpoints().get(0).url().port();
+    }
+
+    int web() {
+        return proxy.endpoints().get(1).url().port();
+    }
+
+    CompletableFuture<Outcome> command(DroneState drone, Command command) {
+        return CompletableFuture.supplyAsync(() -> house.command(drone.id(), command))
+                .orTimeout(30, TimeUnit.SECONDS);
+    }
+
+    static void beat(TestRobot robot) throws IOException {
+        robot.beat(TURTLEBOT);
+    }
+
+    DroneState drone(int systemId) {
+        return house.cloud().drones().stream()
+                .filter(drone -> drone.link().key().systemId() == systemId)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    DroneState awaitDrone(int systemId, Predicate<DroneState> wanted) {
+        return TestCloud.await(
+                PATIENCE,
+                () -> house.cloud().drones().stream()
+                        .filter(drone -> drone.link().key().systemId() == systemId)
+                        .filter(wanted)
+                        .findFirst(),
+                () -> "no drone as wanted among " + house.cloud().drones());
+    }
+
+    /** Something that may be tried again and again. */
+    interface Look {
+        boolean isThere() throws IOException;
+    }
+
+    void await(Look look) {
+        TestCloud.await(
+                PATIENCE,
+                () -> {
+                    try {
+                        return look.isThere();
+                    } catch (IOException e) {
+                        throw new AssertionError(e);
+                    }
+                },
+                () -> "not there: " + house.cloud().drones() + ", refused " + proxy.refusedCount() + ", broken "
+                        + proxy.brokenCount());
+    }
+}

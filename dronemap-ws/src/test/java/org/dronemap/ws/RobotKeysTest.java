@@ -1,0 +1,123 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.TestHouse;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Keys of robots over HTTP: issued once, kept as hashes, void when replaced or revoked, and each of its organisation. */
+class RobotKeysTest {
+    private static final String PATH = "/api/v1/robot-keys";
+
+    @TempDir
+    static Path data;
+
+    private static TestHouse house;
+    private static Http administrator;
+
+    @BeforeAll
+    static void open() {
+        house = new TestHouse(data, false);
+        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+    }
+
+    @AfterAll
+    static void close() {
+        house.close();
+    }
+
+    private static int delete(Http http, String id) {
+        return http.send(PATH + "/" + id, HttpRequest.Builder::DELETE).status();
+    }
+
+    @Test
+    void showsAKeyOnceAndKeepsItsHashOnly() {
+        Http.Answer made = administrator.post(PATH, "{\"label\":\"Burger\",\"systemId\":7,\"owner\":\"26\"}");
+        assertThat(made.status()).isEqualTo(201);
+        String key = made.text("key");
+        assertThat(key).startsWith("rk-").hasSizeBetween(40, 64);
+        assertThat(made.raw().headers().firstValue("Cache-Control")).contains("no-store");
+
+        assertThat(administrator.get(PATH).raw().body())
+                .contains("Burger")
+                .contains("\"systemId\":7")
+                .contains("\"connected\":false")
+                .doesNotContain(key);
+        assertThat(house.robotKeys().find(key)).hasValueSatisfying(found -> {
+            assertThat(found.drone()).isEqualTo(new DroneId(made.text("id")));
+            assertThat(found.owner()).isEqualTo("26");
+            assertThat(found.hash()).doesNotContain(key);
+        });
+        assertThat(house.robotKeys().find(key + "x")).isEmpty();
+        assertThat(house.records().toString()).doesNotContain(key);
+    }
+
+    @Test
+    void aKeyThatIsReplacedOrRevokedIsVoidAndItsLinksEnd() {
+        Http.Answer first = administrator.post(PATH, "{\"label\":\"Turtle\",\"systemId\":8}");
+        String id = first.text("id");
+        Http.Answer second = administrator.post(PATH, "{\"drone\":\"" + id + "\"}");
+        assertThat(second.text("id")).isEqualTo(id);
+        assertThat(second.text("label")).isEqualTo("Turtle");
+        assertThat(house.robotKeys().find(first.text("key"))).isEmpty();
+        assertThat(house.robotKeys().find(second.text("key"))).isPresent();
+
+        int ended =
+                (int) house.links().disconnected().stream().filter(id::equals).count();
+        assertThat(delete(administrator, id)).isEqualTo(204);
+        assertThat(house.robotKeys().find(second.text("key"))).isEmpty();
+        assertThat(house.links().disconnected().stream().filter(id::equals)).hasSize(ended + 1);
+        assertThat(delete(administrator, id)).isEqualTo(404);
+    }
+
+    @Test
+    void refusesWhatDoesNotFit() {
+        for (String body : new String[] {
+            "{\"label\":\"x\"}",
+            "{\"systemId\":7}",
+            "{\"label\":\"x\",\"systemId\":65536}",
+            "{\"label\":\"x\",\"systemId\":-1}",
+            "{\"label\":\"x\",\"systemId\":7,\"owner\":\"\"}",
+            "{\"label\":\"x\",\"systemId\":7,\"organisation\":\"nowhere\"}"
+        }) {
+            assertThat(administrator.post(PATH, body).status()).as(body).isEqualTo(422);
+        }
+        assertThat(administrator.post(PATH, "{\"drone\":\"nobody\"}").status()).isEqualTo(404);
+        Http supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        assertThat(supervisor.get(PATH).status()).isEqualTo(403);
+        assertThat(supervisor.post(PATH, "{\"label\":\"x\",\"systemId\":7}").status())
+                .isEqualTo(403);
+    }
+
+    @Test
+    void aRobotBelongsToTheOrganisationOfItsKeyBeforeItEverCalledIn() {
+        String organisation = administrator
+                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
+                .text("id");
+        OrganisationId theirs = new OrganisationId(organisation);
+        Http root = house.member(theirs, "their-root", Role.ADMINISTRATOR).http();
+
+        String own = root.post(PATH, "{\"label\":\"Rescuer\",\"systemId\":7}").text("id");
+        String given = administrator
+                .post(PATH, "{\"label\":\"Gift\",\"systemId\":8,\"organisation\":\"" + organisation + "\"}")
+                .text("id");
+
+        assertThat(house.grants().owner(new DroneId(own))).isEqualTo(theirs);
+        assertThat(house.grants().owner(new DroneId(given))).isEqualTo(theirs);
+        assertThat(root.get(PATH).raw().body()).contains(own).contains(given);
+        assertThat(administrator.get(PATH).raw().body()).doesNotContain(own);
+        assertThat(delete(administrator, own)).isEqualTo(404);
+        assertThat(root.post(PATH, "{\"label\":\"x\",\"systemId\":7,\"organisation\":\"home\"}")
+                        .status())
+                .isEqualTo(403);
+    }
+}
