@@ -105,7 +105,21 @@ export type MissionItem =
   | WaypointItem
   | { type: 'returnToLaunch' }
   | { type: 'land' }
+  | { type: 'wait'; holdSeconds: number }
+  | { type: 'takePhoto' }
+  | { type: 'setServo'; output: number; pulse: number }
+  | LookAtItem
+  | { type: 'lookAhead' }
   | { type: 'other'; description: string };
+
+/** The camera points there until it is to look ahead again. */
+export interface LookAtItem {
+  type: 'lookAt';
+  latitude: number;
+  longitude: number;
+  altitude: number;
+  altitudeReference?: AltitudeReference;
+}
 
 /** The mission that the vehicle itself holds, as read back from it. */
 export interface VehicleMission {

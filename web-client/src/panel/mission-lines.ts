@@ -76,6 +76,16 @@ function wordsOf(item: MissionItem): string {
       return 'Return to launch';
     case 'land':
       return 'Land';
+    case 'wait':
+      return `Wait ${fixed(item.holdSeconds)} s`;
+    case 'takePhoto':
+      return 'Take a photo';
+    case 'setServo':
+      return `Servo ${item.output} to ${item.pulse} µs`;
+    case 'lookAt':
+      return `Look at ${fixed(item.latitude, 6)}, ${fixed(item.longitude, 6)}`;
+    case 'lookAhead':
+      return 'Look ahead';
     default:
       return item.description;
   }

@@ -9,7 +9,10 @@ import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionItemReached;
 import org.dronemap.mavlink.message.MissionWritePartialList;
+import org.dronemap.mavlink.message.NamedValueFloat;
+import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.sim.control.ControlCommands;
 import org.junit.jupiter.api.Test;
 
@@ -69,6 +72,121 @@ class PayloadTest {
         assertThat(bench.count(CameraImageCaptured.ID)).isOne();
         assertThat(bench.command(181, 0, 1)).isEqualTo(UNSUPPORTED);
         assertThat(payload(bench)).contains("pictures 1");
+    }
+
+    /** Home, up to 20 m, 40 m north: look back, servo 9, a picture, six seconds, look ahead, 80 m north, home. */
+    private static void uploadTasks(Bench bench) {
+        bench.upload(
+                bench.item(0, 16, 0, 0, 0),
+                bench.item(1, 22, 0, 0, 20),
+                bench.item(2, 16, 40, 0, 20),
+                order(bench, 3, 195, 0, 0),
+                order(bench, 4, 183, 9, 1_900),
+                order(bench, 5, 203, 0, 0),
+                order(bench, 6, 93, 6, 0),
+                order(bench, 7, 197, 0, 0),
+                bench.item(8, 16, 80, 0, 20),
+                bench.item(9, 20, 0, 0, 0));
+    }
+
+    private static MissionItemInt order(Bench bench, int seq, int command, float first, float second) {
+        MissionItemInt home = bench.item(seq, 16, 0, 0, 0);
+        int x = command == 203 ? 1 : command == 195 ? home.x() : 0;
+        int y = command == 195 ? home.y() : 0;
+        return new MissionItemInt(1, 1, seq, command == 195 ? 3 : 2, command, 0, 1, first, second, 0, 0, x, y, 0, 0);
+    }
+
+    private static void fly(Bench bench) {
+        bench.command(176, 1, 4);
+        bench.command(400, 1);
+        bench.command(176, 1, 3);
+        bench.command(300);
+    }
+
+    private static void runUntilReached(Bench bench, int item) {
+        for (int i = 0; i < 900; i++) {
+            bench.run(0.1);
+            if (bench.heard.stream()
+                    .filter(heard -> heard.frame().messageId() == MissionItemReached.ID)
+                    .anyMatch(heard -> MissionItemReached.decode(heard.frame()).seq() == item)) {
+                return;
+            }
+        }
+        throw new AssertionError("item " + item + " was never reached");
+    }
+
+    @Test
+    void arduCopterDoesTheTasksOfItsMissionWhereItIs() {
+        Bench bench = Bench.ready();
+        uploadTasks(bench);
+        fly(bench);
+        runUntilReached(bench, 5);
+        CameraFeedback photo = bench.heard.stream()
+                .filter(heard -> heard.frame().messageId() == CameraFeedback.ID)
+                .map(heard -> CameraFeedback.decode(heard.frame()))
+                .findFirst()
+                .orElseThrow();
+        assertThat(photo.imgIdx()).isOne();
+        assertThat(Math.abs(photo.lat() - bench.item(0, 16, 40, 0, 0).x())).isLessThan(300);
+        assertThat(payload(bench)).contains("pictures 1").contains("servo 9: 1900");
+        bench.run(5);
+        assertThat(Math.abs(yaw(bench) - 180)).as("it looks back to its home").isLessThan(10);
+        assertThat(bench.vehicle.autopilot().currentItem())
+                .as("it waits for six seconds")
+                .isEqualTo(6);
+        runUntilReached(bench, 9);
+        assertThat(payload(bench)).as("done once").contains("pictures 1");
+    }
+
+    @Test
+    void arduCopterThatIsHeldWhileItWaitsTakesNoSecondPicture() {
+        Bench bench = Bench.ready();
+        uploadTasks(bench);
+        fly(bench);
+        runUntilReached(bench, 5);
+        bench.run(1);
+        bench.command(176, 1, 17);
+        bench.run(5);
+        bench.command(176, 1, 3);
+        bench.run(2);
+        assertThat(bench.vehicle.autopilot().currentItem()).as("it waits anew").isEqualTo(6);
+        runUntilReached(bench, 9);
+        assertThat(payload(bench)).contains("pictures 1");
+    }
+
+    @Test
+    void leavesTheOutputsOfItsMotorsAlone() {
+        Bench bench = Bench.ready();
+        assertThat(bench.vehicle.autopilot().payload().setServo(4, 1_900)).isFalse();
+        assertThat(bench.vehicle.autopilot().payload().setServo(17, 1_900)).isFalse();
+        assertThat(bench.vehicle.autopilot().payload().setServo(5, 1_900)).isTrue();
+        bench.command(511, ServoOutputRaw.ID, 500_000);
+        bench.run(1);
+        ServoOutputRaw told = bench.heard.stream()
+                .filter(heard -> heard.frame().messageId() == ServoOutputRaw.ID)
+                .map(heard -> ServoOutputRaw.decode(heard.frame()))
+                .findFirst()
+                .orElseThrow();
+        assertThat(told.servo5Raw()).isEqualTo(1_900);
+        assertThat(told.servo6Raw()).isZero();
+    }
+
+    @Test
+    void tellsWhatItsSensorsMeasure() {
+        Bench bench = Bench.ready();
+        assertThat(ControlCommands.run("sensor 1 Temp 21.5", List.of(bench.vehicle)))
+                .startsWith("ok");
+        bench.run(2);
+        assertThat(bench.heard.stream()
+                        .filter(heard -> heard.frame().messageId() == NamedValueFloat.ID)
+                        .map(heard -> NamedValueFloat.decode(heard.frame())))
+                .hasSizeBetween(3, 5)
+                .allMatch(told -> told.name().equals("Temp") && told.value() == 21.5f);
+        assertThat(ControlCommands.run("sensor 1 off", List.of(bench.vehicle))).startsWith("ok");
+        bench.heard.clear();
+        bench.run(2);
+        assertThat(bench.count(NamedValueFloat.ID)).isZero();
+        assertThat(ControlCommands.run("sensor 1 Temp", List.of(bench.vehicle))).startsWith("err");
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
 
 /** Whether two missions are the same on the wire, where positions are rounded to 1e-7 degrees. */
 public final class MissionComparison {
@@ -37,15 +38,28 @@ public final class MissionComparison {
 
     private static boolean same(MissionItem a, MissionItem b) {
         if (a instanceof MissionItem.Waypoint one && b instanceof MissionItem.Waypoint other) {
-            return one.altitude().reference() == other.altitude().reference()
-                    && Geodesy.distanceMeters(one.point(), other.point()) < SAME_POINT_METERS
-                    && near(one.altitude().meters(), other.altitude().meters(), SAME_ALTITUDE_METERS)
+            return same(one.point(), other.point())
+                    && same(one.altitude(), other.altitude())
                     && near(one.holdSeconds(), other.holdSeconds(), SAME_SECONDS);
         }
         if (a instanceof MissionItem.TakeOff one && b instanceof MissionItem.TakeOff other) {
             return near(one.altitudeMeters(), other.altitudeMeters(), SAME_ALTITUDE_METERS);
         }
+        if (a instanceof MissionItem.Wait one && b instanceof MissionItem.Wait other) {
+            return near(one.seconds(), other.seconds(), SAME_SECONDS);
+        }
+        if (a instanceof MissionItem.LookAt one && b instanceof MissionItem.LookAt other) {
+            return same(one.point(), other.point()) && same(one.altitude(), other.altitude());
+        }
         return a.equals(b);
+    }
+
+    private static boolean same(Geodetic one, Geodetic other) {
+        return Geodesy.distanceMeters(one, other) < SAME_POINT_METERS;
+    }
+
+    private static boolean same(Altitude one, Altitude other) {
+        return one.reference() == other.reference() && near(one.meters(), other.meters(), SAME_ALTITUDE_METERS);
     }
 
     private static boolean near(double a, double b, double tolerance) {

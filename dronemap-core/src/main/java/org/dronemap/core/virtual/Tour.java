@@ -44,7 +44,7 @@ public record Tour(@Nullable Double takeOffMeters, List<MissionItem.Waypoint> wa
                     || (isEnd(item) && index == items.size() - 1);
             if (!fits) {
                 return Optional.of("Item " + (index + 1) + ": a take-off comes first, and landing or returning last; a"
-                        + " virtual drone's mission may change drones only at waypoints.");
+                        + " virtual drone's mission may change drones only at waypoints, and has no tasks there.");
             }
         }
         return Optional.empty();

@@ -13,8 +13,6 @@ import org.dronemap.proxy.mavlink.translate.MissionCodec;
 
 /** What the items of a client mean as a command of the cloud: all of it, or nothing. Stateless. */
 final class MissionReading {
-    private static final int WAYPOINT = 16;
-
     private MissionReading() {}
 
     /** What came of it. */
@@ -47,24 +45,12 @@ final class MissionReading {
                 return new Foreign("Item " + (before + index) + " (" + other.description()
                         + ") is none that the cloud can put on a vehicle.");
             }
-            if (hasMore(item)) {
+            if (MissionCodec.hasMore(item)) {
                 return new Foreign(
                         "Item " + (before + index) + " has settings that the cloud would lose; leave them empty.");
             }
         }
         return new Understood(new Command.UploadMission(new Mission(mission)));
-    }
-
-    /** Settings beside place, altitude and, for a waypoint, the time to wait there. */
-    private static boolean hasMore(MissionItemInt item) {
-        return (item.command() != WAYPOINT && isSet(item.param1()))
-                || isSet(item.param2())
-                || isSet(item.param3())
-                || isSet(item.param4());
-    }
-
-    private static boolean isSet(float value) {
-        return !Float.isNaN(value) && value != 0;
     }
 
     private static Read fence(List<MissionItemInt> items) {

@@ -3,13 +3,16 @@ package org.dronemap.sim.control;
 import java.util.List;
 import java.util.Locale;
 import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.personality.Payload;
 import org.dronemap.sim.personality.SimulatedVehicle;
 
 /** Understands a line of the control port and carries it out; each answer begins with "ok" or "err". On the fleet's thread. */
 public final class ControlCommands {
     static final String HELP = """
             list                                  all vehicles
-            payload                               pictures taken and relays switched on by each
+            payload                               pictures taken, relays switched on and servos moved by each
+            sensor <sysid|all> <name> <value>     has a sensor that measures that from now on; off instead of name and
+                                                  value: has none any more
             signing                               who has a signing key, and how many frames each did not listen to
             fault <sysid|all> silent <seconds>s   stops talking and listening for a while
             fault <sysid|all> gps off|on          loses or regains GPS
@@ -33,6 +36,7 @@ public final class ControlCommands {
             case "list" -> list(vehicles);
             case "payload" -> payload(vehicles);
             case "signing" -> signing(vehicles);
+            case "sensor" -> sensor(words, line.trim().split("\\s+"), vehicles);
             case "fault" -> fault(words, vehicles);
             default -> "err unknown word '" + words[0] + "': say help";
         };
@@ -81,13 +85,38 @@ public final class ControlCommands {
         return text + "ok " + vehicles.size() + " vehicles";
     }
 
+    /** {@code written}: with the case of names as they were written. */
+    private static String sensor(String[] words, String[] written, List<SimulatedVehicle> vehicles) {
+        boolean off = words.length == 3 && words[2].equals("off");
+        double value = words.length == 4 ? number(words[3]) : Double.NaN;
+        if (!off && !Double.isFinite(value)) {
+            return "err say sensor <sysid|all> <name> <value>, or off instead of name and value";
+        }
+        List<SimulatedVehicle> chosen = chosen(words[1], vehicles);
+        for (SimulatedVehicle vehicle : chosen) {
+            Payload payload = vehicle.autopilot().payload();
+            if (off) {
+                payload.forgetSensors();
+            } else {
+                payload.measure(written[2], (float) value);
+            }
+        }
+        return chosen.isEmpty()
+                ? "err no vehicle has system id " + words[1] + ": say list"
+                : "ok " + chosen.size() + " vehicles";
+    }
+
+    private static List<SimulatedVehicle> chosen(String which, List<SimulatedVehicle> vehicles) {
+        return vehicles.stream()
+                .filter(v -> which.equals("all") || which.equals(Integer.toString(v.systemId())))
+                .toList();
+    }
+
     private static String fault(String[] words, List<SimulatedVehicle> vehicles) {
         if (words.length < 3) {
             return "err say fault <sysid|all> <what>, or help";
         }
-        List<SimulatedVehicle> chosen = vehicles.stream()
-                .filter(v -> words[1].equals("all") || words[1].equals(Integer.toString(v.systemId())))
-                .toList();
+        List<SimulatedVehicle> chosen = chosen(words[1], vehicles);
         if (chosen.isEmpty()) {
             return "err no vehicle has system id " + words[1] + ": say list";
         }

@@ -8,6 +8,9 @@ public sealed interface FlightEvent {
     /** A mission item has begun. */
     record ItemStarted(int index, String type) implements FlightEvent {}
 
+    /** A mission item has something done with what the vehicle carries. */
+    record Ordered(MissionItem order) implements FlightEvent {}
+
     /** A mission item is done. */
     record ItemReached(int index) implements FlightEvent {}
 

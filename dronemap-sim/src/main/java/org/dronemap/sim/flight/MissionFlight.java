@@ -18,6 +18,7 @@ public final class MissionFlight implements Manoeuvre {
     private boolean ended;
     private double yaw = Double.NaN;
     private long arrivedAt = -1;
+    private @Nullable Position lookedAt;
     private @Nullable MissionItem item;
     private @Nullable Manoeuvre leg;
 
@@ -36,13 +37,28 @@ public final class MissionFlight implements Manoeuvre {
             begin(craft);
         }
         if (item != null && leg != null) {
-            Setpoint setpoint = leg.fly(craft, nowMillis);
+            Setpoint setpoint = facing(leg.fly(craft, nowMillis), craft.body().position());
             if (isComplete(item, leg, nowMillis)) {
                 finish(craft);
             }
             return setpoint;
         }
         return leg == null ? new Setpoint.Still() : leg.fly(craft, nowMillis);
+    }
+
+    /** The nose to the place that is looked at: its camera is fixed to it. */
+    private Setpoint facing(Setpoint setpoint, Position here) {
+        if (lookedAt == null || here.horizontalDistanceTo(lookedAt) < 1) {
+            return setpoint;
+        }
+        double there = here.bearingTo(lookedAt);
+        if (setpoint instanceof Setpoint.Reach reach) {
+            return new Setpoint.Reach(
+                    reach.target(), reach.horizontalSpeed(), reach.climbSpeed(), reach.sinkSpeed(), there);
+        }
+        return setpoint instanceof Setpoint.Velocity velocity
+                ? new Setpoint.Velocity(velocity.north(), velocity.east(), velocity.up(), there)
+                : setpoint;
     }
 
     private void begin(Craft craft) {
@@ -80,6 +96,12 @@ public final class MissionFlight implements Manoeuvre {
         } else if (order.command() == MissionItem.CONDITION_YAW) {
             double relative = order.param4() != 0 ? craft.body().yaw() : 0;
             yaw = relative + Math.toRadians(order.param1());
+        } else if (order.command() == MissionItem.LOOK_AT) {
+            lookedAt = craft.targetOf(order);
+        } else if (order.command() == MissionItem.LOOK_AHEAD) {
+            lookedAt = null;
+        } else {
+            events.accept(new FlightEvent.Ordered(order));
         }
     }
 

@@ -25,6 +25,10 @@ public record MissionItem(
     public static final int DELAY = 93;
     public static final int CONDITION_YAW = 115;
     public static final int CHANGE_SPEED = 178;
+    public static final int SET_SERVO = 183;
+    public static final int LOOK_AT = 195;
+    public static final int LOOK_AHEAD = 197;
+    public static final int DIGICAM_CONTROL = 203;
 
     public static final int FRAME_AMSL = 0;
     private static final int FRAME_AMSL_INT = 5;
@@ -94,6 +98,9 @@ public record MissionItem(
             case DELAY -> "Delay";
             case CONDITION_YAW -> "CondYaw";
             case CHANGE_SPEED -> "ChangeSpeed";
+            case SET_SERVO -> "SetServo";
+            case LOOK_AT, LOOK_AHEAD -> "ROI";
+            case DIGICAM_CONTROL -> "DigiCamCtrl";
             default -> "Cmd" + command;
         };
     }

@@ -1,5 +1,6 @@
 package org.dronemap.sim.personality;
 
+import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.sim.flight.Craft;
@@ -38,6 +39,9 @@ public interface Autopilot {
     FlightPlan plan();
 
     Payload payload();
+
+    /** One picture; the answer is what it says of it. */
+    Message takePicture();
 
     Parameters parameters();
 

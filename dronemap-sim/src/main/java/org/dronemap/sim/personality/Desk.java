@@ -32,6 +32,7 @@ import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.Ping;
 import org.dronemap.mavlink.message.RequestDataStream;
+import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.SetMode;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SysStatus;
@@ -44,6 +45,7 @@ import org.dronemap.sim.flight.Severity;
 /** Takes what is addressed to a vehicle to where it is answered; the same for every autopilot. Owned by the fleet's thread. */
 final class Desk {
     private static final int RC_CHANNELS_OVERRIDE = 70;
+    private static final long READINGS_MILLIS = 500;
     private static final int[] STREAMED = {
         GlobalPositionInt.ID,
         Attitude.ID,
@@ -54,7 +56,8 @@ final class Desk {
         ExtendedSysState.ID,
         HomePosition.ID,
         MissionCurrent.ID,
-        SystemTime.ID
+        SystemTime.ID,
+        ServoOutputRaw.ID
     };
 
     private final Autopilot autopilot;
@@ -68,6 +71,7 @@ final class Desk {
     private final MissionProtocol missions;
     private final ParameterProtocol parameters;
     private final LogProtocol logs;
+    private long readingsDue;
 
     Desk(
             Autopilot autopilot,
@@ -91,6 +95,10 @@ final class Desk {
     }
 
     void step(long nowMillis) {
+        if (nowMillis >= readingsDue) {
+            readingsDue = nowMillis + READINGS_MILLIS;
+            autopilot.payload().readings(nowMillis - bootedAt).forEach(out);
+        }
         missions.step(nowMillis);
         parameters.step();
         logs.step();

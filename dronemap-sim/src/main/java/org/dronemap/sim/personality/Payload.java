@@ -1,21 +1,36 @@
 package org.dronemap.sim.personality;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CameraFeedback;
 import org.dronemap.mavlink.message.CameraImageCaptured;
+import org.dronemap.mavlink.message.NamedValueFloat;
+import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.physics.Body;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
 
-/** A camera and six relays: counts what was done to them, as often as it was done. Owned by its vehicle. */
+/**
+ * A camera, six relays, servos at the outputs that no motor has, and sensors: counts what was done to them, as often as it
+ * was done. Owned by its vehicle.
+ */
 public final class Payload {
     private static final int RELAYS = 6;
+    private static final int OUTPUTS = 16;
+    private static final int MOTORS = 4;
+    private static final int IDLE_MICROS = 1_000;
+    private static final int LONGEST_NAME = 10;
     private static final int OFF = 0;
     private static final int ON = 1;
 
     private final boolean[] relays = new boolean[RELAYS];
+    private final int[] outputs = new int[OUTPUTS];
+    private final Map<String, Float> sensors = new TreeMap<>();
     private int pictures;
 
     /** One more picture. */
@@ -30,6 +45,55 @@ public final class Payload {
         }
         relays[relay] = setting == ON || (setting != OFF && !relays[relay]);
         return Result.ACCEPTED;
+    }
+
+    /** False for an output that a motor has, or that there is not. */
+    public boolean setServo(int output, int pulseMicros) {
+        if (output <= MOTORS || output > OUTPUTS) {
+            return false;
+        }
+        outputs[output - 1] = pulseMicros;
+        return true;
+    }
+
+    /** A sensor measures that from now on; its name has at most {@value #LONGEST_NAME} characters. */
+    public void measure(String name, float value) {
+        sensors.put(name.substring(0, Math.min(LONGEST_NAME, name.length())), value);
+    }
+
+    public void forgetSensors() {
+        sensors.clear();
+    }
+
+    List<Message> readings(long bootMillis) {
+        List<Message> readings = new ArrayList<>();
+        sensors.forEach((name, value) -> readings.add(new NamedValueFloat(bootMillis, name, value)));
+        return readings;
+    }
+
+    Message outputs(long bootMillis) {
+        for (int motor = 0; motor < MOTORS; motor++) {
+            outputs[motor] = IDLE_MICROS;
+        }
+        return new ServoOutputRaw(
+                bootMillis * 1_000 & 0xFFFF_FFFFL,
+                0,
+                outputs[0],
+                outputs[1],
+                outputs[2],
+                outputs[3],
+                outputs[4],
+                outputs[5],
+                outputs[6],
+                outputs[7],
+                outputs[8],
+                outputs[9],
+                outputs[10],
+                outputs[11],
+                outputs[12],
+                outputs[13],
+                outputs[14],
+                outputs[15]);
     }
 
     /** What ArduPilot says of the last picture. */
@@ -57,7 +121,7 @@ public final class Payload {
         return (float) Math.toDegrees(radians);
     }
 
-    /** "pictures 3 relays on: 0 4". */
+    /** "pictures 3 relays on: 0 4", and "servo 9: 1900" for each that was moved. */
     public String words() {
         StringBuilder on = new StringBuilder();
         for (int relay = 0; relay < RELAYS; relay++) {
@@ -65,7 +129,14 @@ public final class Payload {
                 on.append(' ').append(relay);
             }
         }
-        return String.format(Locale.ROOT, "pictures %d relays on:%s", pictures, on.isEmpty() ? " none" : on);
+        StringBuilder words = new StringBuilder(
+                String.format(Locale.ROOT, "pictures %d relays on:%s", pictures, on.isEmpty() ? " none" : on));
+        for (int output = MOTORS; output < OUTPUTS; output++) {
+            if (outputs[output] > 0) {
+                words.append(String.format(Locale.ROOT, " servo %d: %d", output + 1, outputs[output]));
+            }
+        }
+        return words.toString();
     }
 
     /** What PX4 says of the last picture. */

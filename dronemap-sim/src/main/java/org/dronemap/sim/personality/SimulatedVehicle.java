@@ -14,6 +14,7 @@ import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.message.Timesync;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.MissionItem;
 import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.flight.Severity;
 
@@ -108,12 +109,25 @@ public final class SimulatedVehicle {
     private void hear(FlightEvent event) {
         if (event instanceof FlightEvent.Text text) {
             send(new Statustext(text.severity().number(), text.text(), 0, 0));
+        } else if (event instanceof FlightEvent.Ordered ordered) {
+            obey(ordered.order());
         } else if (event instanceof FlightEvent.ItemReached reached) {
             send(new MissionItemReached(reached.index()));
             desk.reached(reached.index());
         } else if (event instanceof FlightEvent.ItemStarted started) {
             desk.started(started);
             send(desk.build(MissionCurrent.ID, now));
+        }
+    }
+
+    private void obey(MissionItem order) {
+        boolean onePicture = (order.command() == MissionItem.DIGICAM_CONTROL && order.x() == 1)
+                || (order.command() == Cmd.IMAGE_START_CAPTURE && order.param3() == 1);
+        if (onePicture) {
+            send(autopilot.takePicture());
+        } else if (order.command() == MissionItem.SET_SERVO
+                && !autopilot.payload().setServo((int) order.param1(), (int) order.param2())) {
+            say(Severity.INFO, "ServoRelayEvent: Channel " + (int) order.param1() + " is already in use");
         }
     }
 

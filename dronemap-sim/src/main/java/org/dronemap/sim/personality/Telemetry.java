@@ -10,6 +10,7 @@ import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionCurrent;
+import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.VfrHud;
@@ -57,6 +58,7 @@ public final class Telemetry {
             case HomePosition.ID -> home(craft);
             case ExtendedSysState.ID -> new ExtendedSysState(0, autopilot.landedState());
             case AutopilotVersion.ID -> version();
+            case ServoOutputRaw.ID -> autopilot.payload().outputs(nowMillis);
             default -> null;
         };
     }

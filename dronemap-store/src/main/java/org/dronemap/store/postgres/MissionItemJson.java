@@ -44,15 +44,17 @@ final class MissionItemJson {
             putNumber(to, "altitudeMeters", takeOff.altitudeMeters());
         } else if (item instanceof MissionItem.Waypoint waypoint) {
             to.put("type", "waypoint");
-            putNumber(to, "latitudeDegrees", waypoint.point().latitudeDegrees());
-            putNumber(to, "longitudeDegrees", waypoint.point().longitudeDegrees());
-            putNumber(to, "altitudeMeters", waypoint.altitude().meters());
-            to.put("altitudeReference", word(waypoint.altitude().reference()));
+            putPlace(to, waypoint.point(), waypoint.altitude());
             putNumber(to, "holdSeconds", waypoint.holdSeconds());
         } else if (item instanceof MissionItem.ReturnToLaunch) {
             to.put("type", "returnToLaunch");
         } else if (item instanceof MissionItem.Land) {
             to.put("type", "land");
+        } else if (item instanceof MissionItem.Wait wait) {
+            to.put("type", "wait");
+            putNumber(to, "seconds", wait.seconds());
+        } else if (item instanceof MissionItem.Action action) {
+            write(action, to);
         } else if (item instanceof MissionItem.Other other) {
             to.put("type", "other");
             to.put("description", other.description());
@@ -61,22 +63,58 @@ final class MissionItemJson {
         }
     }
 
+    private static void write(MissionItem.Action action, ObjectNode to) {
+        if (action instanceof MissionItem.TakePhoto) {
+            to.put("type", "takePhoto");
+        } else if (action instanceof MissionItem.SetServo servo) {
+            to.put("type", "setServo");
+            to.put("output", servo.output());
+            to.put("pulseMicros", servo.pulseMicros());
+        } else if (action instanceof MissionItem.LookAt look) {
+            to.put("type", "lookAt");
+            putPlace(to, look.point(), look.altitude());
+        } else if (action instanceof MissionItem.LookAhead) {
+            to.put("type", "lookAhead");
+        } else {
+            throw new IllegalArgumentException("no form for mission item " + action);
+        }
+    }
+
+    private static void putPlace(ObjectNode to, Geodetic point, Altitude altitude) {
+        putNumber(to, "latitudeDegrees", point.latitudeDegrees());
+        putNumber(to, "longitudeDegrees", point.longitudeDegrees());
+        putNumber(to, "altitudeMeters", altitude.meters());
+        to.put("altitudeReference", word(altitude.reference()));
+    }
+
     private static MissionItem read(JsonNode node) {
         String type = node.required("type").stringValue();
         return switch (type) {
             case "takeOff" -> new MissionItem.TakeOff(number(node, "altitudeMeters"));
-            case "waypoint" ->
-                new MissionItem.Waypoint(
-                        new Geodetic(number(node, "latitudeDegrees"), number(node, "longitudeDegrees")),
-                        new Altitude(
-                                number(node, "altitudeMeters"),
-                                reference(node.required("altitudeReference").stringValue())),
-                        number(node, "holdSeconds"));
+            case "waypoint" -> new MissionItem.Waypoint(point(node), altitude(node), number(node, "holdSeconds"));
             case "returnToLaunch" -> new MissionItem.ReturnToLaunch();
             case "land" -> new MissionItem.Land();
+            case "wait" -> new MissionItem.Wait(number(node, "seconds"));
+            case "takePhoto" -> new MissionItem.TakePhoto();
+            case "setServo" ->
+                new MissionItem.SetServo(
+                        node.required("output").intValue(),
+                        node.required("pulseMicros").intValue());
+            case "lookAt" -> new MissionItem.LookAt(point(node), altitude(node));
+            case "lookAhead" -> new MissionItem.LookAhead();
             case "other" -> new MissionItem.Other(node.required("description").stringValue());
             default -> throw new IllegalArgumentException("unknown mission item type \"" + type + "\"");
         };
+    }
+
+    private static Geodetic point(JsonNode node) {
+        return new Geodetic(number(node, "latitudeDegrees"), number(node, "longitudeDegrees"));
+    }
+
+    private static Altitude altitude(JsonNode node) {
+        return new Altitude(
+                number(node, "altitudeMeters"),
+                reference(node.required("altitudeReference").stringValue()));
     }
 
     private static String word(Altitude.Reference reference) {

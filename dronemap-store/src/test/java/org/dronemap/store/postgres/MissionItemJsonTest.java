@@ -20,12 +20,21 @@ class MissionItemJsonTest {
                 new MissionItem.Waypoint(new Geodetic(47.5, 8.25), new Altitude(500, Altitude.Reference.AMSL), 1.5),
                 new MissionItem.ReturnToLaunch(),
                 new MissionItem.Land(),
+                new MissionItem.Wait(2.5),
+                new MissionItem.TakePhoto(),
+                new MissionItem.SetServo(9, 1_900),
+                new MissionItem.LookAt(new Geodetic(47.5, 8.25), new Altitude(-3, Altitude.Reference.HOME)),
+                new MissionItem.LookAhead(),
                 new MissionItem.Other("set servo 9")));
         assertThat(json)
                 .isEqualTo("[{\"type\":\"takeOff\",\"altitudeMeters\":20.0},"
                         + "{\"type\":\"waypoint\",\"latitudeDegrees\":47.5,\"longitudeDegrees\":8.25,"
                         + "\"altitudeMeters\":500.0,\"altitudeReference\":\"amsl\",\"holdSeconds\":1.5},"
                         + "{\"type\":\"returnToLaunch\"},{\"type\":\"land\"},"
+                        + "{\"type\":\"wait\",\"seconds\":2.5},{\"type\":\"takePhoto\"},"
+                        + "{\"type\":\"setServo\",\"output\":9,\"pulseMicros\":1900},"
+                        + "{\"type\":\"lookAt\",\"latitudeDegrees\":47.5,\"longitudeDegrees\":8.25,"
+                        + "\"altitudeMeters\":-3.0,\"altitudeReference\":\"home\"},{\"type\":\"lookAhead\"},"
                         + "{\"type\":\"other\",\"description\":\"set servo 9\"}]");
     }
 
@@ -42,6 +51,11 @@ class MissionItemJsonTest {
                     random.nextDouble() * 100));
         }
         items.add(new MissionItem.TakeOff(Double.NaN));
+        items.add(new MissionItem.Wait(0.1));
+        items.add(new MissionItem.TakePhoto());
+        items.add(new MissionItem.SetServo(32, 2_500));
+        items.add(new MissionItem.LookAt(new Geodetic(-1.5, 179), new Altitude(9_000, Altitude.Reference.AMSL)));
+        items.add(new MissionItem.LookAhead());
         items.add(new MissionItem.Waypoint(new Geodetic(-0.0, 0), Altitude.aboveHome(1), Double.POSITIVE_INFINITY));
         items.add(new MissionItem.Other("\u0000 \" \\ 🚁"));
         assertThat(MissionItemJson.read(MissionItemJson.write(items))).isEqualTo(items);

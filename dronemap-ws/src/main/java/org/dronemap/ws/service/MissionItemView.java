@@ -3,6 +3,8 @@ package org.dronemap.ws.service;
 import com.fasterxml.jackson.annotation.JsonInclude;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
@@ -10,40 +12,71 @@ import org.jspecify.annotations.Nullable;
 @JsonInclude(JsonInclude.Include.NON_NULL)
 @Schema(description = "One step of a mission; which members are there depends on the type.")
 public record MissionItemView(
-        @Schema(description = "takeOff, waypoint, returnToLaunch, land; read only: other") @Nullable
+        @Schema(
+                description =
+                        "takeOff, waypoint, returnToLaunch, land, wait, takePhoto, setServo, lookAt, lookAhead; read only: other")
+        @Nullable
         String type,
 
-        @Schema(description = "waypoint: degrees") @Nullable Double latitude,
-        @Schema(description = "waypoint: degrees") @Nullable Double longitude,
+        @Schema(description = "waypoint, lookAt: degrees") @Nullable
+        Double latitude,
 
-        @Schema(description = "takeOff, waypoint: metres") @Nullable
+        @Schema(description = "waypoint, lookAt: degrees") @Nullable
+        Double longitude,
+
+        @Schema(description = "takeOff, waypoint, lookAt: metres") @Nullable
         Double altitude,
 
-        @Schema(description = "waypoint: home (the default) or amsl") @Nullable
+        @Schema(description = "waypoint, lookAt: home (the default) or amsl") @Nullable
         String altitudeReference,
 
-        @Schema(description = "waypoint: seconds to wait there") @Nullable
+        @Schema(description = "waypoint, wait: seconds to wait there") @Nullable
         Double holdSeconds,
 
+        @Schema(description = "setServo: which output, 1 to 32") @Nullable
+        Integer output,
+
+        @Schema(description = "setServo: length of its pulses in microseconds, 500 to 2500") @Nullable
+        Integer pulse,
+
         @Schema(description = "other: what it is") @Nullable String description) {
+    private static MissionItemView plain(String type, @Nullable Double altitude, @Nullable Double holdSeconds) {
+        return new MissionItemView(type, null, null, altitude, null, holdSeconds, null, null, null);
+    }
+
+    private static MissionItemView placed(
+            String type, Geodetic point, Altitude altitude, @Nullable Double holdSeconds) {
+        return new MissionItemView(
+                type,
+                point.latitudeDegrees(),
+                point.longitudeDegrees(),
+                altitude.meters(),
+                WireNames.camel(altitude.reference()),
+                holdSeconds,
+                null,
+                null,
+                null);
+    }
 
     public static MissionItemView of(MissionItem item) {
         if (item instanceof MissionItem.TakeOff takeOff) {
-            return new MissionItemView("takeOff", null, null, takeOff.altitudeMeters(), null, null, null);
+            return plain("takeOff", takeOff.altitudeMeters(), null);
         }
         if (item instanceof MissionItem.Waypoint waypoint) {
-            return new MissionItemView(
-                    "waypoint",
-                    waypoint.point().latitudeDegrees(),
-                    waypoint.point().longitudeDegrees(),
-                    waypoint.altitude().meters(),
-                    WireNames.camel(waypoint.altitude().reference()),
-                    waypoint.holdSeconds(),
-                    null);
+            return placed("waypoint", waypoint.point(), waypoint.altitude(), waypoint.holdSeconds());
+        }
+        if (item instanceof MissionItem.Wait wait) {
+            return plain("wait", null, wait.seconds());
+        }
+        if (item instanceof MissionItem.LookAt look) {
+            return placed("lookAt", look.point(), look.altitude(), null);
+        }
+        String type = WireNames.lowerFirst(item.getClass().getSimpleName());
+        if (item instanceof MissionItem.SetServo servo) {
+            return new MissionItemView(type, null, null, null, null, null, servo.output(), servo.pulseMicros(), null);
         }
         String description = item instanceof MissionItem.Other other ? other.description() : null;
-        return new MissionItemView(
-                WireNames.lowerFirst(item.getClass().getSimpleName()), null, null, null, null, null, description);
+        return new MissionItemView(type, null, null, null, null, null, null, null, description);
     }
 
     public static List<MissionItemView> of(List<MissionItem> items) {

@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
 /** Turns the items that a client wrote into a mission, or says which member of which item is wrong. */
 final class MissionReader {
     private static final String COUNT = "1 to " + Mission.MAX_ITEMS + " items";
-    private static final String TYPES = "takeOff, waypoint, returnToLaunch or land";
+    private static final String TYPES =
+            "takeOff, waypoint, returnToLaunch, land, wait, takePhoto, setServo, lookAt or lookAhead";
     private static final String REFERENCES = "home or amsl";
 
     private MissionReader() {}
@@ -39,6 +40,11 @@ final class MissionReader {
             case "waypoint" -> waypoint(at + ".", item);
             case "returnToLaunch" -> new MissionItem.ReturnToLaunch();
             case "land" -> new MissionItem.Land();
+            case "wait" -> new MissionItem.Wait(Ranges.waitSeconds(at + ".holdSeconds", item.holdSeconds()));
+            case "takePhoto" -> new MissionItem.TakePhoto();
+            case "setServo" -> servo(at + ".", item.output(), item.pulse());
+            case "lookAt" -> lookAt(at + ".", item);
+            case "lookAhead" -> new MissionItem.LookAhead();
             default -> throw InvalidInput.outside(at + ".type", TYPES, "\"" + item.type() + "\"");
         };
     }
@@ -52,6 +58,17 @@ final class MissionReader {
                 point,
                 altitude(at, item.altitude(), item.altitudeReference()),
                 hold == null ? 0 : Ranges.holdSeconds(at + "holdSeconds", hold));
+    }
+
+    static MissionItem.SetServo servo(String at, @Nullable Integer output, @Nullable Integer pulse) {
+        return new MissionItem.SetServo(Ranges.output(at + "output", output), Ranges.pulse(at + "pulse", pulse));
+    }
+
+    private static MissionItem.LookAt lookAt(String at, MissionItemView item) {
+        Geodetic point = new Geodetic(
+                Ranges.latitude(at + "latitude", item.latitude()),
+                Ranges.longitude(at + "longitude", item.longitude()));
+        return new MissionItem.LookAt(point, altitude(at, item.altitude(), item.altitudeReference()));
     }
 
     /** {@code at} is what stands before the field's name, such as {@code items[2].}. */

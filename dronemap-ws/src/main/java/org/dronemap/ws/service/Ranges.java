@@ -1,11 +1,12 @@
 package org.dronemap.ws.service;
 
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /** Checks numbers against the range of their field. */
 final class Ranges {
-    private static final String RELAYS = "0 to 15";
+    private static final double LEAST_WAIT_SECONDS = 0.1;
 
     private Ranges() {}
 
@@ -34,17 +35,44 @@ final class Ranges {
     }
 
     static int relay(String field, @Nullable Integer value) {
-        if (value == null) {
-            throw InvalidInput.missing(field, RELAYS);
-        }
-        if (value < 0 || value > 15) {
-            throw InvalidInput.outside(field, RELAYS, value);
-        }
-        return value;
+        return checked(field, value, 0, 15, "");
     }
 
     static double holdSeconds(String field, double value) {
         return checked(field, value, 0, 3600, "seconds");
+    }
+
+    /** Less would be waiting for a time of day. */
+    static double waitSeconds(String field, @Nullable Double value) {
+        double seconds = checked(field, value, 0, 3600, "seconds");
+        if (seconds < LEAST_WAIT_SECONDS) {
+            throw InvalidInput.outside(field, "0.1 to 3600 seconds", seconds);
+        }
+        return seconds;
+    }
+
+    static int output(String field, @Nullable Integer value) {
+        return checked(field, value, 1, MissionItem.SetServo.MOST_OUTPUTS, "");
+    }
+
+    static int pulse(String field, @Nullable Integer value) {
+        return checked(
+                field,
+                value,
+                MissionItem.SetServo.SHORTEST_MICROS,
+                MissionItem.SetServo.LONGEST_MICROS,
+                " microseconds");
+    }
+
+    private static int checked(String field, @Nullable Integer value, int least, int most, String unit) {
+        String allowed = least + " to " + most + unit;
+        if (value == null) {
+            throw InvalidInput.missing(field, allowed);
+        }
+        if (value < least || value > most) {
+            throw InvalidInput.outside(field, allowed, value);
+        }
+        return value;
     }
 
     static double checked(String field, @Nullable Double value, int least, int most, String unit) {

@@ -11,7 +11,17 @@ import org.jspecify.annotations.Nullable;
 @XmlType(
         name = "waypoint",
         namespace = Namespace.URI,
-        propOrder = {"type", "latitude", "longitude", "altitude", "altitudeReference", "holdSeconds", "description"})
+        propOrder = {
+            "type",
+            "latitude",
+            "longitude",
+            "altitude",
+            "altitudeReference",
+            "holdSeconds",
+            "output",
+            "pulse",
+            "description"
+        })
 public class SoapWaypoint {
     private @Nullable String type;
     private @Nullable Double latitude;
@@ -19,6 +29,8 @@ public class SoapWaypoint {
     private @Nullable Double altitude;
     private @Nullable String altitudeReference;
     private @Nullable Double holdSeconds;
+    private @Nullable Integer output;
+    private @Nullable Integer pulse;
     private @Nullable String description;
 
     static SoapWaypoint of(MissionItemView item) {
@@ -29,6 +41,8 @@ public class SoapWaypoint {
         waypoint.altitude = item.altitude();
         waypoint.altitudeReference = item.altitudeReference();
         waypoint.holdSeconds = item.holdSeconds();
+        waypoint.output = item.output();
+        waypoint.pulse = item.pulse();
         waypoint.description = item.description();
         return waypoint;
     }
@@ -41,13 +55,16 @@ public class SoapWaypoint {
                 altitude,
                 altitudeReference,
                 holdSeconds,
+                output,
+                pulse,
                 description);
     }
 
     /** For callers in Java. */
     public static SoapWaypoint at(
             @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAboveHome) {
-        return of(new MissionItemView("waypoint", latitude, longitude, altitudeAboveHome, null, null, null));
+        return of(
+                new MissionItemView("waypoint", latitude, longitude, altitudeAboveHome, null, null, null, null, null));
     }
 
     public @Nullable String getType() {

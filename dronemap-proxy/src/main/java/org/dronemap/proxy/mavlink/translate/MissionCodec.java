@@ -3,11 +3,13 @@ package org.dronemap.proxy.mavlink.translate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.Target;
+import org.jspecify.annotations.Nullable;
 
 /** Missions to items of the wire and back. */
 public final class MissionCodec {
@@ -17,6 +19,14 @@ public final class MissionCodec {
     static final int NAV_RETURN_TO_LAUNCH = 20;
     static final int NAV_LAND = 21;
     static final int NAV_TAKEOFF = 22;
+    static final int NAV_DELAY = 93;
+    static final int DO_SET_SERVO = 183;
+    static final int DO_SET_ROI_LOCATION = 195;
+    static final int DO_SET_ROI_NONE = 197;
+    static final int DO_DIGICAM_CONTROL = 203;
+    static final int IMAGE_START_CAPTURE = 2000;
+    private static final int FRAME_MISSION = 2;
+    private static final int ONE_PHOTO = 1;
     private static final double E7 = 1e7;
 
     private MissionCodec() {}
@@ -37,12 +47,60 @@ public final class MissionCodec {
             return new MissionItem.Land();
         }
         if (item.command() == NAV_WAYPOINT && isPlace(item)) {
-            return new MissionItem.Waypoint(
-                    new Geodetic(item.x() / E7, item.y() / E7),
-                    new Altitude(round(item.z()), isRelative(item) ? Altitude.Reference.HOME : Altitude.Reference.AMSL),
-                    Math.max(0, round(item.param1())));
+            return new MissionItem.Waypoint(point(item), altitude(item), Math.max(0, round(item.param1())));
         }
-        return new MissionItem.Other(describe(item, isNowhere(item)));
+        return orders(item).orElseGet(() -> new MissionItem.Other(describe(item, isNowhere(item))));
+    }
+
+    /** What is done where it is. */
+    private static Optional<MissionItem> orders(MissionItemInt item) {
+        return Optional.ofNullable(
+                switch (item.command()) {
+                    // Without seconds it waits for a time of day.
+                    case NAV_DELAY -> item.param1() > 0 ? new MissionItem.Wait(round(item.param1())) : null;
+                    case DO_SET_SERVO -> servo(item);
+                    case DO_SET_ROI_LOCATION ->
+                        isPlace(item) ? new MissionItem.LookAt(point(item), altitude(item)) : null;
+                    case DO_SET_ROI_NONE -> new MissionItem.LookAhead();
+                    case DO_DIGICAM_CONTROL -> item.x() == ONE_PHOTO ? new MissionItem.TakePhoto() : null;
+                    case IMAGE_START_CAPTURE -> item.param3() == 1 ? new MissionItem.TakePhoto() : null;
+                    default -> null;
+                });
+    }
+
+    private static @Nullable MissionItem servo(MissionItemInt item) {
+        int output = Math.round(item.param1());
+        int pulse = Math.round(item.param2());
+        boolean known = output >= 1
+                && output <= MissionItem.SetServo.MOST_OUTPUTS
+                && pulse >= MissionItem.SetServo.SHORTEST_MICROS
+                && pulse <= MissionItem.SetServo.LONGEST_MICROS;
+        return known ? new MissionItem.SetServo(output, pulse) : null;
+    }
+
+    private static Geodetic point(MissionItemInt item) {
+        return new Geodetic(item.x() / E7, item.y() / E7);
+    }
+
+    private static Altitude altitude(MissionItemInt item) {
+        return new Altitude(round(item.z()), isRelative(item) ? Altitude.Reference.HOME : Altitude.Reference.AMSL);
+    }
+
+    /** Whether there is more in an item than what it means to the cloud: settings, in the order of their numbers. */
+    public static boolean hasMore(MissionItemInt item) {
+        int read = switch (item.command()) {
+            case NAV_WAYPOINT -> 1;
+            case DO_SET_SERVO -> 2;
+            case NAV_DELAY, IMAGE_START_CAPTURE -> 4;
+            default -> 0;
+        };
+        float[] settings = {item.param1(), item.param2(), item.param3(), item.param4()};
+        for (int number = read; number < settings.length; number++) {
+            if (!Float.isNaN(settings[number]) && settings[number] != 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static boolean isRelative(MissionItemInt item) {
@@ -71,8 +129,9 @@ public final class MissionCodec {
             case 93 -> "delay";
             case 177 -> "jump";
             case 178 -> "change speed";
+            case DO_SET_SERVO -> "set a servo";
             case 201 -> "point the camera";
-            case 203 -> "take a photo";
+            case DO_DIGICAM_CONTROL, IMAGE_START_CAPTURE -> "control the camera";
             case 206 -> "take photos by distance";
             default -> "command " + item.command();
         };
@@ -96,7 +155,7 @@ public final class MissionCodec {
             items.add(item(
                     target,
                     0,
-                    new Step(NAV_WAYPOINT, FRAME_GLOBAL, 0, 0, 0f)
+                    new Step(NAV_WAYPOINT, FRAME_GLOBAL, 0, 0f)
                             .at(status.homeLatitudeE7(), status.homeLongitudeE7(), home == null ? 0 : home)));
         }
         for (MissionItem step : mission) {
@@ -105,37 +164,70 @@ public final class MissionCodec {
         return items;
     }
 
-    private record Step(int command, int frame, double hold, double altitude, float yaw, int x, int y) {
-        Step(int command, int frame, double hold, double altitude, float yaw) {
-            this(command, frame, hold, altitude, yaw, 0, 0);
+    private record Step(int command, int frame, double first, double second, float yaw, Spot spot) {
+        /** Where it is; 0, 0 also where it has no place. */
+        record Spot(int x, int y, double altitude) {
+            static final Spot NONE = new Spot(0, 0, 0);
+        }
+
+        Step(int command, int frame, double first, float yaw) {
+            this(command, frame, first, 0, yaw, Spot.NONE);
+        }
+
+        /** Without a place. */
+        static Step order(int command, double first, double second) {
+            return new Step(command, FRAME_MISSION, first, second, 0f, Spot.NONE);
         }
 
         Step at(int latitudeE7, int longitudeE7, double meters) {
-            return new Step(command, frame, hold, meters, yaw, latitudeE7, longitudeE7);
+            return new Step(command, frame, first, second, yaw, new Spot(latitudeE7, longitudeE7, meters));
+        }
+
+        Step at(Geodetic point, Altitude altitude) {
+            return at(e7(point.latitudeDegrees()), e7(point.longitudeDegrees()), altitude.meters());
         }
     }
 
     private static Step step(MissionItem item, Form form) {
         if (item instanceof MissionItem.TakeOff takeOff) {
-            return new Step(NAV_TAKEOFF, FRAME_RELATIVE, 0, 0, form.noYaw())
+            return new Step(NAV_TAKEOFF, FRAME_RELATIVE, 0, form.noYaw())
                     .at(form.hereLatitudeE7(), form.hereLongitudeE7(), takeOff.altitudeMeters());
         }
         if (item instanceof MissionItem.Waypoint waypoint) {
-            int frame = waypoint.altitude().reference() == Altitude.Reference.HOME ? FRAME_RELATIVE : FRAME_GLOBAL;
-            return new Step(NAV_WAYPOINT, frame, waypoint.holdSeconds(), 0, form.noYaw())
-                    .at(
-                            e7(waypoint.point().latitudeDegrees()),
-                            e7(waypoint.point().longitudeDegrees()),
-                            waypoint.altitude().meters());
+            return new Step(NAV_WAYPOINT, frame(waypoint.altitude()), waypoint.holdSeconds(), form.noYaw())
+                    .at(waypoint.point(), waypoint.altitude());
         }
         if (item instanceof MissionItem.Land) {
-            return new Step(NAV_LAND, FRAME_RELATIVE, 0, 0, form.noYaw())
+            return new Step(NAV_LAND, FRAME_RELATIVE, 0, form.noYaw())
                     .at(form.homeInFront() ? 0 : Integer.MAX_VALUE, form.homeInFront() ? 0 : Integer.MAX_VALUE, 0);
         }
         if (item instanceof MissionItem.ReturnToLaunch) {
-            return new Step(NAV_RETURN_TO_LAUNCH, FRAME_RELATIVE, 0, 0, 0f);
+            return new Step(NAV_RETURN_TO_LAUNCH, FRAME_RELATIVE, 0, 0f);
+        }
+        if (item instanceof MissionItem.Wait wait) {
+            return Step.order(NAV_DELAY, wait.seconds(), 0);
+        }
+        if (item instanceof MissionItem.Action action) {
+            return order(action);
         }
         throw new IllegalArgumentException("not a plannable mission item: " + item);
+    }
+
+    private static Step order(MissionItem.Action action) {
+        if (action instanceof MissionItem.SetServo servo) {
+            return Step.order(DO_SET_SERVO, servo.output(), servo.pulseMicros());
+        }
+        if (action instanceof MissionItem.LookAt look) {
+            return new Step(DO_SET_ROI_LOCATION, frame(look.altitude()), 0, 0f).at(look.point(), look.altitude());
+        }
+        if (action instanceof MissionItem.LookAhead) {
+            return Step.order(DO_SET_ROI_NONE, 0, 0);
+        }
+        return Step.order(DO_DIGICAM_CONTROL, 0, 0).at(ONE_PHOTO, 0, 0);
+    }
+
+    private static int frame(Altitude altitude) {
+        return altitude.reference() == Altitude.Reference.HOME ? FRAME_RELATIVE : FRAME_GLOBAL;
     }
 
     static int e7(double degrees) {
@@ -151,13 +243,13 @@ public final class MissionCodec {
                 step.command(),
                 0,
                 1,
-                (float) step.hold(),
-                0f,
+                (float) step.first(),
+                (float) step.second(),
                 0f,
                 step.yaw(),
-                step.x(),
-                step.y(),
-                (float) step.altitude(),
+                step.spot().x(),
+                step.spot().y(),
+                (float) step.spot().altitude(),
                 0);
     }
 }

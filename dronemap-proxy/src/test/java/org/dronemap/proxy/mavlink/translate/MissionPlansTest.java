@@ -135,6 +135,73 @@ class MissionPlansTest {
         assertThat(vehicle.held.get(9).x()).isEqualTo(470_080_000);
     }
 
+    /** Each with its number, so that how far a vehicle is means the same here and there. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void putsTasksOnTheVehicleAsItemsOfTheirOwn(boolean arduPilot) {
+        PlanBench bench = bench(arduPilot);
+        List<MissionItem> items = List.of(
+                waypoint(1, 20),
+                new MissionItem.LookAt(new Geodetic(47.1, 8.6), new Altitude(-12.5, Altitude.Reference.AMSL)),
+                new MissionItem.SetServo(9, 1_900),
+                new MissionItem.TakePhoto(),
+                new MissionItem.Wait(2.5),
+                new MissionItem.LookAhead(),
+                waypoint(2, 20));
+
+        assertThat(bench.perform(new Command.UploadMission(new Mission(items)))).isEqualTo(DONE);
+
+        int before = arduPilot ? 1 : 0;
+        List<MissionItemInt> wire = vehicle.held.subList(before, vehicle.held.size());
+        assertThat(wire).extracting(MissionItemInt::command).containsExactly(16, 195, 183, 203, 93, 197, 16);
+        assertThat(wire.get(1))
+                .returns(471_000_000, MissionItemInt::x)
+                .returns(86_000_000, MissionItemInt::y)
+                .returns(-12.5f, MissionItemInt::z)
+                .returns(0, MissionItemInt::frame);
+        assertThat(wire.get(2)).returns(9f, MissionItemInt::param1).returns(1_900f, MissionItemInt::param2);
+        assertThat(wire.get(3)).returns(1, MissionItemInt::x);
+        assertThat(wire.get(4)).returns(2.5f, MissionItemInt::param1);
+        assertThat(MissionCodec.fromWire(vehicle.held, before)).isEqualTo(items);
+    }
+
+    @Test
+    void noticesATaskThatTheVehicleHoldsOtherwise() {
+        PlanBench bench = new PlanBench(PlanBench.PX4);
+        bench.wire.peer((wire, message) -> vehicle.take(
+                wire,
+                message instanceof MissionItemInt item && item.seq() == 1
+                        ? order(item.seq(), 183, new float[] {9, 1_100, 0, 0}, 0)
+                        : message));
+        List<MissionItem> items = List.of(waypoint(1, 20), new MissionItem.SetServo(9, 1_900));
+
+        Outcome outcome = bench.perform(new Command.UploadMission(new Mission(items)));
+
+        assertThat(outcome).asString().contains("item 2 differs");
+    }
+
+    @Test
+    void takesNoOrderForAnotherOne() {
+        List<MissionItemInt> foreign = List.of(
+                order(0, 93, new float[] {0, 12, 30, 0}, 0),
+                order(1, 183, new float[] {0, 1_900, 0, 0}, 0),
+                order(2, 183, new float[] {9, 0, 0, 0}, 0),
+                order(3, 203, new float[] {0, 0, 0, 0}, 0),
+                order(4, 2000, new float[] {0, 2, 5, 0}, 0));
+        assertThat(MissionCodec.fromWire(foreign, 0)).allMatch(MissionItem.Other.class::isInstance);
+        assertThat(MissionCodec.fromWire(List.of(order(0, 2000, new float[] {0, 0, 1, 3}, 0)), 0))
+                .containsExactly(new MissionItem.TakePhoto());
+        assertThat(MissionCodec.hasMore(order(0, 203, new float[] {1, 0, 0, 0}, 1)))
+                .isTrue();
+        assertThat(MissionCodec.hasMore(order(0, 93, new float[] {5, -1, -1, -1}, 0)))
+                .isFalse();
+    }
+
+    private static MissionItemInt order(int seq, int command, float[] settings, int x) {
+        return new MissionItemInt(
+                1, 1, seq, 2, command, 0, 1, settings[0], settings[1], settings[2], settings[3], x, 0, 0, 0);
+    }
+
     /** 500 ± 200 ms and a tenth lost each way, some doubled: as many items as a long survey has. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})

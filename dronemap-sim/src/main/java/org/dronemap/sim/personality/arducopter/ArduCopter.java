@@ -180,10 +180,6 @@ public final class ArduCopter implements Autopilot {
         events.accept(new FlightEvent.Text(severity, text));
     }
 
-    long nowMillis() {
-        return now;
-    }
-
     CopterFlight flight() {
         return flight;
     }
@@ -264,6 +260,12 @@ public final class ArduCopter implements Autopilot {
     @Override
     public Payload payload() {
         return payload;
+    }
+
+    @Override
+    public Message takePicture() {
+        payload.takePicture();
+        return payload.feedback(craft, now * 1_000);
     }
 
     @Override

@@ -131,8 +131,7 @@ final class CopterOrders {
         if (!single) {
             return Result.FAILED;
         }
-        copter.payload().takePicture();
-        out.accept(copter.payload().feedback(craft, copter.nowMillis() * 1000));
+        out.accept(copter.takePicture());
         return Result.ACCEPTED;
     }
 

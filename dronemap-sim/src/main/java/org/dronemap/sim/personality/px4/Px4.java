@@ -158,10 +158,6 @@ public final class Px4 implements Autopilot {
         events.accept(new FlightEvent.Text(severity, text));
     }
 
-    long nowMillis() {
-        return now;
-    }
-
     Px4Flight flight() {
         return flight;
     }
@@ -237,6 +233,12 @@ public final class Px4 implements Autopilot {
     @Override
     public FlightPlan plan() {
         return plan;
+    }
+
+    @Override
+    public Message takePicture() {
+        payload.takePicture();
+        return payload.captured(craft, now);
     }
 
     @Override

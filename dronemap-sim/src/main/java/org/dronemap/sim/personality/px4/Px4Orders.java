@@ -133,8 +133,7 @@ final class Px4Orders {
         if (!single) {
             return Result.DENIED;
         }
-        px4.payload().takePicture();
-        out.accept(px4.payload().captured(craft, px4.nowMillis()));
+        out.accept(px4.takePicture());
         return Result.ACCEPTED;
     }
 
