@@ -108,7 +108,7 @@ class SoapFaultsTest {
                                 .containsPattern(OF_THE_CALLER)
                                 .contains("<field>waypoint[0].altitudereference</field>")
                                 .contains(
-                                        "<allowed>type, latitude, longitude, altitude, altitudeReference, holdSeconds, description"));
+                                        "<allowed>type, latitude, longitude, altitude, altitudeReference, holdSeconds, output, pulse, description"));
         assertThat(fault("<w:takeoff><droneId>x</droneId><altitud>5</altitud></w:takeoff>"))
                 .contains("<field>altitud</field>", "<allowed>droneId, altitude</allowed>");
         assertThat(vehicle.performed()).isEmpty();
