@@ -8,7 +8,12 @@ from .ports import free_port
 from .server import ROOT
 from .waiting import wait_for
 
+GROUND_STATION_TIMEOUT = 5  # seconds, as of the real ones
 SIMULATOR_JAR = ROOT / "dronemap-sim" / "target" / "dronemap-sim.jar"
+
+
+def _speedup(arguments: tuple[str, ...]) -> float:
+    return float(arguments[arguments.index("--speedup") + 1]) if "--speedup" in arguments else 1
 
 
 class Simulator:
@@ -19,8 +24,11 @@ class Simulator:
         self._control = free_port()
         if not {"px4", "mixed"} & set(arguments):
             # Time runs faster for them than for the server: a copter that is armed on the ground must not be
-            # disarmed again within what is a second on a slow machine.
-            arguments = ("--parameter", "DISARM_DELAY=120", *arguments)
+            # disarmed again within what is a second on a slow machine, and the server, whose heartbeat comes
+            # once in a second of ours, must not be lost for it.
+            timeout = GROUND_STATION_TIMEOUT * _speedup(arguments)
+            own = ("--parameter", "DISARM_DELAY=120", "--parameter", f"FS_GCS_TIMEOUT={timeout:g}")
+            arguments = (*own, *arguments)
         options = ["--connect", connect, "--control", str(self._control), *arguments]
         with log.open("ab") as output:
             self._process = subprocess.Popen(

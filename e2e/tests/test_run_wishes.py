@@ -43,8 +43,6 @@ def drones(tap: Tap, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iter
         tmp_path_factory.mktemp("wishes") / "sim.log",
         f"udp://127.0.0.1:{tap.port}",
         *("--count", str(DRONES + 1), "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
-        # At this pace the usual five seconds were one: a slow machine would be a loss of the cloud.
-        *("--parameter", "FS_GCS_TIMEOUT=25"),
     )
     yield [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
     simulator.stop()

@@ -44,8 +44,6 @@ def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
         tmp_path / "sim.log",
         f"udp://127.0.0.1:{tap.port}",
         *("--count", str(DRONES), "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
-        # At this pace the usual five seconds were one: a slow machine would be a loss of the cloud.
-        *("--parameter", "FS_GCS_TIMEOUT=25"),
     )
     yield started
     started.stop()

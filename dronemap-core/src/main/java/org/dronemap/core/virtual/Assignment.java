@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param first the tour's waypoint that it begins with, counted from 0
  * @param takeOffMeters above home; null: it does not take off
  * @param command the last one that it was given; null: none of this stage
- * @param tries of this stage that failed
+ * @param tries that failed, of this stage; of arming and starting together
  * @param changedAt when stage or command last changed
  */
 public record Assignment(

@@ -64,7 +64,12 @@ public record Run(
 
     /** The same drone in another stage. */
     Run to(Stage next, String words, Instant now) {
-        Assignment served = assignment == null ? null : assignment.fresh(0, now);
+        return to(next, 0, words, now);
+    }
+
+    /** The same drone in another stage, where that many tries count as failed already. */
+    Run to(Stage next, int failed, String words, Instant now) {
+        Assignment served = assignment == null ? null : assignment.fresh(failed, now);
         return with(next, served, words, null, now);
     }
 

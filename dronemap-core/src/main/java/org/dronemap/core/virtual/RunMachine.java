@@ -126,7 +126,7 @@ public final class RunMachine {
 
     private static Step arm(Run run, Assignment assignment, DroneState drone, Sight sight) {
         if (Boolean.TRUE.equals(drone.armed())) {
-            return Step.stay(run.to(Stage.STARTING, "The drone starts.", sight.now()));
+            return Step.stay(run.to(Stage.STARTING, assignment.tries(), "The drone starts.", sight.now()));
         }
         if (sight.outcome() != null && !(sight.outcome() instanceof Outcome.Succeeded)) {
             return tryAgain(run, assignment, drone, sight);
@@ -149,6 +149,9 @@ public final class RunMachine {
         if (armed && isOnMission(drone) && up) {
             return Step.stay(run.to(Stage.FLYING, "The drone flies the mission.", sight.now()));
         }
+        if (Boolean.FALSE.equals(drone.armed())) {
+            return armAgain(run, assignment, sight);
+        }
         if (sight.outcome() instanceof Outcome.Succeeded) {
             return since(assignment, sight).compareTo(UNTIL_SEEN) < 0
                     ? Step.stay(run)
@@ -157,10 +160,21 @@ public final class RunMachine {
         if (sight.outcome() != null) {
             return tryAgain(run, assignment, drone, sight);
         }
-        return armed
-                ? Step.send(run, new Command.StartMission(run.onCloudLoss()))
-                : Step.stay(run.failedTry("It was disarmed before it started.", sight.now())
-                        .to(Stage.ARMING, run.note(), sight.now()));
+        return armed ? Step.send(run, new Command.StartMission(run.onCloudLoss())) : Step.stay(run);
+    }
+
+    /** Vehicles disarm by themselves, and take the order to start even then. */
+    private static Step armAgain(Run run, Assignment assignment, Sight sight) {
+        boolean started = sight.outcome() == null || sight.outcome() instanceof Outcome.Succeeded;
+        String why = started ? "It was disarmed before it started." : reason(sight.outcome());
+        return assignment.tries() + 1 < MOST_TRIES
+                ? Step.stay(run.to(Stage.ARMING, assignment.tries() + 1, why, sight.now()))
+                : replace(
+                        run.failedTry(why, sight.now()),
+                        assignment,
+                        "The drone could not be made to fly.",
+                        sight,
+                        Step.Release.FREE);
     }
 
     private static Step fly(Run before, Assignment assignment, DroneState drone, Sight sight) {

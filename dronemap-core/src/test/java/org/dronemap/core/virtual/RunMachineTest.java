@@ -164,6 +164,35 @@ class RunMachineTest {
     }
 
     @Test
+    void armsAtOnceAgainWhatWasDisarmedBeforeItStarted() {
+        getReadyToStart();
+        drone.armed = false;
+
+        assertThat(sent(new Outcome.Succeeded())).isEqualTo(new Command.Arm());
+        assertThat(run.stage()).isEqualTo(Stage.ARMING);
+        assertThat(run.note()).isEqualTo("It was disarmed before it started.");
+        drone.armed = true;
+        assertThat(sent(new Outcome.Succeeded())).isInstanceOf(Command.StartMission.class);
+    }
+
+    @Test
+    void leavesToAnotherWhatIsDisarmedAgainAndAgainBeforeItStarts() {
+        getReadyToStart();
+        for (int time = 1; time < 3; time++) {
+            drone.armed = false;
+            assertThat(sent(new Outcome.Succeeded())).isEqualTo(new Command.Arm());
+            drone.armed = true;
+            assertThat(sent(new Outcome.Succeeded())).isInstanceOf(Command.StartMission.class);
+        }
+        drone.armed = false;
+
+        assertThat(step(new Outcome.Succeeded()).release()).isEqualTo(Step.Release.FREE);
+        assertThat(run.stage()).isEqualTo(Stage.QUEUED);
+        assertThat(run.detail()).isEqualTo("It was disarmed before it started.");
+        assertThat(RunMachine.avoids(run, drone.state(), now)).isTrue();
+    }
+
+    @Test
     void waitsForItsUserOnceSomebodyWhoGoesFirstHasTheDrone() {
         flyTo(2);
         Step step = machine.next(run, sight(null, "The pilot at the vehicle has control.", Duration.ZERO, true));
@@ -233,6 +262,14 @@ class RunMachineTest {
         }
         assertThat(run.stage()).isEqualTo(Stage.FAILED);
         assertThat(run.assignment()).isNull();
+    }
+
+    /** Armed, and told to start. */
+    private void getReadyToStart() {
+        sent(null);
+        sent(new Outcome.Succeeded());
+        drone.armed = true;
+        assertThat(sent(new Outcome.Succeeded())).isInstanceOf(Command.StartMission.class);
     }
 
     /** In flight to that item of the vehicle's, everything before it reached. */

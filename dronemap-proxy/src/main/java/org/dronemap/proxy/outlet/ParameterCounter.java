@@ -69,10 +69,13 @@ final class ParameterCounter {
         if (principal == null || !asked.client().mayOrder()) {
             return;
         }
-        List<Asked> first = new ArrayList<>();
-        first.add(asked);
-        readings.put(asked.drone(), first);
-        orders.give(principal, asked.drone(), new Command.ReadParameters(), new Reading(asked.drone()));
+        readings.put(asked.drone(), new ArrayList<>(List.of(asked)));
+        read(asked, principal);
+    }
+
+    /** Has the vehicle read by the right of this one. */
+    private void read(Asked asked, Principal principal) {
+        orders.give(principal, asked.drone(), new Command.ReadParameters(), new Reading(asked));
     }
 
     /** PARAM_REQUEST_READ, by name or by place in the list. */
@@ -168,12 +171,12 @@ final class ParameterCounter {
         return -1;
     }
 
-    /** Reads for all who wait. */
+    /** Reads by the right of one, for all who wait. */
     private final class Reading implements Orders.Answer {
-        private final DroneId drone;
+        private final Asked by;
 
-        Reading(DroneId drone) {
-            this.drone = drone;
+        Reading(Asked by) {
+            this.by = by;
         }
 
         @Override
@@ -183,7 +186,12 @@ final class ParameterCounter {
 
         @Override
         public void ended(Outcome outcome) {
-            List<Asked> waiting = readings.remove(drone);
+            if (outcome instanceof Outcome.Refused refused) {
+                by.explain(refused.reason());
+                readByTheNext();
+                return;
+            }
+            List<Asked> waiting = readings.remove(by.drone());
             if (waiting == null) {
                 return;
             }
@@ -195,6 +203,20 @@ final class ParameterCounter {
                     asked.explain(why);
                 }
             }
+        }
+
+        /** What one may not have done, another may. */
+        private void readByTheNext() {
+            List<Asked> waiting = readings.getOrDefault(by.drone(), List.of());
+            waiting.remove(by);
+            for (Asked next : waiting) {
+                Principal principal = next.client().principal();
+                if (principal != null) {
+                    read(next, principal);
+                    return;
+                }
+            }
+            readings.remove(by.drone());
         }
     }
 

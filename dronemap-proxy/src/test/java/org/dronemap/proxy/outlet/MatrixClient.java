@@ -40,6 +40,7 @@ final class MatrixClient implements Peer {
     private final @Nullable Consumer<Frame> listener;
     private final AtomicInteger vehicles = new AtomicInteger();
     private final AtomicInteger refusals = new AtomicInteger();
+    private volatile boolean stuck;
 
     /** {@code user} null: it signs nothing. */
     MatrixClient(PeerHandler.Factory outlet, @Nullable String user, int systemId) {
@@ -69,6 +70,11 @@ final class MatrixClient implements Peer {
     synchronized void says(Message message) {
         byte[] raw = signer == null ? writer.frame(message) : writer.frame(message, signer);
         handler.received(ByteBuffer.wrap(raw));
+    }
+
+    /** Its link takes nothing while it is. */
+    void isStuck(boolean now) {
+        stuck = now;
     }
 
     /** True when it has heard a vehicle. */
@@ -117,6 +123,9 @@ final class MatrixClient implements Peer {
 
     @Override
     public boolean offer(byte[] raw) {
+        if (stuck) {
+            return false;
+        }
         List<Frame> frames = new ArrayList<>();
         new FrameReader().read(ByteBuffer.wrap(raw), frames::add);
         frames.forEach(this::hear);

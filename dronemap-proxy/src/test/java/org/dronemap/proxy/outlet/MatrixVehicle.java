@@ -2,6 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.BiConsumer;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
@@ -36,6 +37,7 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     private static final int LONGITUDE = 85_455_940;
 
     private final PlayedVehicle played;
+    private final int parameters;
 
     /** How it is when something is asked of it. */
     enum State {
@@ -45,6 +47,12 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     }
 
     MatrixVehicle(int port) throws IOException {
+        this(port, 1);
+    }
+
+    /** One with so many parameters. */
+    MatrixVehicle(int port, int parameters) throws IOException {
+        this.parameters = parameters;
         played = new PlayedVehicle(port, new FrameWriter(1, 1, 2), PlayedVehicle.copter(4, false), this);
     }
 
@@ -67,12 +75,12 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
         switch (frame.messageId()) {
             case CommandLong.ID -> answer(vehicle, CommandLong.decode(frame).command());
             case CommandInt.ID -> answer(vehicle, CommandInt.decode(frame).command());
-            case ParamRequestList.ID -> tell(vehicle, "RTL_ALT", OLD);
+            case ParamRequestList.ID -> list(vehicle);
             case ParamRequestRead.ID ->
-                tell(vehicle, ParamRequestRead.decode(frame).paramId(), OLD);
+                tell(vehicle, ParamRequestRead.decode(frame).paramId(), OLD, 0);
             case ParamSet.ID -> {
                 ParamSet set = ParamSet.decode(frame);
-                tell(vehicle, set.paramId(), set.paramValue());
+                tell(vehicle, set.paramId(), set.paramValue(), 0);
             }
             case MissionRequestList.ID -> {
                 int kind = MissionRequestList.decode(frame).missionType();
@@ -90,8 +98,19 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
         }
     }
 
-    private static void tell(PlayedVehicle vehicle, String name, float value) {
-        vehicle.send(new ParamValue(name, value, 9, 1, 0));
+    private void list(PlayedVehicle vehicle) {
+        for (int index = 0; index < parameters; index++) {
+            tell(vehicle, name(index), OLD + index, index);
+        }
+    }
+
+    /** Of the parameter at that place in the list, by whose order the cloud keeps it too. */
+    static String name(int index) {
+        return index == 0 ? "RTL_ALT" : String.format(Locale.ROOT, "SPARE_%04d", index);
+    }
+
+    private void tell(PlayedVehicle vehicle, String name, float value, int index) {
+        vehicle.send(new ParamValue(name, value, 9, parameters, index));
     }
 
     /** It says why at once, so that nobody waits for that. */

@@ -52,10 +52,15 @@ final class StationHouse implements AutoCloseable {
     private final DroneId drone;
 
     StationHouse() throws IOException {
+        this(1);
+    }
+
+    /** With a vehicle of so many parameters. */
+    StationHouse(int parameters) throws IOException {
         taps.outlet = outlet;
         USERS.keySet().forEach(user -> outlet.putKey(user, MatrixClient.key(user)));
         outlet.start(false);
-        vehicle = new MatrixVehicle(cloud.udpPort());
+        vehicle = new MatrixVehicle(cloud.udpPort(), parameters);
         drone = cloud.awaitDrone(state -> state.capabilities().known()).id();
     }
 
@@ -70,6 +75,13 @@ final class StationHouse implements AutoCloseable {
 
     void control(LeaseEvent event) {
         cloud.cloud().controls().apply(drone, event);
+    }
+
+    /** What came in at the vehicle's socket. */
+    List<Frame> reachedVehicle(int message) {
+        return vehicle.heard().stream()
+                .filter(frame -> frame.messageId() == message)
+                .toList();
     }
 
     @Override
@@ -101,6 +113,11 @@ final class StationHouse implements AutoCloseable {
 
         void says(Message message) {
             client.says(message);
+        }
+
+        /** Its link takes nothing while it is. */
+        void isStuck(boolean now) {
+            client.isStuck(now);
         }
 
         List<Frame> of(int message) {
