@@ -1,0 +1,198 @@
+"""The bridge itself, without I/O: the newest of the robot in, messages out, orders in."""
+
+import base64
+import json
+import math
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional
+
+from .picture import png
+from .robot import Robot, Speeds
+
+Message = Dict[str, Any]
+
+HEARTBEAT, STATUS, MOTION, SCAN, IMAGE, MAP = 0, 1, 2, 4, 5, 6
+TWIST, GO_TO, GET_MAP, STOP = 100, 101, 107, 108
+SECONDS = {HEARTBEAT: 1.0, STATUS: 2.0, MOTION: 0.2, SCAN: 0.5, IMAGE: 1.0}
+#: Speeds count no longer than this: then the robot stands, whatever has become of the cloud or the network.
+TWIST_SECONDS = 0.5
+
+
+@dataclass(frozen=True)
+class Identity:
+    """What the robot shows of itself; ``key`` as the cloud issued it."""
+
+    system_id: int
+    key: str
+    owner: str = ""
+    kind: int = 8
+    name: str = "robot"
+    fastest: float = 0.5
+    fastest_turn: float = 1.5
+
+
+class Bridge:
+    """Call :meth:`tick` at 20 Hz or faster, :meth:`heard` for whatever comes; both answer what to send."""
+
+    def __init__(self, identity: Identity, robot: Robot) -> None:
+        self._identity = identity
+        self._robot = robot
+        self._due = dict.fromkeys(SECONDS, -math.inf)
+        self._sequence = 0
+        self._twist_until: Optional[float] = None
+        #: What came and was not for this robot, or no order.
+        self.refused = 0
+
+    def tick(self, now: float) -> List[str]:
+        """Stops the robot when its speeds have run out; what is due to be said."""
+        if self._twist_until is not None and now >= self._twist_until:
+            self._stand()
+        said = []
+        for kind, seconds in SECONDS.items():
+            if now >= self._due[kind]:
+                body = self._body(kind)
+                if body is not None:
+                    self._due[kind] = now + seconds
+                    said.append(self._text(kind, body))
+        return said
+
+    def heard(self, text: str, now: float) -> List[str]:
+        order = self._order(text)
+        if order is None:
+            self.refused += 1
+            return []
+        kind = order["header"]["message_id"]
+        if kind == TWIST:
+            self._drive(order, now)
+        elif kind == GO_TO:
+            self._stand()
+            self._robot.go_to(_number(order, "x"), _number(order, "y"))
+        elif kind == STOP:
+            self._robot.cancel()
+            self._stand()
+        elif kind == GET_MAP:
+            body = self._body(MAP)
+            return [] if body is None else [self._text(MAP, body)]
+        return []
+
+    def stop(self) -> None:
+        """The bridge ends: so does the way that the cloud has sent the robot."""
+        self._robot.cancel()
+        self._stand()
+
+    def _order(self, text: str) -> Optional[Message]:
+        try:
+            order = json.loads(text)
+            header = order["header"]
+            mine = (
+                header["system_id"] == self._identity.system_id and str(header["key"]) == self._identity.key
+            )
+            kind = header["message_id"]
+            fields = {TWIST: ("vx", "vy", "vz", "wz"), GO_TO: ("x", "y")}.get(kind, ())
+            whole = all(math.isfinite(float(order[name])) for name in fields)
+        except (ValueError, TypeError, KeyError, OverflowError, RecursionError):
+            return None
+        return order if mine and whole and isinstance(kind, int) else None
+
+    def _drive(self, order: Message, now: float) -> None:
+        most, most_turn = self._identity.fastest, self._identity.fastest_turn
+        speeds = Speeds(
+            _bounded(_number(order, "vx"), most),
+            _bounded(_number(order, "vy"), most),
+            _bounded(_number(order, "vz"), most),
+            _bounded(_number(order, "wz"), most_turn),
+        )
+        if speeds == Speeds():
+            self._stand()
+        else:
+            self._twist_until = now + TWIST_SECONDS
+            self._robot.drive(speeds)
+
+    def _stand(self) -> None:
+        self._twist_until = None
+        self._robot.drive(Speeds())
+
+    def _body(self, kind: int) -> Optional[Message]:
+        make = {
+            HEARTBEAT: self._heartbeat,
+            STATUS: self._status,
+            MOTION: self._motion,
+            SCAN: self._scan,
+            IMAGE: self._image,
+            MAP: self._map,
+        }
+        return make[kind]()
+
+    def _heartbeat(self) -> Message:
+        return {"type": self._identity.kind, "name": self._identity.name, "system_status": 2, "mode": 0}
+
+    def _status(self) -> Optional[Message]:
+        battery = self._robot.battery()
+        return None if battery is None else {"battery_remaining": round(battery)}
+
+    def _motion(self) -> Optional[Message]:
+        pose = self._robot.pose()
+        if pose is None:
+            return None
+        place = {"x": pose.x, "y": pose.y, "z": pose.yaw, "heading": pose.yaw}
+        return {
+            **place,
+            "vx": pose.forward,
+            "vy": pose.left,
+            "vz": 0.0,
+            "wx": 0.0,
+            "wy": 0.0,
+            "wz": pose.turn,
+        }
+
+    def _scan(self) -> Optional[Message]:
+        scan = self._robot.scan()
+        if scan is None:
+            return None
+        return {
+            "angle_min": scan.first_angle,
+            "angle_increment": scan.step,
+            "range_min": scan.least,
+            "range_max": scan.most,
+            # JSON knows no infinity: what met nothing is null.
+            "ranges": [round(each, 3) if math.isfinite(each) else None for each in scan.ranges],
+        }
+
+    def _image(self) -> Optional[Message]:
+        image = self._robot.image()
+        return None if image is None else {"data": base64.b64encode(image).decode("ascii")}
+
+    def _map(self) -> Optional[Message]:
+        area = self._robot.map()
+        if area is None:
+            return None
+        return {
+            "data": base64.b64encode(png(area)).decode("ascii"),
+            "width": area.columns,
+            "height": area.rows,
+            "xoffset": area.left,
+            "yoffset": area.bottom,
+            "resolution": area.resolution,
+        }
+
+    def _text(self, kind: int, body: Message) -> str:
+        self._sequence += 1
+        header: Message = {
+            "roslink_version": 1,
+            "ros_version": 8,
+            "system_id": self._identity.system_id,
+            "message_id": kind,
+            "sequence_number": self._sequence,
+            "key": self._identity.key,
+        }
+        if self._identity.owner:
+            header["owner_id"] = self._identity.owner
+        return json.dumps({"header": header, **body}, allow_nan=False)
+
+
+def _number(order: Message, name: str) -> float:
+    return float(order[name])
+
+
+def _bounded(value: float, most: float) -> float:
+    return max(-most, min(most, value))

@@ -1,0 +1,41 @@
+"""ROS messages by their fields alone, so that no ROS is needed to test them."""
+
+import math
+from types import SimpleNamespace as Of
+
+from roslink_bridge.messages import battery_of, map_of, pose_of, put, scan_of
+from roslink_bridge.robot import Map, Scan, Speeds
+
+
+def test_an_odometry_says_where_it_is_and_how_it_stands() -> None:
+    half = math.pi / 8
+    pose = Of(
+        position=Of(x=1.0, y=2.0, z=0.0), orientation=Of(x=0.0, y=0.0, z=math.sin(half), w=math.cos(half))
+    )
+    twist = Of(linear=Of(x=0.3, y=0.1, z=0.0), angular=Of(x=0.0, y=0.0, z=-0.2))
+    read = pose_of(Of(pose=Of(pose=pose), twist=Of(twist=twist)))
+    assert read is not None
+    assert (read.x, read.y, read.forward, read.left, read.turn) == (1.0, 2.0, 0.3, 0.1, -0.2)
+    assert math.isclose(read.yaw, math.pi / 4)
+    assert pose_of(None) is None
+
+
+def test_a_scan_and_a_map_are_taken_as_they_are() -> None:
+    scan = Of(angle_min=-1.0, angle_increment=0.5, range_min=0.1, range_max=3.5, ranges=(1.0, math.inf))
+    assert scan_of(scan) == Scan(-1.0, 0.5, 0.1, 3.5, [1.0, math.inf])
+    info = Of(width=2, height=1, resolution=0.05, origin=Of(position=Of(x=-1.0, y=-2.0)))
+    assert map_of(Of(info=info, data=(0, -1))) == Map(2, 1, 0.05, -1.0, -2.0, [0, -1])
+    assert scan_of(None) is None
+    assert map_of(None) is None
+
+
+def test_a_battery_that_does_not_know_is_unknown() -> None:
+    assert battery_of(Of(percentage=0.25)) == 25
+    assert battery_of(Of(percentage=math.nan)) is None
+    assert battery_of(None) is None
+
+
+def test_speeds_go_into_a_twist() -> None:
+    twist = Of(linear=Of(x=0.0, y=0.0, z=0.0), angular=Of(x=0.0, y=0.0, z=0.0))
+    put(twist, Speeds(0.1, 0.2, 0.3, 0.4))
+    assert (twist.linear.x, twist.linear.y, twist.linear.z, twist.angular.z) == (0.1, 0.2, 0.3, 0.4)
