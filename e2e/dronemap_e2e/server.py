@@ -13,14 +13,18 @@ from .ports import free_port
 from .waiting import wait_for
 
 ROOT = Path(__file__).resolve().parents[2]
+# Half of what a start costs is work of the second compiler, which pays only where a server runs for long.
+QUICK = "-XX:TieredStopAtLevel=1"
 SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 
 
 class Server:
     """One server process; it may be killed and started again over the same data."""
 
-    def __init__(self, data: Path, **settings: str) -> None:
+    def __init__(self, data: Path, as_shipped: bool = False, **settings: str) -> None:
+        """`as_shipped`: for tests that measure it."""
         self.data = data
+        self._options = [] if as_shipped else [QUICK]
         self.http_port = free_port()
         self.stream_port = free_port()
         self.udp_port = free_port(socket.SOCK_DGRAM)
@@ -71,7 +75,7 @@ class Server:
         }
         with (self.data / "server.log").open("ab") as log:
             self._process = subprocess.Popen(
-                ["java", "-Xmx384m", "-jar", str(SERVER_JAR)],
+                ["java", "-Xmx384m", *self._options, "-jar", str(SERVER_JAR)],
                 env=environment | self._settings,
                 stdout=log,
                 stderr=subprocess.STDOUT,

@@ -5,7 +5,7 @@ import subprocess
 from pathlib import Path
 
 from .ports import free_port
-from .server import ROOT
+from .server import QUICK, ROOT
 from .waiting import wait_for
 
 GROUND_STATION_TIMEOUT = 5  # seconds, as of the real ones
@@ -19,7 +19,8 @@ def _speedup(arguments: tuple[str, ...]) -> float:
 class Simulator:
     """Vehicles that connect to one address; extra arguments as the simulator's own --help lists them."""
 
-    def __init__(self, log: Path, connect: str, *arguments: str) -> None:
+    def __init__(self, log: Path, connect: str, *arguments: str, as_shipped: bool = False) -> None:
+        """`as_shipped`: for tests that measure it."""
         assert SIMULATOR_JAR.exists(), f"{SIMULATOR_JAR} is missing: build first (./dronemap test does)"
         self._control = free_port()
         if not {"px4", "mixed"} & set(arguments):
@@ -30,9 +31,10 @@ class Simulator:
             own = ("--parameter", "DISARM_DELAY=120", "--parameter", f"FS_GCS_TIMEOUT={timeout:g}")
             arguments = (*own, *arguments)
         options = ["--connect", connect, "--control", str(self._control), *arguments]
+        quick = [] if as_shipped else [QUICK]
         with log.open("ab") as output:
             self._process = subprocess.Popen(
-                ["java", "-Xmx256m", "-jar", str(SIMULATOR_JAR), *options],
+                ["java", "-Xmx256m", *quick, "-jar", str(SIMULATOR_JAR), *options],
                 stdout=output,
                 stderr=subprocess.STDOUT,
             )

@@ -27,7 +27,7 @@ RETURN_SECONDS = 15
 
 @pytest.fixture
 def own_server(tmp_path: Path) -> Iterator[Server]:
-    started = Server(tmp_path / "data")
+    started = Server(tmp_path / "data", as_shipped=True)
     started.start()
     yield started
     started.stop()

@@ -2,6 +2,7 @@
 
 import random
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import requests
@@ -11,6 +12,7 @@ from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
 
 WRITES = 1_000
+WRITERS = 4
 KILLS = 4
 ITEMS = [{"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20}]
 
@@ -23,11 +25,10 @@ def test_a_thousand_acknowledged_writes_survive_random_kills(tmp_path: Path) -> 
     try:
         for kill in range(KILLS):
             goal = WRITES * (kill + 1) // (KILLS + 1) + chance.randrange(50)
-            _write_until_killed(server, acknowledged, goal)
+            _write_until(server, acknowledged, goal, and_then=server.kill)
             server.start()
+        _write_until(server, acknowledged, WRITES)
         api = Api(server.address, server.local_key())
-        while len(acknowledged) < WRITES:
-            assert _write(api, acknowledged)
         kept = {mission["name"] for mission in api.get("/missions")["missions"]}
     finally:
         server.stop()
@@ -36,20 +37,26 @@ def test_a_thousand_acknowledged_writes_survive_random_kills(tmp_path: Path) -> 
     assert set(acknowledged) <= kept
 
 
-def _write_until_killed(server: Server, acknowledged: list[str], goal: int) -> None:
-    """One client writes on and on; the server is killed under it as soon as enough was acknowledged."""
-    api = Api(server.address, server.local_key())
+def _write_until(
+    server: Server, acknowledged: list[str], goal: int, and_then: Callable[[], None] = lambda: None
+) -> None:
+    """Some clients write until enough was acknowledged; the server may be killed under them."""
+    key, enough = server.local_key(), threading.Event()
 
     def write() -> None:
-        while _write(api, acknowledged):
+        api = Api(server.address, key)
+        while _write(api, acknowledged) and not enough.is_set():
             pass
 
-    writer = threading.Thread(target=write)
-    writer.start()
+    writers = [threading.Thread(target=write) for _ in range(WRITERS)]
+    for writer in writers:
+        writer.start()
     wait_for("enough writes", lambda: len(acknowledged) >= goal, 60, every=0.01)
-    server.kill()
-    writer.join(20)
-    assert not writer.is_alive()
+    and_then()
+    enough.set()
+    for writer in writers:
+        writer.join(20)
+        assert not writer.is_alive()
 
 
 def _write(api: Api, acknowledged: list[str]) -> bool:

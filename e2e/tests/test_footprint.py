@@ -1,6 +1,9 @@
 """The server fits into a small machine."""
 
+from collections.abc import Iterator
 from pathlib import Path
+
+import pytest
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.server import Server
@@ -17,7 +20,16 @@ def resident_megabytes(pid: int) -> float:
     return int(line.split()[1]) / 1024
 
 
-def test_ten_vehicles_need_less_than_600_megabytes(server: Server, api: Api, tmp_path: Path) -> None:
+@pytest.fixture
+def server(tmp_path: Path) -> Iterator[Server]:
+    started = Server(tmp_path / "data", as_shipped=True)
+    started.start()
+    yield started
+    started.stop()
+
+
+def test_ten_vehicles_need_less_than_600_megabytes(server: Server, tmp_path: Path) -> None:
+    api = Api(server.address, server.local_key())
     simulator = Simulator(
         tmp_path / "sim.log", f"udp://127.0.0.1:{server.udp_port}", "--count", "10", "--sysid", "210"
     )
