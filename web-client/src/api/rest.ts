@@ -12,6 +12,7 @@ import { PlanCalls } from './plans';
 import { Problem } from './problem';
 import type { RecordingPage } from './recordings';
 import { RunCalls } from './runs';
+import type { Sensed } from './sensed';
 import type {
   Command,
   CommandRequest,
@@ -217,6 +218,15 @@ export class RestClient {
 
   revokeDtlsKey(identity: string): Promise<void> {
     return this.#call('DELETE', `/dtls-keys/${encodeURIComponent(identity)}`);
+  }
+
+  sensed(droneId: string): Promise<Sensed> {
+    return this.#call('GET', `/drones/${encodeURIComponent(droneId)}/sensed`);
+  }
+
+  /** Where a browser finds the newest picture of that kind; another address for each one. */
+  pictureAddress(droneId: string, kind: 'picture' | 'map', number: number): string {
+    return `${this.#base}/drones/${encodeURIComponent(droneId)}/sensed/${kind}?number=${number}`;
   }
 
   async robotKeys(): Promise<RobotKey[]> {

@@ -4,6 +4,7 @@ import type { Role } from './accounts';
 import type { Control } from './control';
 import type { FleetPlan } from './plans';
 import type { MissionRun } from './runs';
+import type { SensedNumbers } from './sensed';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 
@@ -162,7 +163,10 @@ export type CommandKind =
   | 'setHome'
   | 'readHome'
   | 'readParameters'
-  | 'setParameters';
+  | 'setParameters'
+  | 'goToLocal'
+  | 'emergencyStop'
+  | 'readMap';
 
 /** Whether a command would be let through now, and if not the sentence that says why. */
 export interface Action {
@@ -187,6 +191,8 @@ export interface Drone {
   flight: FlightState | null;
   position: Position | null;
   local?: LocalPosition | null;
+  /** The numbers of the newest that its sensors brought; null where there was none. */
+  sensed?: SensedNumbers | null;
   place: string | null;
   motion: Motion | null;
   attitude: Attitude | null;
@@ -208,7 +214,8 @@ export type RelaySetting = 'on' | 'off' | 'toggle';
 
 export type CommandRequest =
   | { type: 'arm' | 'land' | 'returnToLaunch' | 'hold' | 'pauseMission' | 'clearMission' }
-  | { type: 'takePicture' | 'readHome' | 'readParameters' }
+  | { type: 'takePicture' | 'readHome' | 'readParameters' | 'emergencyStop' | 'readMap' }
+  | { type: 'goToLocal'; x: number; y: number }
   | { type: 'turn'; degrees: number }
   | { type: 'setRelay'; relay: number; setting: RelaySetting }
   | { type: 'setHome'; latitude?: number; longitude?: number; altitude?: number; altitudeReference?: 'amsl' }

@@ -7,7 +7,7 @@ export const HEARTBEAT_MILLISECONDS = 2000;
 
 /** What supervisors may do whoever has control, and what changes nothing. */
 const SAFETY: ReadonlySet<CommandKind> = new Set(['land', 'returnToLaunch', 'hold', 'pauseMission']);
-const READING: ReadonlySet<CommandKind> = new Set(['readHome', 'readParameters']);
+const READING: ReadonlySet<CommandKind> = new Set(['readHome', 'readParameters', 'readMap']);
 
 /** How control of a drone looks from here. `here`: kept by this window; `elsewhere`: by another one of mine. */
 export type Standing = 'free' | 'here' | 'implicit' | 'elsewhere' | 'other' | 'pilot';

@@ -6,6 +6,8 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import org.dronemap.sim.control.ControlPort;
 import org.dronemap.sim.link.Fleet;
+import org.dronemap.sim.robot.RobotFleet;
+import org.dronemap.sim.robot.RobotOptions;
 
 /** Starts a simulated fleet from the command line and lets it run until the process is stopped. */
 public final class Main {
@@ -23,11 +25,15 @@ public final class Main {
     /** The exit code; 0 also when the fleet has been started and goes on running. */
     static int run(List<String> arguments, PrintStream out, PrintStream err) {
         if (arguments.contains("--help")) {
-            out.print(Options.HELP);
+            out.print(Options.HELP + RobotOptions.HELP);
             return 0;
         }
         try {
-            start(Options.parse(arguments), out);
+            if (arguments.contains("--roslink")) {
+                startRobots(RobotReader.read(arguments), out);
+            } else {
+                start(Options.parse(arguments), out);
+            }
             return 0;
         } catch (IllegalArgumentException e) {
             err.println(e.getMessage());
@@ -36,6 +42,12 @@ public final class Main {
             err.println("The simulator cannot start: " + e.getMessage());
             return 1;
         }
+    }
+
+    private static void startRobots(RobotOptions options, PrintStream out) throws IOException {
+        new RobotFleet(options).start();
+        out.println(options.count() + (options.count() == 1 ? " robot reports to udp://" : " robots report to udp://")
+                + options.server().host() + ":" + options.server().port());
     }
 
     private static void start(Options options, PrintStream out) throws IOException {

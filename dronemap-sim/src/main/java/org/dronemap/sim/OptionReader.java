@@ -93,6 +93,11 @@ final class OptionReader {
         return text;
     }
 
+    String text(String name, String otherwise) {
+        String text = take(name);
+        return text == null ? otherwise : text;
+    }
+
     ServerAddress server(String name, ServerAddress otherwise) {
         String text = take(name);
         return text == null ? otherwise : ServerAddress.parse(text);

@@ -43,6 +43,7 @@ record Options(
               --parameters N           fills the table of parameters up to so many, 0 to 5000 (default 0)
               --parameter NAME=VALUE   sets that parameter from the start; may be given more than once
               --mavlink1               speak MAVLink 1
+              --roslink                robots of another kind instead: their options are below
               --usb                    the link is the first channel: unsigned messages pass in spite of a signing key
               --help                   this text
             """;

@@ -40,6 +40,7 @@ class RightsTest {
             "takeOff", ",\"altitude\":20",
             "setMode", ",\"mode\":\"GUIDED\"",
             "goTo", ",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20",
+            "goToLocal", ",\"x\":1,\"y\":2",
             "uploadMission", ",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]",
             "turn", ",\"degrees\":90",
             "setRelay", ",\"relay\":1,\"setting\":\"on\"",

@@ -21,6 +21,7 @@ import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.OnBoard;
+import org.dronemap.core.drone.Sensed;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.event.DroneEvent;
@@ -127,6 +128,11 @@ public final class CloudManager {
     /** What a drone keeps on board beside its mission, as last heard; UNKNOWN when there is no such drone. */
     public OnBoard onBoard(DroneId id) {
         return registry.find(id).map(managed -> managed.drone().onBoard()).orElse(OnBoard.UNKNOWN);
+    }
+
+    /** The newest that a drone's sensors brought; nothing when there is no such drone. */
+    public Sensed sensed(DroneId id) {
+        return registry.find(id).map(managed -> managed.drone().sensed()).orElse(Sensed.NOTHING);
     }
 
     /** The drone that a vehicle would be taken for by what it says of itself alone. */

@@ -55,7 +55,7 @@ public final class CommandRules {
             case DISARM -> armed ? (drone.airborne() ? "It is in the air; land first." : null) : "It is not armed.";
             case TAKE_OFF -> armed ? (drone.airborne() ? "It is already in the air." : null) : "Arm first.";
             case LAND, RETURN_TO_LAUNCH, HOLD, PAUSE_MISSION -> armed ? null : "It is not armed.";
-            case GO_TO, TURN ->
+            case GO_TO, GO_TO_LOCAL, TURN ->
                 armed ? (needsAir(drone) && !drone.airborne() ? "Take off first." : null) : "Arm first.";
             case START_MISSION ->
                 hasMission(drone.mission()) ? (armed ? null : "Arm first.") : "Upload a mission first.";
@@ -70,7 +70,9 @@ public final class CommandRules {
                     FENCE,
                     RALLY_POINTS,
                     SET_HOME,
-                    READ_HOME -> null;
+                    READ_HOME,
+                    EMERGENCY_STOP,
+                    READ_MAP -> null;
         };
     }
 

@@ -3,6 +3,8 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.EmergencyStop;
+import org.dronemap.core.command.ReadMap;
 import org.dronemap.core.drone.DroneId;
 
 /** Which commands need no control of the drone. */
@@ -16,13 +18,15 @@ final class ControlRules {
                 || command instanceof Command.ReadLogs
                 || command instanceof Command.DownloadLog
                 || command instanceof Command.ReadFence
-                || command instanceof Command.ReadRallyPoints;
+                || command instanceof Command.ReadRallyPoints
+                || command instanceof ReadMap;
     }
 
     /** What must work even when nothing can be written. */
     static boolean bringsToSafety(Command command) {
         return command instanceof Command.Land
                 || command instanceof Command.ReturnToLaunch
+                || command instanceof EmergencyStop
                 || command instanceof Command.Hold;
     }
 

@@ -24,6 +24,7 @@ import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Sensed;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.TextMessage;
@@ -65,6 +66,7 @@ final class Drone {
     private long version;
     private volatile DroneState state;
     private volatile OnBoard onBoard = OnBoard.UNKNOWN;
+    private volatile Sensed sensed = Sensed.NOTHING;
 
     Drone(DroneRecord record, boolean replay, MissionTracker mission, Clock clock) {
         this.clock = clock;
@@ -88,6 +90,11 @@ final class Drone {
     /** What the vehicle keeps on board beside its mission. Any thread. */
     OnBoard onBoard() {
         return onBoard;
+    }
+
+    /** The newest that its sensors brought. Any thread. */
+    Sensed sensed() {
+        return sensed;
     }
 
     DroneRecord record() {
@@ -195,6 +202,8 @@ final class Drone {
             home = e.home();
         } else if (event instanceof DroneEvent.OnBoardHeard e) {
             onBoard = applied(e);
+        } else if (event instanceof DroneEvent.SensedHeard e) {
+            sensed = applied(e);
         } else {
             mission.apply(event).ifPresent(sentence -> addText(Severity.WARNING, sentence));
             progress = mission.progress();
@@ -215,6 +224,17 @@ final class Drone {
             return onBoard.withFence(e.zones());
         }
         return event instanceof DroneEvent.RallyPointsRead e ? onBoard.withRallyPoints(e.points()) : onBoard;
+    }
+
+    private Sensed applied(DroneEvent.SensedHeard event) {
+        Instant at = clock.instant();
+        if (event instanceof DroneEvent.ScanHeard e) {
+            return sensed.with(e.scan(), at);
+        }
+        if (event instanceof DroneEvent.PictureHeard e) {
+            return sensed.with(e.picture(), at);
+        }
+        return event instanceof DroneEvent.MapHeard e ? sensed.with(e.map(), at) : sensed;
     }
 
     private void addText(Severity severity, String text) {

@@ -8,6 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -25,6 +26,7 @@ final class ZoneGuard implements CloudListener {
             Command.Arm.class.getSimpleName(),
             Command.TakeOff.class.getSimpleName(),
             Command.GoTo.class.getSimpleName(),
+            GoToLocal.class.getSimpleName(),
             Command.StartMission.class.getSimpleName(),
             Command.SetMode.class.getSimpleName(),
             Command.Turn.class.getSimpleName());

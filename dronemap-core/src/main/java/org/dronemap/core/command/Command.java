@@ -391,7 +391,9 @@ public sealed interface Command {
         }
     }
 
-    /** What this command competes for. */
+    /** About a frame of the vehicle's own, or for what drives in one. */
+    sealed interface OnOwnMap extends Command permits GoToLocal, EmergencyStop, ReadMap {}
+
     default Contention contention() {
         return Contention.of(needs());
     }

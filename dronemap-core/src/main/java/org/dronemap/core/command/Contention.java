@@ -19,7 +19,9 @@ public enum Contention {
     /** Logs on the wire; the first one goes on. */
     LOGS,
     /** Where home is; the first one goes on. */
-    HOME;
+    HOME,
+    /** The map on the wire; the first one goes on. */
+    MAP;
 
     /** A newer command takes the place of one that is under way; else it has to wait. */
     public boolean newerWins() {
@@ -35,6 +37,7 @@ public enum Contention {
             case READ_PARAMETERS, SET_PARAMETERS -> PARAMETERS;
             case READ_LOGS -> LOGS;
             case SET_HOME, READ_HOME -> HOME;
+            case READ_MAP -> MAP;
             default -> FLIGHT;
         };
     }

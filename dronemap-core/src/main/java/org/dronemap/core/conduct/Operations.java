@@ -15,6 +15,7 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
@@ -46,6 +47,7 @@ public final class Operations implements CloudListener, AutoCloseable {
             Command.Land.class.getSimpleName(),
             Command.ReturnToLaunch.class.getSimpleName(),
             Command.Hold.class.getSimpleName(),
+            EmergencyStop.class.getSimpleName(),
             Command.PauseMission.class.getSimpleName());
 
     private final CloudManager cloud;

@@ -13,6 +13,7 @@ import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.virtual.Choice;
@@ -42,6 +43,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             Command.Land.class.getSimpleName(),
             Command.ReturnToLaunch.class.getSimpleName(),
             Command.Hold.class.getSimpleName(),
+            EmergencyStop.class.getSimpleName(),
             Command.PauseMission.class.getSimpleName());
 
     private final CloudManager cloud;

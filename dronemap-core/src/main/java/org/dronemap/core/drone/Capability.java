@@ -23,7 +23,10 @@ public enum Capability {
     FENCE("keep a fence"),
     RALLY_POINTS("keep rally points"),
     SET_HOME("set its home"),
-    READ_HOME("tell its home");
+    READ_HOME("tell its home"),
+    GO_TO_LOCAL("go to a place on its own map"),
+    EMERGENCY_STOP("stop at once"),
+    READ_MAP("tell its map");
 
     private final String phrase;
 

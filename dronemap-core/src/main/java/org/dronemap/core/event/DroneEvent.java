@@ -1,6 +1,7 @@
 package org.dronemap.core.event;
 
 import java.util.List;
+import org.dronemap.core.drone.AreaMap;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;
@@ -11,7 +12,9 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.RangeScan;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.mission.FenceZone;
@@ -103,6 +106,15 @@ public sealed interface DroneEvent {
             points = List.copyOf(points);
         }
     }
+
+    /** Of what the vehicle's sensors bring. */
+    sealed interface SensedHeard extends DroneEvent {}
+
+    record ScanHeard(RangeScan scan) implements SensedHeard {}
+
+    record PictureHeard(Picture picture) implements SensedHeard {}
+
+    record MapHeard(AreaMap map) implements SensedHeard {}
 
     record TextHeard(Severity severity, String text) implements DroneEvent {}
 }

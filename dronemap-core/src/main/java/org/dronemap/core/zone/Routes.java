@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.MissionProgress;
@@ -21,6 +22,9 @@ public final class Routes {
         }
         if (command instanceof Command.GoTo goTo) {
             return new MissionWalk(drone).flyTo(goTo.point(), goTo.altitude(), "the place");
+        }
+        if (command instanceof GoToLocal) {
+            return new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
         }
         if (command instanceof Command.UploadMission upload) {
             return uploaded(drone, upload.mission().items());

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.EmergencyStop;
+import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
@@ -63,6 +65,14 @@ class BoundsTest {
         assertThat(why(NEAR, new Command.StartMission(CloudLoss.CONTINUE)))
                 .isEqualTo("Which mission is on the vehicle is not known; so the way cannot be checked against the"
                         + " bounds.");
+    }
+
+    @Test
+    void sendNoDroneToAPlaceOfAMapThatLiesNobodyKnowsWhere() {
+        assertThat(why(NEAR, new GoToLocal(1, 2, null)))
+                .isEqualTo("Where the vehicle's own map lies on the Earth is not known; so the way cannot be checked"
+                        + " against the bounds.");
+        assertThat(why(NEAR, new EmergencyStop())).isEqualTo("nothing");
     }
 
     @Test

@@ -4,6 +4,9 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.EmergencyStop;
+import org.dronemap.core.command.GoToLocal;
+import org.dronemap.core.command.ReadMap;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
@@ -17,8 +20,23 @@ sealed interface Aim {
         return 10 * SECOND_NANOS;
     }
 
+    /** For how long it may be seen doing nothing for it. */
+    default long idlePatienceNanos() {
+        return patienceNanos();
+    }
+
+    /** After what time it is told again. */
+    default long betweenNanos() {
+        return SECOND_NANOS;
+    }
+
     /** What to send next. */
     Order order(RobotFacts facts);
+
+    /** What to send once, before that. */
+    default Optional<Order> opening() {
+        return Optional.empty();
+    }
 
     /** Such a report can show it: what was reported before says nothing of now. */
     default boolean isAbout(RobotMessage report) {
@@ -58,7 +76,20 @@ sealed interface Aim {
         if (command instanceof Command.Land) {
             return Optional.of(new Landed());
         }
-        return command instanceof Command.Hold ? Optional.of(new Still()) : Optional.empty();
+        return local(command);
+    }
+
+    private static Optional<Aim> local(Command command) {
+        if (command instanceof GoToLocal goTo) {
+            return Optional.of(new There(goTo.xMeters(), goTo.yMeters()));
+        }
+        if (command instanceof ReadMap) {
+            return Optional.of(new Mapped());
+        }
+        if (command instanceof EmergencyStop) {
+            return Optional.of(new Still(Optional.of(new Order.EmergencyStop())));
+        }
+        return command instanceof Command.Hold ? Optional.of(new Still(Optional.empty())) : Optional.empty();
     }
 
     /** With its motors on, or off. */
@@ -190,8 +221,98 @@ sealed interface Aim {
         }
     }
 
-    /** Standing still: robots repeat the last speeds that they were told for ever, so they are told zeros. */
-    record Still() implements Aim {
+    /** Standing at a place of its map. */
+    record There(double xMeters, double yMeters) implements Aim {
+        /** As close as navigation of ground robots comes by itself, with some room. */
+        private static final double NEAR_METERS = 0.35;
+
+        @Override
+        public long patienceNanos() {
+            return 600 * SECOND_NANOS;
+        }
+
+        @Override
+        public long idlePatienceNanos() {
+            return 30 * SECOND_NANOS;
+        }
+
+        /** Told again at once, a robot would begin to plan its way anew. */
+        @Override
+        public long betweenNanos() {
+            return 8 * SECOND_NANOS;
+        }
+
+        @Override
+        public Order order(RobotFacts facts) {
+            return new Order.GoTo(xMeters, yMeters, 0, false);
+        }
+
+        @Override
+        public boolean isAbout(RobotMessage report) {
+            return report instanceof RobotMessage.Motion;
+        }
+
+        @Override
+        public boolean isShownBy(RobotFacts facts) {
+            return facts.x() != null && facts.y() != null;
+        }
+
+        @Override
+        public boolean isReached(RobotFacts facts) {
+            return distance(facts) <= NEAR_METERS && Still.isStill(facts);
+        }
+
+        @Override
+        public boolean isUnderWay(RobotFacts facts) {
+            return facts.speed() != null && !Still.isStill(facts);
+        }
+
+        private double distance(RobotFacts facts) {
+            Double x = facts.x();
+            Double y = facts.y();
+            return x == null || y == null ? Double.NaN : Math.hypot(x - xMeters, y - yMeters);
+        }
+
+        @Override
+        public String missing(RobotFacts facts) {
+            return String.format(Locale.ROOT, "it is %.1f m away", distance(facts));
+        }
+    }
+
+    /** It has sent its map. */
+    record Mapped() implements Aim {
+        @Override
+        public Order order(RobotFacts facts) {
+            return new Order.GetMap();
+        }
+
+        @Override
+        public boolean isAbout(RobotMessage report) {
+            return report instanceof RobotMessage.MapImage;
+        }
+
+        @Override
+        public boolean isShownBy(RobotFacts facts) {
+            return true;
+        }
+
+        @Override
+        public boolean isReached(RobotFacts facts) {
+            return facts.mapShown();
+        }
+
+        @Override
+        public String missing(RobotFacts facts) {
+            return "what it sent as its map is no picture";
+        }
+    }
+
+    /**
+     * Standing still: robots repeat the last speeds that they were told for ever, so they are told zeros.
+     *
+     * @param opening told once and never again: a bridge is known that dies of it after it has stopped
+     */
+    record Still(@Override Optional<Order> opening) implements Aim {
         private static final double METERS_PER_SECOND = 0.05;
         private static final double RADIANS_PER_SECOND = 0.05;
 
@@ -212,6 +333,10 @@ sealed interface Aim {
 
         @Override
         public boolean isReached(RobotFacts facts) {
+            return isStill(facts);
+        }
+
+        static boolean isStill(RobotFacts facts) {
             Double speed = facts.speed();
             Double turn = facts.turn();
             return speed != null && speed <= METERS_PER_SECOND && (turn == null || turn <= RADIANS_PER_SECOND);

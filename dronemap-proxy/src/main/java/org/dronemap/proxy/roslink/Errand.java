@@ -11,7 +11,6 @@ import org.dronemap.proxy.roslink.wire.RobotMessage;
  * after it shows what was asked for. Without I/O; owned by the session's lane.
  */
 final class Errand {
-    private static final long BETWEEN_NANOS = 1_000_000_000L;
     /** A report that was under way when the order left says nothing of its effect. */
     private static final long UNDER_WAY_NANOS = 50_000_000L;
 
@@ -20,6 +19,7 @@ final class Errand {
     private final VehicleChannel.Report report;
     private final long begunNanos;
     private long sentNanos;
+    private long busyNanos;
     private boolean reported;
     private boolean ended;
 
@@ -28,7 +28,9 @@ final class Errand {
         this.send = send;
         this.report = report;
         begunNanos = nowNanos;
+        busyNanos = nowNanos;
         order(now, nowNanos);
+        aim.opening().ifPresent(send);
     }
 
     private void order(RobotFacts facts, long nowNanos) {
@@ -59,13 +61,17 @@ final class Errand {
         if (ended) {
             return;
         }
-        if (nowNanos - begunNanos > aim.patienceNanos()) {
+        boolean underWay = aim.isUnderWay(facts);
+        if (underWay) {
+            busyNanos = nowNanos;
+        }
+        if (nowNanos - begunNanos > aim.patienceNanos() || nowNanos - busyNanos > aim.idlePatienceNanos()) {
             end(
                     reported
                             ? new Outcome.Failed("The robot does not report that it did: " + aim.missing(facts) + ".")
                             : new Outcome.Unknown(
                                     "The robot reported nothing that shows it, and robots acknowledge no orders."));
-        } else if (nowNanos - sentNanos > BETWEEN_NANOS && !aim.isUnderWay(facts)) {
+        } else if (nowNanos - sentNanos > aim.betweenNanos() && !underWay) {
             order(facts, nowNanos);
         }
     }

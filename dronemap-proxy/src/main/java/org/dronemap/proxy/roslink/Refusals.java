@@ -20,6 +20,7 @@ final class Refusals {
 
     private final LongSupplier nanoTime;
     private final LongAdder broken = new LongAdder();
+    private final LongAdder unreadable = new LongAdder();
     private final LongAdder robots = new LongAdder();
     private final AtomicLong brokenToldNanos;
     private final AtomicLong robotsToldNanos;
@@ -57,6 +58,15 @@ final class Refusals {
         long now = nanoTime.getAsLong();
         long before = told.get();
         return now - before >= BETWEEN_NANOS && told.compareAndSet(before, now);
+    }
+
+    /** Something came as a picture and is none. */
+    void unreadable() {
+        unreadable.increment();
+    }
+
+    long unreadableCount() {
+        return unreadable.sum();
     }
 
     long brokenCount() {

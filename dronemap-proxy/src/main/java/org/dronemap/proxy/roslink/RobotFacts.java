@@ -7,24 +7,66 @@ import org.jspecify.annotations.Nullable;
  * What a robot has reported last; null what it never said. Immutable.
  *
  * @param mode its number where it is one of a flight controller
- * @param height metres above where it started
- * @param speed along any axis, the greatest, in m/s
- * @param turn about any axis, the greatest, in rad/s
+ * @param mapShown the last that it sent as its map was one
  */
 record RobotFacts(
         @Nullable Integer mode,
         @Nullable Boolean armed,
         @Nullable FlightPhase phase,
-        @Nullable Double height,
-        @Nullable Double speed,
-        @Nullable Double turn) {
-    static final RobotFacts NONE = new RobotFacts(null, null, null, null, null, null);
+        Course course,
+        boolean mapShown) {
+    static final RobotFacts NONE = new RobotFacts(null, null, null, new Course(null, null, null, null, null), false);
+
+    /**
+     * Where it is and how it moves.
+     *
+     * @param x metres along the axis of its map
+     * @param y metres along the other axis
+     * @param height metres above where it started
+     * @param speed along any axis, the greatest, in m/s
+     * @param turn about any axis, the greatest, in rad/s
+     */
+    record Course(
+            @Nullable Double x,
+            @Nullable Double y,
+            @Nullable Double height,
+            @Nullable Double speed,
+            @Nullable Double turn) {}
 
     RobotFacts flying(@Nullable Integer newMode, @Nullable Boolean newArmed, @Nullable FlightPhase newPhase) {
-        return new RobotFacts(newMode, newArmed, newPhase, height, speed, turn);
+        return new RobotFacts(newMode, newArmed, newPhase, course, mapShown);
     }
 
-    RobotFacts moving(@Nullable Double newHeight, @Nullable Double newSpeed, @Nullable Double newTurn) {
-        return new RobotFacts(mode, armed, phase, newHeight, newSpeed, newTurn);
+    RobotFacts moving(Course newer) {
+        return new RobotFacts(mode, armed, phase, newer, mapShown);
+    }
+
+    RobotFacts mapped(boolean shown) {
+        return new RobotFacts(mode, armed, phase, course, shown);
+    }
+
+    @Nullable
+    Double x() {
+        return course.x();
+    }
+
+    @Nullable
+    Double y() {
+        return course.y();
+    }
+
+    @Nullable
+    Double height() {
+        return course.height();
+    }
+
+    @Nullable
+    Double speed() {
+        return course.speed();
+    }
+
+    @Nullable
+    Double turn() {
+        return course.turn();
     }
 }

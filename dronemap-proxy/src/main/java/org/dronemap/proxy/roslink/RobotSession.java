@@ -32,6 +32,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     private final RobotLinks links;
     private final RobotTelemetry telemetry;
     private final Map<CommandId, Errand> errands = new LinkedHashMap<>();
+    private final FirstStop firstStop;
     private volatile @Nullable DroneLink drone;
     private volatile boolean over;
     private @Nullable LinkReport told;
@@ -40,7 +41,9 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         this.table = table;
         this.name = first.name();
         links = new RobotLinks(first);
-        telemetry = new RobotTelemetry(type, name.hardware(), this::tell);
+        firstStop = new FirstStop(type.words().flies(), order -> links.best().send(order, Fence.NONE));
+        telemetry = new RobotTelemetry(
+                type, name.hardware(), this::tell, () -> table.refusals().unreadable());
     }
 
     /** Any thread. */
@@ -120,6 +123,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
             return;
         }
         long now = table.now();
+        firstStop.tick(now);
         List.copyOf(errands.values()).forEach(errand -> errand.tick(telemetry.facts(), now));
         errands.values().removeIf(Errand::isOver);
         links.measure(now);
@@ -163,6 +167,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
             report.ended(new Outcome.Refused("vehicle", "These robots cannot be told to " + command.summary() + "."));
             return;
         }
+        firstStop.cancel();
         CommandId id = Objects.requireNonNull(mandate.command());
         Fence fence = mandate.fence();
         errands.put(

@@ -3,7 +3,6 @@ package org.dronemap.proxy.roslink;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.Battery;
@@ -36,13 +35,15 @@ final class RobotTelemetry {
     private final RobotType type;
     private final @Nullable String hardware;
     private final Consumer<DroneEvent> news;
+    private final RobotSenses senses;
     private RobotFacts facts = RobotFacts.NONE;
     private boolean emergency;
     private @Nullable Geodetic point;
     private @Nullable Double altitude;
 
-    /** {@code hardware}: what tells the robot from others where it can show no key; null when nothing does. */
-    RobotTelemetry(RobotType type, @Nullable String hardware, Consumer<DroneEvent> news) {
+    /** {@code hardware}: what tells the robot from others where it can show no key; null when nothing does. {@code unreadable}: told of what is no picture. */
+    RobotTelemetry(RobotType type, @Nullable String hardware, Consumer<DroneEvent> news, Runnable unreadable) {
+        senses = new RobotSenses(news, unreadable);
         this.type = type;
         this.hardware = hardware;
         this.news = news;
@@ -58,7 +59,14 @@ final class RobotTelemetry {
 
     Capabilities capabilities() {
         return switch (type.words()) {
-            case NONE, WHEELS -> new Capabilities(Set.of(Capability.HOLD), List.of());
+            case NONE, WHEELS ->
+                new Capabilities(
+                        EnumSet.of(
+                                Capability.HOLD,
+                                Capability.EMERGENCY_STOP,
+                                Capability.GO_TO_LOCAL,
+                                Capability.READ_MAP),
+                        List.of());
             case AR_DRONE ->
                 new Capabilities(EnumSet.of(Capability.TAKE_OFF, Capability.LAND, Capability.HOLD), List.of());
             case MAVROS ->
@@ -88,6 +96,12 @@ final class RobotTelemetry {
             motion(motion);
         } else if (message instanceof RobotMessage.Satellites satellites) {
             satellites(satellites);
+        } else if (message instanceof RobotMessage.Scan scan) {
+            senses.scanned(scan);
+        } else if (message instanceof RobotMessage.Image image) {
+            senses.saw(image);
+        } else if (message instanceof RobotMessage.MapImage map) {
+            facts = facts.mapped(senses.mapped(map));
         }
     }
 
@@ -166,7 +180,8 @@ final class RobotTelemetry {
         Triple place = motion.place();
         boolean flies = type.words().flies();
         Double height = flies ? place.z() : null;
-        facts = facts.moving(height, greatest(motion.speed()), greatest(motion.turn()));
+        facts = facts.moving(
+                new RobotFacts.Course(place.x(), place.y(), height, greatest(motion.speed()), greatest(motion.turn())));
         if (place.x() != null && place.y() != null) {
             Double yaw = motion.angles().heading();
             if (yaw == null && type.words() == RobotType.Words.WHEELS) {

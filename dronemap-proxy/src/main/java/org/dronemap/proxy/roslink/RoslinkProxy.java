@@ -77,6 +77,11 @@ public final class RoslinkProxy implements AutoCloseable {
         return table.refusals().brokenCount();
     }
 
+    /** Pictures that were none. */
+    public long unreadableCount() {
+        return table.refusals().unreadableCount();
+    }
+
     /** Messages that were not believed to come from whom they say. */
     public long refusedCount() {
         return table.refusals().robotCount();

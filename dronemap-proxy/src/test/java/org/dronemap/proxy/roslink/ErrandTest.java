@@ -25,7 +25,7 @@ class ErrandTest {
     private final List<Order> orders = new ArrayList<>();
     private final List<Outcome> outcomes = new ArrayList<>();
     private final List<DroneEvent> news = new ArrayList<>();
-    private final RobotTelemetry telemetry = new RobotTelemetry(RobotType.QUADROTOR, null, news::add);
+    private final RobotTelemetry telemetry = new RobotTelemetry(RobotType.QUADROTOR, null, news::add, () -> {});
     private long now = 100 * SECOND;
     private @Nullable Errand errand;
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
@@ -114,8 +115,8 @@ class RobotKeyTest extends RobotTrial {
                     7,
                     state -> state.capabilities().known()
                             && !state.link().others().isEmpty());
-            CompletableFuture<Outcome> holding = command(drone, new Command.Hold());
-            assertThat(robot.order(100, 5_000)).isNotNull();
+            CompletableFuture<Outcome> holding = command(drone, new EmergencyStop());
+            assertThat(robot.order(108, 5_000)).isNotNull();
 
             keys.issue("rk-renewed", TestKeys.ROBOT_7, 7, "12");
             proxy.disconnect(TestKeys.ROBOT_7.value());

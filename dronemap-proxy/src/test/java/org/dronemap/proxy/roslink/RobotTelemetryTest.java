@@ -112,10 +112,12 @@ class RobotTelemetryTest {
 
     @Test
     void declaresWhatEachKindOfRobotCanDo() {
-        assertThat(robot(RobotType.TURTLEBOT).capabilities().commands()).containsExactly(Capability.HOLD);
+        assertThat(robot(RobotType.TURTLEBOT).capabilities().commands())
+                .containsExactlyInAnyOrder(
+                        Capability.HOLD, Capability.EMERGENCY_STOP, Capability.GO_TO_LOCAL, Capability.READ_MAP);
         assertThat(robot(RobotType.BEBOP).capabilities().commands())
                 .contains(Capability.TAKE_OFF, Capability.LAND)
-                .doesNotContain(Capability.ARM, Capability.SET_MODE);
+                .doesNotContain(Capability.ARM, Capability.SET_MODE, Capability.GO_TO_LOCAL);
         assertThat(robot(RobotType.GAPTER).capabilities().modes()).contains("GUIDED", "RTL");
         assertThat(robot(RobotType.TURTLEBOT).identification().kind()).isEqualTo(VehicleKind.ROVER);
         assertThat(RobotType.of(4711)).isEqualTo(RobotType.GENERIC);
@@ -123,7 +125,7 @@ class RobotTelemetryTest {
     }
 
     private RobotTelemetry robot(RobotType type) {
-        return new RobotTelemetry(type, null, news::add);
+        return new RobotTelemetry(type, null, news::add, () -> {});
     }
 
     private static RobotMessage motion(double x, double y, @Nullable Double z) {

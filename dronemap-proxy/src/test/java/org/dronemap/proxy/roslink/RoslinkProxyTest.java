@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LocalPosition;
@@ -111,14 +112,26 @@ class RoslinkProxyTest extends RobotTrial {
             awaitDrone(8, drone -> drone.capabilities().known());
             DroneState drone = awaitDrone(7, state -> state.capabilities().known());
 
-            CompletableFuture<Outcome> holding = command(drone, new Command.Hold());
-            assertThat(seven.order(100, 5_000)).isNotNull();
-            while (!holding.isDone()) {
+            CompletableFuture<Outcome> stopping = command(drone, new EmergencyStop());
+            assertThat(seven.order(108, 5_000)).isNotNull();
+            while (!stopping.isDone()) {
                 seven.say(2, "\"x\":0,\"y\":0,\"vx\":0,\"vy\":0");
                 seven.order(100, 100);
             }
 
-            assertThat(eight.ordersWaiting()).isZero();
+            assertThat(eight.order(108, 0)).isNull();
+        }
+    }
+
+    @Test
+    void aGroundRobotIsToldToStandStillFirstOfAll() throws Exception {
+        try (TestRobot robot = new TestRobot(udp(), 7, "12")) {
+            robot.beat(TURTLEBOT);
+            JsonNode order = robot.order(100, 5_000);
+            assertThat(order).isNotNull();
+            for (String axis : List.of("vx", "vy", "vz", "wx", "wy", "wz")) {
+                assertThat(order.path(axis).asDouble(1)).isZero();
+            }
         }
     }
 

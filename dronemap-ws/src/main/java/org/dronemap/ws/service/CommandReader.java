@@ -2,6 +2,9 @@ package org.dronemap.ws.service;
 
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.EmergencyStop;
+import org.dronemap.core.command.GoToLocal;
+import org.dronemap.core.command.ReadMap;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
@@ -30,6 +33,9 @@ final class CommandReader {
             case "returnToLaunch" -> new Command.ReturnToLaunch();
             case "hold" -> new Command.Hold();
             case "goTo" -> goTo(request);
+            case "goToLocal" -> new GoToLocal(Ranges.onMap("x", request.x()), Ranges.onMap("y", request.y()), null);
+            case "emergencyStop" -> new EmergencyStop();
+            case "readMap" -> new ReadMap();
             case "uploadMission" ->
                 new Command.UploadMission(TakeOffFirst.complete(MissionReader.read(request.items()), drone));
             case "startMission" -> new Command.StartMission(cloudLoss(request.onCloudLoss()));

@@ -25,6 +25,12 @@ public record CommandRequest(
         @Schema(description = "goTo, setHome: degrees") @Nullable
         Double longitude,
 
+        @Schema(description = "goToLocal: metres along the x axis of the vehicle's own map") @Nullable
+        Double x,
+
+        @Schema(description = "goToLocal: metres along the y axis of the vehicle's own map") @Nullable
+        Double y,
+
         @Schema(description = "takeOff, goTo, setHome: metres") @Nullable
         Double altitude,
 
@@ -57,7 +63,7 @@ public record CommandRequest(
     /** What there is of types; fence, rally points and the download of a log have addresses of their own. */
     static final String TYPES = "arm, disarm, setMode, takeOff, land, returnToLaunch, hold, goTo, uploadMission,"
             + " startMission, pauseMission, clearMission, turn, takePicture, setRelay, setHome, readHome,"
-            + " readParameters, setParameters, readLogs";
+            + " readParameters, setParameters, readLogs, goToLocal, emergencyStop, readMap";
 
     /** A parameter and the value that it shall get. */
     public record ParameterRequest(
@@ -71,6 +77,8 @@ public record CommandRequest(
                 mode,
                 latitude,
                 longitude,
+                x,
+                y,
                 altitude,
                 altitudeReference,
                 items,
@@ -108,6 +116,13 @@ public record CommandRequest(
     public static CommandRequest goTo(
             @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude) {
         return new Draft("goTo").at(latitude, longitude, altitude).request();
+    }
+
+    public static CommandRequest goToLocal(@Nullable Double x, @Nullable Double y) {
+        Draft draft = new Draft("goToLocal");
+        draft.x = x;
+        draft.y = y;
+        return draft.request();
     }
 
     public static CommandRequest uploadMission(@Nullable List<MissionItemView> items) {
@@ -156,6 +171,8 @@ public record CommandRequest(
         private @Nullable String mode;
         private @Nullable Double latitude;
         private @Nullable Double longitude;
+        private @Nullable Double x;
+        private @Nullable Double y;
         private @Nullable Double altitude;
         private @Nullable String altitudeReference;
         private @Nullable List<MissionItemView> items;
@@ -184,6 +201,8 @@ public record CommandRequest(
                     mode,
                     latitude,
                     longitude,
+                    x,
+                    y,
                     altitude,
                     altitudeReference,
                     items,

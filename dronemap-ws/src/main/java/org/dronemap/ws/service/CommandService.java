@@ -28,7 +28,8 @@ public final class CommandService {
     private static final String ID_FORM = "8 to 64 of A-Z, a-z, 0-9, _ and -";
     private static final int MOST_SHOWN = 50;
     /** Never kept waiting, however much somebody asked for before. */
-    private static final Set<String> FOR_SAFETY = Set.of("land", "returnToLaunch", "hold", "pauseMission");
+    private static final Set<String> FOR_SAFETY =
+            Set.of("land", "returnToLaunch", "hold", "emergencyStop", "pauseMission");
 
     private final CloudManager cloud;
     private final DroneService drones;

@@ -25,6 +25,11 @@ public record DroneView(
         @Nullable String flight,
         @Nullable PositionView position,
         @Nullable LocalView local,
+
+        @Schema(description = "The numbers of the newest that its sensors brought; null while there was nothing")
+        @Nullable
+        SensedNumbersView sensed,
+
         @Nullable String place,
         @Nullable MotionView motion,
         @Nullable AttitudeView attitude,
@@ -74,6 +79,12 @@ public record DroneView(
             double y,
             @Nullable Double z,
             @Nullable Double yaw) {}
+
+    /** Each kind counted by itself; null where there was none yet. */
+    public record SensedNumbersView(
+            @Nullable Long scan,
+            @Nullable Long picture,
+            @Nullable Long map) {}
 
     /** Metres a second; heading in degrees. */
     public record MotionView(

@@ -23,6 +23,7 @@ import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Sensed;
 import org.dronemap.core.lease.Control;
 import org.jspecify.annotations.Nullable;
 
@@ -33,9 +34,11 @@ public final class DroneViews {
 
     private final DronePlaces places;
     private final Function<DroneId, Control> controls;
+    private final Function<DroneId, Sensed> sensed;
 
-    /** {@code controls} knows who commands a drone now. */
-    public DroneViews(DronePlaces places, Function<DroneId, Control> controls) {
+    /** {@code controls} knows who commands a drone now, {@code sensed} what its sensors brought last. */
+    public DroneViews(DronePlaces places, Function<DroneId, Control> controls, Function<DroneId, Sensed> sensed) {
+        this.sensed = sensed;
         this.places = places;
         this.controls = controls;
     }
@@ -58,6 +61,7 @@ public final class DroneViews {
                 state.phase() == null ? null : WireNames.camel(state.phase()),
                 position(state.position()),
                 local(state.local()),
+                numbers(sensed.apply(state.id())),
                 places.place(state),
                 motion(state),
                 attitude(state),
@@ -120,6 +124,17 @@ public final class DroneViews {
         return local == null
                 ? null
                 : new DroneView.LocalView(local.xMeters(), local.yMeters(), local.zMeters(), local.yawDegrees());
+    }
+
+    private static DroneView.@Nullable SensedNumbersView numbers(Sensed sensed) {
+        return sensed.equals(Sensed.NOTHING)
+                ? null
+                : new DroneView.SensedNumbersView(
+                        number(sensed.scan()), number(sensed.picture()), number(sensed.map()));
+    }
+
+    private static @Nullable Long number(Sensed.@Nullable Kept<?> kept) {
+        return kept == null ? null : (Long) kept.number();
     }
 
     static DroneView.@Nullable MotionView motion(DroneState state) {

@@ -34,6 +34,11 @@ final class Ranges {
         return degrees;
     }
 
+    /** Metres on a map of a vehicle's own. */
+    static double onMap(String field, @Nullable Double value) {
+        return checked(field, value, -100_000, 100_000, "m");
+    }
+
     static int relay(String field, @Nullable Integer value) {
         return checked(field, value, 0, 15, "");
     }

@@ -57,7 +57,10 @@ record ProxyLinks(Proxy proxy, RoslinkProxy robots) implements VehicleLinks {
 
     @Override
     public Map<String, Long> refusedMessages() {
-        return Map.of("broken", robots.brokenCount(), "notBelieved", robots.refusedCount());
+        return Map.of(
+                "broken", robots.brokenCount(),
+                "notBelieved", robots.refusedCount(),
+                "noPicture", robots.unreadableCount());
     }
 
     private static Status status(Links.LinkStatus link) {

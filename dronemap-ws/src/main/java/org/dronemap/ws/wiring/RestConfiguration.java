@@ -41,6 +41,7 @@ import org.dronemap.ws.rest.RegistrationController;
 import org.dronemap.ws.rest.ReplayController;
 import org.dronemap.ws.rest.RobotKeyController;
 import org.dronemap.ws.rest.SecurityHeadersFilter;
+import org.dronemap.ws.rest.SensingController;
 import org.dronemap.ws.rest.SessionController;
 import org.dronemap.ws.rest.StreamTicketController;
 import org.dronemap.ws.rest.SystemController;
@@ -103,6 +104,7 @@ import tools.jackson.databind.DeserializationFeature;
     LinkController.class,
     RobotKeyController.class,
     MetricsController.class,
+    SensingController.class,
     SystemController.class,
     TelemetryController.class,
     WaitingController.class,

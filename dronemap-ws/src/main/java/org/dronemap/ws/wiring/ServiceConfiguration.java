@@ -46,6 +46,7 @@ import org.dronemap.ws.service.ReplayOwners;
 import org.dronemap.ws.service.ReplayService;
 import org.dronemap.ws.service.RobotKeyService;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.SensingService;
 import org.dronemap.ws.service.ServerMetrics;
 import org.dronemap.ws.service.SystemService;
 import org.dronemap.ws.service.TelemetryFiles;
@@ -181,7 +182,7 @@ public class ServiceConfiguration {
     DroneViews droneViews(House house) {
         DronePlaces places = new DronePlaces(PlaceNames.load()::near);
         house.cloud().addListener(places);
-        return new DroneViews(places, house.cloud().controls()::control);
+        return new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed);
     }
 
     @Bean
@@ -309,6 +310,11 @@ public class ServiceConfiguration {
     @Bean
     DtlsKeyService dtlsKeyService(House house, Clock clock) {
         return new DtlsKeyService(house.links().keys(), house.links().vehicles(), house.cloud(), clock);
+    }
+
+    @Bean
+    SensingService sensingService(House house, DroneService drones) {
+        return new SensingService(house.cloud(), drones);
     }
 
     @Bean

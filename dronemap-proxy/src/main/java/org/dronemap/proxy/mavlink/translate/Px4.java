@@ -113,7 +113,12 @@ final class Px4 implements Autopilot {
 
     @Override
     public Capabilities capabilities() {
-        Set<Capability> can = EnumSet.complementOf(EnumSet.of(Capability.TURN, Capability.SET_RELAY));
+        Set<Capability> can = EnumSet.complementOf(EnumSet.of(
+                Capability.TURN,
+                Capability.SET_RELAY,
+                Capability.GO_TO_LOCAL,
+                Capability.EMERGENCY_STOP,
+                Capability.READ_MAP));
         if (kind == VehicleKind.ROVER || kind == VehicleKind.BOAT || kind == VehicleKind.SUBMARINE) {
             can.removeAll(EnumSet.of(Capability.TAKE_OFF, Capability.LAND));
         }

@@ -1,0 +1,35 @@
+package org.dronemap.core.command;
+
+import java.util.Locale;
+import org.dronemap.core.drone.Capability;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Go to a place in the vehicle's own frame, such as the map of a building: metres, each at most 100 km.
+ *
+ * @param zMeters null for what stays on the ground
+ */
+public record GoToLocal(
+        double xMeters, double yMeters, @Nullable Double zMeters) implements Command.OnOwnMap {
+    private static final double FARTHEST_METERS = 100_000;
+
+    public GoToLocal {
+        boolean near = Math.abs(xMeters) <= FARTHEST_METERS
+                && Math.abs(yMeters) <= FARTHEST_METERS
+                && (zMeters == null || Math.abs(zMeters) <= FARTHEST_METERS);
+        if (!near) {
+            throw new IllegalArgumentException(
+                    "a place on a map is at most 100 km from its origin: " + xMeters + ", " + yMeters + ", " + zMeters);
+        }
+    }
+
+    @Override
+    public Capability needs() {
+        return Capability.GO_TO_LOCAL;
+    }
+
+    @Override
+    public String summary() {
+        return String.format(Locale.ROOT, "go to %.2f, %.2f m on its own map", xMeters, yMeters);
+    }
+}

@@ -1,0 +1,96 @@
+package org.dronemap.sim.robot;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.URI;
+import java.net.URLEncoder;
+import java.net.http.HttpClient;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.sim.robot.RobotOptions.Identity;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** All robots on one thread, which owns them. */
+public final class RobotFleet implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(RobotFleet.class);
+    private static final int TURN_MILLIS = 50;
+    private static final double LATITUDE = 47.3977;
+    private static final double LONGITUDE = 8.5456;
+
+    private final List<Bridge> bridges = new ArrayList<>();
+    private final ScheduledExecutorService thread =
+            Executors.newSingleThreadScheduledExecutor(task -> new Thread(task, "robots"));
+    private final HttpClient client = HttpClient.newHttpClient();
+
+    public RobotFleet(RobotOptions options) throws IOException {
+        InetSocketAddress server =
+                new InetSocketAddress(options.server().host(), options.server().port());
+        for (int number = 0; number < options.count(); number++) {
+            Identity identity = options.first().plus(number);
+            Bridge bridge = new Bridge(machine(options, number), options, identity, server);
+            URI web = options.web();
+            if (web != null) {
+                bridge.connect(client, web(web, identity));
+            }
+            bridges.add(bridge);
+        }
+    }
+
+    private static Machine machine(RobotOptions options, int number) {
+        boolean flies = options.kind().equals("drone") || (options.kind().equals("mixed") && number % 2 == 1);
+        return flies
+                ? new Flyer(LATITUDE + number * 1e-4, LONGITUDE)
+                : new Rover(-2, -1 + number % 3, options.quirks());
+    }
+
+    private static URI web(URI pattern, Identity identity) {
+        String owner = Objects.requireNonNullElse(identity.owner(), "0");
+        return URI.create(pattern.toString()
+                .replace("%7Bkey%7D", URLEncoder.encode(identity.key(), StandardCharsets.UTF_8))
+                .replace("%7Bowner%7D", URLEncoder.encode(owner, StandardCharsets.UTF_8)));
+    }
+
+    public void start() {
+        var unused = thread.scheduleAtFixedRate(this::turn, 0, TURN_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    private void turn() {
+        for (Bridge bridge : bridges) {
+            try {
+                bridge.turn(TURN_MILLIS / 1_000.0);
+            } catch (IOException e) {
+                LOG.warn("A robot could not speak: {}", e.getMessage());
+            }
+        }
+    }
+
+    /** What is true of each robot now: a picture made between two turns. Waits for it. */
+    public List<Truth> truths() {
+        return CompletableFuture.supplyAsync(
+                        () -> bridges.stream().map(RobotFleet::truth).toList(), thread)
+                .join();
+    }
+
+    private static Truth truth(Bridge bridge) {
+        Machine.Truth now = bridge.machine().truth();
+        return new Truth(now.x(), now.y(), now.height(), now.speed());
+    }
+
+    /** Where a robot truly is, in metres, and how fast it moves or turns, in m/s or rad/s. */
+    public record Truth(double x, double y, double height, double speed) {}
+
+    @Override
+    public void close() throws IOException {
+        thread.shutdownNow();
+        for (Bridge bridge : bridges) {
+            bridge.close();
+        }
+    }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.sim.robot;
+
+import org.jspecify.annotations.NullMarked;
