@@ -25,6 +25,8 @@ NEAR_METRES = 5.0
 FAR_METRES = 15.0
 HOVER_METRES = 2.0
 HOVER_SECONDS = 8
+SERVO = 9
+PULSE_MICROS = 1900
 FENCE_METRES = 12
 OUT_OF_REACH_METRES = 30_000
 PER_DEGREE = math.radians(1) * EARTH_RADIUS_METERS
@@ -44,6 +46,7 @@ def drones(tap: Tap, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iter
         f"udp://127.0.0.1:{tap.port}",
         *("--count", str(DRONES + 1), "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
     )
+    assert simulator.ask("sensor all Temp 21.5").startswith("ok")
     yield [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
     simulator.stop()
 
@@ -63,11 +66,22 @@ def waypoints(home: Json, count: int) -> list[Json]:
     return [place(home, (1 + n // 2) * SPACING_METRES, n % 2 * SPACING_METRES) for n in range(count)]
 
 
+def tasks(home: Json) -> list[Json]:
+    looked = {"latitude": home["latitude"], "longitude": home["longitude"], "altitude": home["altitudeAmsl"]}
+    return [
+        {"type": "lookAt", **looked},
+        {"type": "servo", "output": SERVO, "pulse": PULSE_MICROS},
+        {"type": "photo"},
+        {"type": "readSensors", "seconds": 4},
+    ]
+
+
 def begun(api: Api, drones: list[Json], count: int, mode: str, hover_seconds: float = 0) -> str:
-    """A run whose drones are all in the air; they hover at the first waypoint of each column."""
+    """A run whose drones are all in the air; at the first waypoint of each column they hover and do tasks."""
     places = waypoints(drones[0]["home"], count)
-    for one in places[:2]:
+    for one in places[:2] if hover_seconds else []:
         one["holdSeconds"] = hover_seconds
+        one["tasks"] = tasks(drones[0]["home"])
     plan = planned(api, drones, places)
     asked = api.call(
         "POST",
@@ -112,6 +126,16 @@ def hovered(tap: Tap, system_id: int, waypoint: Json) -> float:
     return longest
 
 
+def photos(tap: Tap, near: Json) -> list[int]:
+    """The numbers of those that were taken there."""
+    return [
+        heard.message.img_idx
+        for heard in tap.heard("CAMERA_FEEDBACK", up=True)
+        if distance(near, [(heard.message.lat / 1e7, heard.message.lng / 1e7, heard.message.alt_msl)])
+        < NEAR_METRES
+    ]
+
+
 def told(run: Json, trigger: str) -> list[Json]:
     return [one for one in run["explanations"] if one["trigger"] == trigger]
 
@@ -120,7 +144,7 @@ def by_id(run: Json) -> dict[str, Json]:
     return {one["id"]: one for one in run["waypoints"]}
 
 
-def test_a_moved_waypoint_is_visited_where_it_is_now_a_cancelled_one_in_no_mission_and_others_hover(
+def test_a_moved_waypoint_is_visited_where_it_is_now_a_cancelled_one_in_no_mission_and_tasks_are_done(
     api: Api, tap: Tap, drones: list[Json]
 ) -> None:
     run = begun(api, drones, 10, "automatic", HOVER_SECONDS)
@@ -148,6 +172,12 @@ def test_a_moved_waypoint_is_visited_where_it_is_now_a_cancelled_one_in_no_missi
     for one in over["waypoints"][:2]:
         if one["id"] not in (moved["id"], cancelled["id"]):
             assert hovered(tap, numbers[one["visits"][0]["drone"]], one) >= HOVER_SECONDS - 1, one
+            look, servo, photo, sensors = one["tasks"]
+            assert {task["result"] for task in one["tasks"]} == {"done"}, one["tasks"]
+            assert photos(tap, one) == [photo["photo"]], (photo, photos(tap, one))
+            assert f"Output {SERVO} is at {PULSE_MICROS}" in servo["words"], servo
+            assert "Temp 21.5" in sensors["words"], sensors
+            assert look["drone"] == one["visits"][0]["drone"], look
     for trigger in ("waypointMoved", "waypointCancelled"):
         assert told(over, trigger), (trigger, [one["trigger"] for one in over["explanations"]])
     assert api.get(f"{run}/journal/replay")["same"]

@@ -81,6 +81,7 @@ export function aRunWaypoint(id: string, change: Partial<RunWaypoint> = {}): Run
     why: null,
     due: null,
     visits: [],
+    tasks: [],
     ...change,
   };
 }

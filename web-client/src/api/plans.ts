@@ -91,7 +91,14 @@ export interface PlanWaypoint {
   priority?: number;
   window?: { opens: number | null; closes: number | null };
   needs?: string[];
+  tasks?: PlanTask[];
 }
+
+/** What is done at a waypoint, in order. */
+export type PlanTask =
+  | { type: 'photo' }
+  | { type: 'servo'; output: number; pulse: number }
+  | { type: 'readSensors'; seconds: number };
 
 export interface PlanObjective {
   kind: PlanAim;

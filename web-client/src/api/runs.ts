@@ -43,6 +43,20 @@ export interface RunWaypoint {
   why: string | null;
   due: string | null;
   visits: { drone: string; at: string }[];
+  tasks: RunTask[];
+}
+
+export type TaskType = 'photo' | 'servo' | 'lookAt' | 'readSensors';
+
+/** What is done at a waypoint, and what became of it. */
+export interface RunTask {
+  type: TaskType;
+  /** notKnown: a drone was told to, and nothing shows what came of it. */
+  result: 'open' | 'underWay' | 'done' | 'notKnown' | 'notAvailable';
+  drone: string | null;
+  at: string | null;
+  photo: number | null;
+  words: string | null;
 }
 
 /** A waypoint that is another drone's now; null: nobody's. */

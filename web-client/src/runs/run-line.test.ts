@@ -14,6 +14,7 @@ import {
   sortedWaypoints,
   stageLook,
   stateWords,
+  taskLine,
   triggerWords,
   waypointLine,
 } from './run-line';
@@ -71,6 +72,19 @@ describe('a mission run in words', () => {
     expect(waypointLine(run, twice, NOW)).toBe('visited by Falcon, then Heron');
     expect(waypointLine(run, waypoint('2', { state: 'unserved', why: 'No drone was left.' }), NOW)).toBe(
       'left out: No drone was left.',
+    );
+  });
+
+  it('tells what became of a task, and what is not known of it', () => {
+    const photo = { type: 'photo', drone: 'd1', at: '', photo: 3 } as const;
+    expect(taskLine({ ...photo, result: 'done', words: 'Photo 3 at 47.397700, 8.545600.' })).toBe(
+      'Photo: done. Photo 3 at 47.397700, 8.545600.',
+    );
+    expect(taskLine({ ...photo, type: 'servo', result: 'notKnown', words: 'It was told to.' })).toBe(
+      'Servo: not known. It was told to.',
+    );
+    expect(taskLine({ ...photo, type: 'readSensors', result: 'open', words: null })).toBe(
+      'Read sensors: not yet.',
     );
   });
 

@@ -6,8 +6,10 @@ import type {
   RunDrone,
   RunExplanation,
   RunStage,
+  RunTask,
   RunWaypoint,
   RunWaypointState,
+  TaskType,
 } from '../api/runs';
 import type { Drone } from '../api/types';
 import { whyNotPlanned } from '../tours/tour-line';
@@ -29,6 +31,27 @@ export const WAYPOINT_LOOKS: Record<RunWaypointState, Look & { mark: string }> =
   unserved: { words: 'left out', tone: 'red', mark: '✕' },
   cancelled: { words: 'cancelled', tone: 'neutral', mark: '–' },
 };
+
+const TASKS: Record<TaskType, string> = {
+  photo: 'Photo',
+  servo: 'Servo',
+  lookAt: 'Look at a place',
+  readSensors: 'Read sensors',
+};
+
+const RESULTS: Record<RunTask['result'], string> = {
+  open: 'not yet',
+  underWay: 'under way',
+  done: 'done',
+  notKnown: 'not known',
+  notAvailable: 'not available',
+};
+
+/** "Photo: done. Photo 3 at 47.397700, 8.545600." */
+export function taskLine(task: RunTask): string {
+  const words = task.words === null ? '' : ` ${task.words}`;
+  return `${TASKS[task.type] ?? task.type}: ${RESULTS[task.result] ?? task.result}.${words}`;
+}
 
 const STAGES: Record<RunStage, Look> = {
   landed: { words: 'on the ground', tone: 'neutral' },

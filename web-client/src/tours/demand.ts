@@ -5,9 +5,24 @@ export interface Demand {
   opens: number | null;
   closes: number | null;
   picture: boolean;
+  photo: boolean;
+  servo: number | null;
+  /** Microseconds. */
+  pulse: number | null;
+  /** For how many seconds sensors are read. */
+  sensors: number | null;
 }
 
-export const NO_DEMAND: Demand = { priority: null, opens: null, closes: null, picture: false };
+export const NO_DEMAND: Demand = {
+  priority: null,
+  opens: null,
+  closes: null,
+  picture: false,
+  photo: false,
+  servo: null,
+  pulse: null,
+  sensors: null,
+};
 
 /** How much a waypoint weighs beside others when not all can be visited. */
 export const PRIORITIES: [number | null, string][] = [

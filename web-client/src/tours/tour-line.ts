@@ -6,6 +6,7 @@ import type {
   PlanResult,
   PlanStage,
   PlanTour,
+  PlanTask,
   PlanWaypoint,
   TourRequest,
 } from '../api/plans';
@@ -138,12 +139,24 @@ export function waypointsOf(
   );
 }
 
-function wishes({ priority, opens, closes, picture }: Demand): Partial<PlanWaypoint> {
+function wishes(demand: Demand): Partial<PlanWaypoint> {
+  const { priority, opens, closes, picture } = demand;
+  const tasks = tasksOf(demand);
   return {
     ...(priority === null ? {} : { priority }),
     ...(opens === null && closes === null ? {} : { window: { opens, closes } }),
     ...(picture ? { needs: ['takePicture'] } : {}),
+    ...(tasks.length === 0 ? {} : { tasks }),
   };
+}
+
+/** Servos are moved first, so that what they do is on the photo. */
+function tasksOf({ photo, servo, pulse, sensors }: Demand): PlanTask[] {
+  return [
+    ...(servo === null || pulse === null ? [] : [{ type: 'servo', output: servo, pulse } as const]),
+    ...(photo ? [{ type: 'photo' } as const] : []),
+    ...(sensors === null ? [] : [{ type: 'readSensors', seconds: sensors } as const]),
+  ];
 }
 
 /** One line of a comparison; `better`: whether less of it is here, there, or neither. */

@@ -147,14 +147,36 @@ describe('a plan for several drones', () => {
 
   it('asks for what each waypoint wants, and for the rest of nothing', () => {
     const draft = addWaypoint(addWaypoint(emptyDraft(), HOME, 20), HOME, 30);
-    const wants = { priority: 10, opens: null, closes: 60, picture: true };
+    const wants = {
+      ...NO_DEMAND,
+      priority: 10,
+      opens: null,
+      closes: 60,
+      picture: true,
+      photo: true,
+      servo: 9,
+      pulse: 1900,
+      sensors: 5,
+    };
     const [first, second] = waypointsOf(draft, (key) => (key === 2 ? wants : NO_DEMAND));
     expect(Object.keys(first ?? {})).not.toContain('priority');
     expect(second).toMatchObject({
       priority: 10,
       window: { opens: null, closes: 60 },
       needs: ['takePicture'],
+      tasks: [
+        { type: 'servo', output: 9, pulse: 1900 },
+        { type: 'photo' },
+        { type: 'readSensors', seconds: 5 },
+      ],
     });
+    expect(Object.keys(first ?? {})).not.toContain('tasks');
+    expect(whyNotAsked({ ...wants, pulse: null }, 2)).toBe(
+      'The servo of waypoint 2 needs an output from 1 to 32 and 500 to 2500 µs.',
+    );
+    expect(whyNotAsked({ ...wants, sensors: 0 }, 2)).toBe(
+      'Sensors are read for 1 to 3600 seconds at waypoint 2.',
+    );
     expect(whyNotAsked({ ...wants, opens: 61 }, 2)).toBe('Waypoint 2 ends before it begins.');
     expect(whyNotWished({ seconds: 5, windSpeed: 4, windFrom: null })).toBe('Say where the wind comes from.');
     expect(whyNotWished({ seconds: 61, windSpeed: null, windFrom: null })).toBe(

@@ -3,12 +3,15 @@ package org.dronemap.cognitive.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.mission.WaypointTask;
 
 /** Writes a tour as the mission that its drone carries: all heights above sea level, but the take-off's. */
 public final class MissionWriter {
@@ -18,8 +21,12 @@ public final class MissionWriter {
     private final Craft craft;
     private final boolean landsAnywhere;
 
-    public MissionWriter(Craft craft, VehicleKind kind) {
+    private final Function<String, Task> tasks;
+
+    /** {@code tasks}: what is done at the waypoint with that id. */
+    public MissionWriter(Craft craft, VehicleKind kind, Function<String, Task> tasks) {
         this.craft = craft;
+        this.tasks = tasks;
         // An aeroplane needs its own way of coming down.
         this.landsAnywhere = kind != VehicleKind.FIXED_WING;
     }
@@ -28,9 +35,11 @@ public final class MissionWriter {
      * A tour as a mission, which may have more items than one can hold.
      *
      * @param arrivals for each stop of the tour the number of the item, from 0, that is behind the drone when it is done
+     * @param tasks which items do what of the waypoints' tasks
      */
-    public record Written(List<MissionItem> items, List<Integer> arrivals) {
+    public record Written(List<MissionItem> items, List<Integer> arrivals, List<TaskItem> tasks) {
         public Written {
+            tasks = List.copyOf(tasks);
             items = List.copyOf(items);
             arrivals = List.copyOf(arrivals);
         }
@@ -56,6 +65,7 @@ public final class MissionWriter {
     public Written write(Tour tour) {
         List<MissionItem> items = new ArrayList<>();
         List<Integer> arrivals = new ArrayList<>();
+        List<TaskItem> done = new ArrayList<>();
         List<Way> ways = tour.ways();
         for (int number = 0; number < ways.size(); number++) {
             boolean last = number == ways.size() - 1;
@@ -64,16 +74,61 @@ public final class MissionWriter {
             int end = last && craft.lands() ? fixes.size() - 1 : fixes.size();
             for (int i = begin; i < end; i++) {
                 boolean arrives = !last && i == fixes.size() - 1;
-                items.add(waypoint(fixes.get(i).place(), arrives ? hold(tour, number) : 0));
+                boolean stays = arrives && parts(tour, number).isEmpty();
+                items.add(waypoint(fixes.get(i).place(), stays ? hold(tour, number) : 0));
             }
             if (!last) {
-                arrivals.add(items.size() - 1);
+                arrivals.add(arrive(items, done, tour, number));
             }
         }
         if (craft.lands()) {
             items.add(landsAnywhere ? new MissionItem.Land() : new MissionItem.ReturnToLaunch());
         }
-        return new Written(items, arrivals);
+        return new Written(items, arrivals, done);
+    }
+
+    private List<WaypointTask> parts(Tour tour, int stop) {
+        return tasks.apply(tour.stops().get(stop).waypoint()).parts();
+    }
+
+    /**
+     * What is done there, and the number of the item after which all is: a vehicle sets off as soon as it was told, so that
+     * it is made to wait after each.
+     */
+    private int arrive(List<MissionItem> items, List<TaskItem> done, Tour tour, int stop) {
+        List<WaypointTask> parts = parts(tour, stop);
+        double rest = hold(tour, stop);
+        boolean looks = false;
+        for (int part = 0; part < parts.size(); part++) {
+            WaypointTask task = parts.get(part);
+            looks |= task instanceof WaypointTask.Look;
+            order(task).ifPresent(items::add);
+            boolean last = part == parts.size() - 1;
+            double seconds = last ? Math.max(rest, task.seconds()) : task.seconds();
+            rest -= seconds;
+            items.add(new MissionItem.Wait(seconds));
+            boolean sensors = task instanceof WaypointTask.Sensors;
+            int item = sensors ? items.size() - 1 : items.size() - 2;
+            done.add(new TaskItem(item, tour.stops().get(stop).waypoint(), part));
+        }
+        int arrival = items.size() - 1;
+        if (looks) {
+            items.add(new MissionItem.LookAhead());
+        }
+        return arrival;
+    }
+
+    private static Optional<MissionItem> order(WaypointTask task) {
+        if (task instanceof WaypointTask.Photo) {
+            return Optional.of(new MissionItem.TakePhoto());
+        }
+        if (task instanceof WaypointTask.Servo servo) {
+            return Optional.of(new MissionItem.SetServo(servo.output(), servo.pulseMicros()));
+        }
+        return task instanceof WaypointTask.Look look
+                ? Optional.of(new MissionItem.LookAt(
+                        look.point(), new Altitude(look.altitudeAmslMeters(), Altitude.Reference.AMSL)))
+                : Optional.empty();
     }
 
     /** With which fix it goes on after a take-off. */

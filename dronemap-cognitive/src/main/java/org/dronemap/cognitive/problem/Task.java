@@ -1,9 +1,17 @@
 package org.dronemap.cognitive.problem;
 
+import java.util.List;
 import java.util.Set;
+import org.dronemap.core.mission.WaypointTask;
 
-/** What is done at a waypoint: how long a drone stays for it, and what it must be able to do. */
-public record Task(double serviceSeconds, Set<Skill> needs) {
+/**
+ * What is done at a waypoint.
+ *
+ * @param serviceSeconds how long a drone stays for all of it
+ * @param needs what it must be able to do
+ * @param parts what is done there, in order
+ */
+public record Task(double serviceSeconds, Set<Skill> needs, List<WaypointTask> parts) {
     public static final Task FLY_THROUGH = new Task(0, Set.of());
 
     private static final double LONGEST_SECONDS = 86_400;
@@ -11,5 +19,15 @@ public record Task(double serviceSeconds, Set<Skill> needs) {
     public Task {
         Require.within("serviceSeconds", serviceSeconds, 0, LONGEST_SECONDS);
         needs = Set.copyOf(needs);
+        parts = List.copyOf(parts);
+        double least = parts.stream().mapToDouble(WaypointTask::seconds).sum();
+        if (serviceSeconds < least) {
+            throw new IllegalArgumentException("its parts take " + least + " s, and it has " + serviceSeconds);
+        }
+    }
+
+    /** With nothing to do there but to stay. */
+    public Task(double serviceSeconds, Set<Skill> needs) {
+        this(serviceSeconds, needs, List.of());
     }
 }

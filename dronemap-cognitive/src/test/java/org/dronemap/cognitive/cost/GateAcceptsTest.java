@@ -29,6 +29,7 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
@@ -166,6 +167,7 @@ class GateAcceptsTest {
                 null,
                 null,
                 new Home(home, GROUND),
+                Payload.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),
                 NOW,

@@ -23,6 +23,7 @@ import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.OnBoard;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Sensed;
 import org.dronemap.core.drone.Severity;
@@ -63,6 +64,7 @@ final class Drone {
     private @Nullable Battery battery;
     private @Nullable Gps gps;
     private @Nullable Home home;
+    private Payload payload = Payload.UNKNOWN;
     private long version;
     private volatile DroneState state;
     private volatile OnBoard onBoard = OnBoard.UNKNOWN;
@@ -200,6 +202,8 @@ final class Drone {
             phase = e.phase();
         } else if (event instanceof DroneEvent.HomeHeard e) {
             home = e.home();
+        } else if (event instanceof DroneEvent.PayloadHeard e) {
+            payload = applied(e);
         } else if (event instanceof DroneEvent.OnBoardHeard e) {
             onBoard = applied(e);
         } else if (event instanceof DroneEvent.SensedHeard e) {
@@ -208,6 +212,18 @@ final class Drone {
             mission.apply(event).ifPresent(sentence -> addText(Severity.WARNING, sentence));
             progress = mission.progress();
         }
+    }
+
+    private Payload applied(DroneEvent.PayloadHeard event) {
+        if (event instanceof DroneEvent.PhotoHeard e) {
+            return payload.with(new Payload.Photo(e.number(), clock.instant(), e.point()));
+        }
+        if (event instanceof DroneEvent.OutputsHeard e) {
+            return payload.withOutputs(e.pulsesMicros());
+        }
+        return event instanceof DroneEvent.ReadingHeard e
+                ? payload.with(new Payload.Reading(e.name(), e.value(), clock.instant()))
+                : payload;
     }
 
     private OnBoard applied(DroneEvent.OnBoardHeard event) {
@@ -276,6 +292,7 @@ final class Drone {
                 battery,
                 gps,
                 home,
+                payload,
                 progress,
                 told,
                 clock.instant(),

@@ -32,6 +32,7 @@ public record DroneState(
         @Nullable Battery battery,
         @Nullable Gps gps,
         @Nullable Home home,
+        Payload payload,
         MissionProgress mission,
         List<TextMessage> messages,
         Instant lastUpdate,

@@ -17,6 +17,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.RangeScan;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.VehicleLog;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
@@ -72,6 +73,22 @@ public sealed interface DroneEvent {
             this(items, null, asUploaded);
         }
     }
+
+    /** Of what the vehicle carries. */
+    sealed interface PayloadHeard extends DroneEvent {}
+
+    /** A picture was taken; {@code number} by the vehicle's count, {@code point} null when it did not say where. */
+    record PhotoHeard(int number, @Nullable Geodetic point) implements PayloadHeard {}
+
+    /** Pulses of its outputs from 1 on, in microseconds; 0: none. */
+    record OutputsHeard(List<Integer> pulsesMicros) implements PayloadHeard {
+        public OutputsHeard {
+            pulsesMicros = List.copyOf(pulsesMicros);
+        }
+    }
+
+    /** A sensor's number. */
+    record ReadingHeard(String name, double value) implements PayloadHeard {}
 
     /** Of what the vehicle keeps on board beside its mission. */
     sealed interface OnBoardHeard extends DroneEvent {}

@@ -14,6 +14,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
@@ -116,6 +117,7 @@ final class StateScript {
                 battery,
                 null,
                 null,
+                Payload.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 told,
                 now,

@@ -21,6 +21,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
@@ -112,6 +113,7 @@ final class VirtualFixtures {
                     new Battery(percent, null, null),
                     null,
                     new Home(stand, 450),
+                    Payload.UNKNOWN,
                     mission,
                     List.of(),
                     NOW,

@@ -17,6 +17,7 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
@@ -91,6 +92,7 @@ final class ZoneFixtures {
                 null,
                 null,
                 new Home(HOME, 450),
+                Payload.UNKNOWN,
                 mission,
                 List.of(),
                 NOW,

@@ -17,6 +17,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
@@ -64,6 +65,7 @@ final class BenchFleet {
                 new Battery(100 - (int) (round / 600) % 100, 12.6 - wave, 14.5),
                 new Gps(GpsFix.THREE_D, 14, 0.8),
                 null,
+                Payload.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),
                 at,

@@ -2,17 +2,20 @@ package org.dronemap.ws.service;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.dronemap.cognitive.plan.MissionWriter;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.drone.VehicleKind;
 
 /** Tours as the missions that clients see and commands carry. */
 final class PlanMissions {
     private final MissionWriter writer;
 
-    PlanMissions(Craft craft, VehicleKind kind) {
-        this.writer = new MissionWriter(craft, kind);
+    /** {@code tasks}: what is done at the waypoint with that id. */
+    PlanMissions(Craft craft, VehicleKind kind, Function<String, Task> tasks) {
+        this.writer = new MissionWriter(craft, kind, tasks);
     }
 
     /** Why no drone can carry it, as a sentence. */

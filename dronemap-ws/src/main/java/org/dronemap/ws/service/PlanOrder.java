@@ -8,6 +8,8 @@ import org.dronemap.cognitive.engine.Planned;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Problem;
+import org.dronemap.cognitive.problem.Task;
+import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 
@@ -35,7 +37,15 @@ record PlanOrder(Problem problem, List<DroneState> drones, Duration search, long
         Optional<Craft> craft =
                 problem.crafts().stream().filter(one -> one.id().equals(id)).findFirst();
         return craft.flatMap(one -> drone(id)
-                .map(drone -> new PlanMissions(one, drone.identification().kind())));
+                .map(drone -> new PlanMissions(one, drone.identification().kind(), this::task)));
+    }
+
+    private Task task(String waypoint) {
+        return problem.waypoints().stream()
+                .filter(one -> one.id().equals(waypoint))
+                .findFirst()
+                .map(Waypoint::task)
+                .orElse(Task.FLY_THROUGH);
     }
 
     /** Why that plan must not be flown: what its checker says, and what no mission can hold. */

@@ -54,12 +54,49 @@ public record PlanRequest(
             WindowRequest window,
 
             @Schema(description = "What a drone must be able to do for it, such as takePicture") @Nullable
-            List<@Nullable String> needs) {
+            List<@Nullable String> needs,
+
+            @Schema(description = "What is done there, in order; up to 10") @Nullable
+            List<@Nullable TaskRequest> tasks) {
         WaypointRequest called(String name) {
             return new WaypointRequest(
-                    name, latitude, longitude, altitude, altitudeReference, holdSeconds, priority, window, needs);
+                    name,
+                    latitude,
+                    longitude,
+                    altitude,
+                    altitudeReference,
+                    holdSeconds,
+                    priority,
+                    window,
+                    needs,
+                    tasks);
         }
     }
+
+    /** Something that is done at a waypoint. */
+    @Schema(description = "Something that is done at a waypoint; which members count depends on the type.")
+    public record TaskRequest(
+            @Schema(description = "photo, servo, lookAt or readSensors", requiredMode = Schema.RequiredMode.REQUIRED)
+            @Nullable
+            String type,
+
+            @Schema(description = "servo: which output, 1 to 32") @Nullable
+            Integer output,
+
+            @Schema(description = "servo: length of its pulses in microseconds, 500 to 2500") @Nullable
+            Integer pulse,
+
+            @Schema(description = "lookAt: degrees") @Nullable
+            Double latitude,
+
+            @Schema(description = "lookAt: degrees") @Nullable
+            Double longitude,
+
+            @Schema(description = "lookAt: metres; as of what is said by the waypoint's altitudeReference") @Nullable
+            Double altitude,
+
+            @Schema(description = "readSensors: for how long, 1 to 3600; left out: 5") @Nullable
+            Double seconds) {}
 
     /** A span on the plan's clock. */
     @Schema(description = "Seconds after the start of the plan.")

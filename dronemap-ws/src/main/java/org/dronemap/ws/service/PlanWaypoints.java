@@ -15,6 +15,7 @@ import org.dronemap.cognitive.problem.Window;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.WaypointTask;
 import org.jspecify.annotations.Nullable;
 
 /** Turns the waypoints that a client wrote into those of a problem, or says which member of which one is wrong. */
@@ -66,13 +67,26 @@ final class PlanWaypoints {
         Geodetic point = new Geodetic(
                 Ranges.latitude(at + "latitude", asked.latitude()),
                 Ranges.longitude(at + "longitude", asked.longitude()));
-        Double hold = asked.holdSeconds();
         return new Waypoint(
                 id(at, asked.id(), number),
                 new Place(point, amslMeters(at, asked.altitude(), asked.altitudeReference())),
-                new Task(hold == null ? 0 : Ranges.holdSeconds(at + "holdSeconds", hold), needs(at, asked.needs())),
+                task(at, asked),
                 priority(at, asked.priority()),
                 window(at + "window.", asked.window()));
+    }
+
+    /** What is waited beside comes after all that is done. */
+    private Task task(String at, PlanRequest.WaypointRequest asked) {
+        Double hold = asked.holdSeconds();
+        double seconds = hold == null ? 0 : Ranges.holdSeconds(at + "holdSeconds", hold);
+        Set<Skill> needs = new HashSet<>(needs(at, asked.needs()));
+        List<WaypointTask> parts = new PlanTasks(meters -> amslMeters(at, meters, asked.altitudeReference()))
+                .read(at + "tasks", asked.tasks());
+        if (parts.stream().anyMatch(WaypointTask.Photo.class::isInstance)) {
+            needs.add(Skill.of(Capability.TAKE_PICTURE));
+        }
+        return new Task(
+                seconds + parts.stream().mapToDouble(WaypointTask::seconds).sum(), needs, parts);
     }
 
     private static String id(String at, @Nullable String given, int number) {

@@ -100,7 +100,34 @@ public record RunView(
             @Schema(description = "When it is to be visited") @Nullable
             Instant due,
 
-            List<VisitView> visits) {}
+            List<VisitView> visits,
+
+            @Schema(description = "What is done there, and what became of it")
+            List<TaskView> tasks) {}
+
+    /** One task of a waypoint. */
+    @Schema(name = "RunTaskView")
+    public record TaskView(
+            @Schema(description = "photo, servo, lookAt or readSensors")
+            String type,
+
+            @Schema(
+                    description =
+                            "open, underWay, done, notKnown: a drone was told to and nothing shows what came of it; or"
+                                    + " notAvailable: nothing of the kind is told by it")
+            String result,
+
+            @Schema(description = "Who did it, or was told to") @Nullable
+            String drone,
+
+            @Schema(description = "When that was learned") @Nullable
+            Instant at,
+
+            @Schema(description = "The number of the photo, by the drone's own count") @Nullable
+            Integer photo,
+
+            @Schema(description = "What came of it, as a sentence") @Nullable
+            String words) {}
 
     /** When it was learned that a drone had visited. */
     public record VisitView(String drone, Instant at) {}

@@ -2,6 +2,7 @@ package org.dronemap.ws.service;
 
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.operation.run.Explanation;
 import org.dronemap.cognitive.operation.run.Proposal;
@@ -14,6 +15,7 @@ import org.dronemap.cognitive.replan.Moved;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.conduct.Operations.Picture;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.WaypointTask;
 import org.dronemap.core.operation.SavedOperation;
 import org.jspecify.annotations.Nullable;
 
@@ -82,7 +84,37 @@ public final class RunViews {
                 state.due(target).map(RunViews::millis).orElse(null),
                 target.visits().stream()
                         .map(visit -> new RunView.VisitView(visit.drone().value(), millis(visit.at())))
-                        .toList());
+                        .toList(),
+                tasks(target));
+    }
+
+    private static List<RunView.TaskView> tasks(Target target) {
+        List<WaypointTask> parts = target.waypoint().task().parts();
+        List<RunView.TaskView> tasks = new ArrayList<>();
+        for (int part = 0; part < parts.size(); part++) {
+            Target.Report report = target.report(part).orElse(null);
+            tasks.add(
+                    report == null
+                            ? new RunView.TaskView(type(parts.get(part)), "open", null, null, null, null)
+                            : new RunView.TaskView(
+                                    type(parts.get(part)),
+                                    WireNames.camel(report.result()),
+                                    report.drone().value(),
+                                    millis(report.at()),
+                                    report.photo(),
+                                    report.words()));
+        }
+        return tasks;
+    }
+
+    private static String type(WaypointTask task) {
+        if (task instanceof WaypointTask.Photo) {
+            return "photo";
+        }
+        if (task instanceof WaypointTask.Servo) {
+            return "servo";
+        }
+        return task instanceof WaypointTask.Look ? "lookAt" : "readSensors";
     }
 
     private static RunView.ProposalView proposal(Proposal proposal) {

@@ -3,6 +3,8 @@ package org.dronemap.ws.soap;
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
 import jakarta.xml.bind.annotation.XmlType;
+import java.util.ArrayList;
+import java.util.List;
 import org.dronemap.ws.service.RunView;
 import org.jspecify.annotations.Nullable;
 
@@ -12,12 +14,13 @@ import org.jspecify.annotations.Nullable;
 @XmlType(
         name = "runWaypoint",
         namespace = Namespace.URI,
-        propOrder = {"waypoint", "state", "droneId", "why"})
+        propOrder = {"waypoint", "state", "droneId", "why", "task"})
 public class SoapRunWaypoint {
     private String waypoint = "";
     private String state = "";
     private @Nullable String droneId;
     private @Nullable String why;
+    private List<SoapRunTask> task = new ArrayList<>();
 
     static SoapRunWaypoint of(RunView.WaypointView view) {
         SoapRunWaypoint waypoint = new SoapRunWaypoint();
@@ -25,6 +28,8 @@ public class SoapRunWaypoint {
         waypoint.state = view.state();
         waypoint.droneId = view.drone();
         waypoint.why = view.why();
+        waypoint.task =
+                new ArrayList<>(view.tasks().stream().map(SoapRunTask::of).toList());
         return waypoint;
     }
 

@@ -23,7 +23,8 @@ import org.jspecify.annotations.Nullable;
             "priority",
             "opensSeconds",
             "closesSeconds",
-            "need"
+            "need",
+            "task"
         })
 public class SoapVisit {
     private @Nullable String id;
@@ -36,6 +37,7 @@ public class SoapVisit {
     private @Nullable Double opensSeconds;
     private @Nullable Double closesSeconds;
     private List<String> need = new ArrayList<>();
+    private List<SoapTask> task = new ArrayList<>();
 
     PlanRequest.WaypointRequest request() {
         return new PlanRequest.WaypointRequest(
@@ -49,7 +51,8 @@ public class SoapVisit {
                 opensSeconds == null && closesSeconds == null
                         ? null
                         : new PlanRequest.WindowRequest(opensSeconds, closesSeconds),
-                need.isEmpty() ? null : List.copyOf(need));
+                need.isEmpty() ? null : List.copyOf(need),
+                task.isEmpty() ? null : task.stream().map(SoapTask::request).toList());
     }
 
     /** For callers in Java. */

@@ -10,6 +10,7 @@ import org.dronemap.cognitive.plan.Way;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
@@ -23,7 +24,7 @@ class PlanMissionsTest {
 
     private static PlanMissions missions(VehicleKind kind) {
         Craft craft = Craft.atHome(new DroneId("d1"), new Place(HOME, HOME_METERS), Performance.of(kind));
-        return new PlanMissions(craft, kind);
+        return new PlanMissions(craft, kind, waypoint -> Task.FLY_THROUGH);
     }
 
     private static Fix fix(Geodetic point, double meters, double seconds) {

@@ -63,7 +63,7 @@ final class Applying {
         return request.crafts().stream()
                 .flatMap(craft -> tour(result.plan(), craft)
                         .flatMap(tour -> new MissionWriter(
-                                        craft, draft.drone(craft.id()).kin().kind())
+                                        craft, draft.drone(craft.id()).kin().kind(), draft::task)
                                 .fault(tour))
                         .stream())
                 .findFirst();

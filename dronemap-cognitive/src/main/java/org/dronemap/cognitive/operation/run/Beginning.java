@@ -10,6 +10,7 @@ import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.plan.Unserved;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 
@@ -56,6 +57,8 @@ final class Beginning {
                 order.members().stream().collect(Collectors.toMap(RunOrder.Member::drone, Function.identity()));
         Map<DroneId, Tour> tours =
                 order.plan().tours().stream().collect(Collectors.toMap(Tour::drone, Function.identity()));
+        Map<String, Task> tasks =
+                order.problem().waypoints().stream().collect(Collectors.toMap(Waypoint::id, Waypoint::task));
         List<RunDrone> drones = new ArrayList<>();
         for (Craft craft : order.problem().crafts()) {
             RunOrder.Member member = members.get(craft.id());
@@ -64,13 +67,16 @@ final class Beginning {
             }
             RunDrone joining = RunDrone.joining(new RunDrone.Kin(craft, member.name(), member.kind()), order.at());
             Tour tour = tours.get(craft.id());
-            drones.add(tour == null || tour.stops().isEmpty() ? joining : flying(joining, tour, drones.size() + 1));
+            drones.add(
+                    tour == null || tour.stops().isEmpty()
+                            ? joining
+                            : flying(joining, tour, drones.size() + 1, tasks::get));
         }
         return drones;
     }
 
-    private static RunDrone flying(RunDrone drone, Tour tour, int number) {
-        return drone.getting(Sortie.of(number, drone.kin(), tour, drone.since()))
+    private static RunDrone flying(RunDrone drone, Tour tour, int number, Function<String, Task> tasks) {
+        return drone.getting(Sortie.of(number, drone.kin(), tour, drone.since(), tasks))
                 .ordered(tour.stops().stream().map(Stop::waypoint).toList())
                 .to(DroneStage.UPLOADING, drone.since());
     }

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -128,6 +129,10 @@ final class Draft {
 
     Target target(String id) {
         return Objects.requireNonNull(targets.get(id), () -> "no waypoint " + id);
+    }
+
+    Task task(String waypoint) {
+        return target(waypoint).waypoint().task();
     }
 
     void put(Target target) {

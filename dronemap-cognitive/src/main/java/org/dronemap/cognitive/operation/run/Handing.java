@@ -22,7 +22,8 @@ final class Handing {
         if (tour == null || (!up && tour.stops().isEmpty())) {
             return idle(draft, drone);
         }
-        Sortie next = Sortie.of(draft.tally().sortie(), drone.kin().with(craft), tour, request.at());
+        Sortie whole = Sortie.of(draft.tally().sortie(), drone.kin().with(craft), tour, request.at(), draft::task);
+        Sortie next = TaskReports.sparing(draft, whole);
         return up ? inTheAir(draft, drone, next) : onTheGround(draft, drone, next);
     }
 
@@ -51,9 +52,7 @@ final class Handing {
         boolean flies = drone.stage() == DroneStage.FLYING
                 || drone.stage() == DroneStage.STARTING
                 || (drone.stage() == DroneStage.HOLDING && drone.signs().yields() != null);
-        if (flies
-                && sortie != null
-                && isSame(ahead(sortie, drone.passed()), next.mission().items())) {
+        if (flies && sortie != null && isSame(draft, sortie, Legs.first(sortie, drone.passed()), next)) {
             draft.put(drone.flying(sortie.retimed(next.tour(), next.zero(), drone.passed()), drone.passed())
                     .getting(null));
             return false;
@@ -62,10 +61,29 @@ final class Handing {
         return true;
     }
 
-    private static List<MissionItem> ahead(Sortie sortie, int passed) {
-        List<MissionItem> items = sortie.mission().items();
-        boolean climbs = passed == 0 && items.get(0) instanceof MissionItem.TakeOff;
-        return items.subList(Math.min(climbs ? 1 : passed, items.size()), items.size());
+    /** From that item on, with the same still to be done at the same waypoints. */
+    private static boolean isSame(Draft draft, Sortie had, int from, Sortie gets) {
+        List<MissionItem> items = had.mission().items();
+        boolean climbs = from == 0 && items.get(0) instanceof MissionItem.TakeOff;
+        int first = Math.min(climbs ? 1 : from, items.size());
+        List<Part> left = parts(draft, had, first);
+        return left.equals(parts(draft, gets, 0))
+                && isSame(
+                        ways(items.subList(first, items.size())),
+                        ways(gets.mission().items()));
+    }
+
+    private record Part(String waypoint, int part) {}
+
+    private static List<Part> parts(Draft draft, Sortie sortie, int first) {
+        return sortie.tasks().stream()
+                .filter(task -> task.item() >= first && !TaskReports.isSpared(draft, task))
+                .map(task -> new Part(task.waypoint(), task.part()))
+                .toList();
+    }
+
+    private static List<MissionItem> ways(List<MissionItem> items) {
+        return items.stream().filter(Legs::isFlown).toList();
     }
 
     /** The same way; how long it waits on it is not compared, since where it is in time is not what it was. */

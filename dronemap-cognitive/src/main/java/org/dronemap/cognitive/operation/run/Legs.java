@@ -9,6 +9,7 @@ import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
 
 /** Where a mission leads from where a drone is. */
 final class Legs {
@@ -30,39 +31,79 @@ final class Legs {
         return new Place(waypoint.point(), waypoint.altitude().meters());
     }
 
+    /** Not just done, or waited for, where a drone has come to. */
+    static boolean isFlown(MissionItem item) {
+        return !(item instanceof MissionItem.Wait || item instanceof MissionItem.Action);
+    }
+
     /** How long it waits where it is or where it flies to, in s. */
     static double hold(Sortie sortie, int passed) {
         List<MissionItem> items = sortie.mission().items();
-        return passed < items.size() && items.get(passed) instanceof MissionItem.Waypoint waypoint
-                ? waypoint.holdSeconds()
-                : 0;
+        double seconds = 0;
+        for (int item = passed; item < items.size() && (item == passed || !isFlown(items.get(item))); item++) {
+            if (items.get(item) instanceof MissionItem.Waypoint waypoint) {
+                seconds += waypoint.holdSeconds();
+            } else if (items.get(item) instanceof MissionItem.Wait wait) {
+                seconds += wait.seconds();
+            }
+        }
+        return seconds;
+    }
+
+    /** The item that it is on: of those that belong to the place where it stands, that place. */
+    static int first(Sortie sortie, int passed) {
+        List<MissionItem> items = sortie.mission().items();
+        Leg leg = leg(items, passed);
+        if (leg == null || !leg.stands()) {
+            return passed;
+        }
+        int place = passed - 1;
+        while (!isFlown(items.get(place))) {
+            place--;
+        }
+        return place;
+    }
+
+    /** From a place to the next, or to itself while the drone stands there. */
+    private record Leg(MissionItem.Waypoint from, MissionItem.Waypoint to, boolean stands) {}
+
+    private static @Nullable Leg leg(List<MissionItem> items, int passed) {
+        int before = Math.min(passed, items.size()) - 1;
+        while (before >= 0 && !isFlown(items.get(before))) {
+            before--;
+        }
+        if (before < 0 || !(items.get(before) instanceof MissionItem.Waypoint from)) {
+            return null;
+        }
+        int next = passed;
+        while (next < items.size() && items.get(next) instanceof MissionItem.Action) {
+            next++;
+        }
+        if (next < items.size() && items.get(next) instanceof MissionItem.Wait) {
+            return new Leg(from, from, true);
+        }
+        return next < items.size() && items.get(next) instanceof MissionItem.Waypoint to
+                ? new Leg(from, to, false)
+                : null;
     }
 
     /** Of the present leg; nothing is too low on the way down. */
     static double lowest(Sortie sortie, int passed) {
-        List<MissionItem> items = sortie.mission().items();
-        boolean between = passed >= 1
-                && passed < items.size()
-                && items.get(passed - 1) instanceof MissionItem.Waypoint
-                && items.get(passed) instanceof MissionItem.Waypoint;
-        return between
-                ? Math.min(
-                        place((MissionItem.Waypoint) items.get(passed - 1)).altitudeAmslMeters(),
-                        place((MissionItem.Waypoint) items.get(passed)).altitudeAmslMeters())
-                : Double.NEGATIVE_INFINITY;
+        Leg leg = leg(sortie.mission().items(), passed);
+        return leg == null
+                ? Double.NEGATIVE_INFINITY
+                : Math.min(
+                        place(leg.from()).altitudeAmslMeters(), place(leg.to()).altitudeAmslMeters());
     }
 
     /** How far from the straight line of the present leg, in m; 0 where there is none. */
     static double offMeters(Sortie sortie, int passed, Place at) {
-        List<MissionItem> items = sortie.mission().items();
-        if (passed < 1
-                || passed >= items.size()
-                || !(items.get(passed - 1) instanceof MissionItem.Waypoint from)
-                || !(items.get(passed) instanceof MissionItem.Waypoint to)) {
+        Leg leg = leg(sortie.mission().items(), passed);
+        if (leg == null) {
             return 0;
         }
-        LocalPlane plane = new LocalPlane(from.point());
-        Spot end = plane.spot(to.point());
+        LocalPlane plane = new LocalPlane(leg.from().point());
+        Spot end = plane.spot(leg.to().point());
         Spot here = plane.spot(at.point());
         double length = Math.hypot(end.eastMeters(), end.northMeters());
         double along = length == 0

@@ -5,6 +5,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Payload;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,6 +20,7 @@ import org.jspecify.annotations.Nullable;
  * @param climb m/s, positive upwards
  * @param tiltDegrees how far it leans
  * @param canGoTo whether it goes to a place that it is told
+ * @param payload what it says of camera, servos and sensors; nothing where no task is to be seen to
  * @param canReturn whether it knows a way home of its own, else it is told to land
  */
 public record Look(
@@ -41,7 +43,8 @@ public record Look(
         @Nullable Integer batteryPercent,
         boolean canGoTo,
         boolean canReturn,
-        Progress progress) {
+        Progress progress,
+        Payload payload) {
     /**
      * How far it is with its mission.
      *

@@ -13,6 +13,11 @@ final class Reckoning {
         if (sortie == null || !tells || !(counts(drone) || isFlownToItsEnd(drone, look))) {
             return;
         }
+        pass(draft, drone, look, sortie);
+        TaskReports.reckon(draft, draft.drone(look.drone()), look);
+    }
+
+    private static void pass(Draft draft, RunDrone drone, Look look, Sortie sortie) {
         int items = sortie.mission().items().size();
         int passed = look.progress().complete()
                 ? items

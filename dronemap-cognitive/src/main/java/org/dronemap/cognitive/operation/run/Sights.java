@@ -14,6 +14,7 @@ import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionComparison;
@@ -60,7 +61,12 @@ final class Sights {
                 battery == null ? null : battery.percent(),
                 can.commands().contains(Capability.GO_TO),
                 can.commands().contains(Capability.RETURN_TO_LAUNCH),
-                progress(drone, state));
+                progress(drone, state),
+                payload(drone.sortie(), state));
+    }
+
+    private static Payload payload(@Nullable Sortie sortie, DroneState state) {
+        return sortie == null || sortie.tasks().isEmpty() ? Payload.UNKNOWN : state.payload();
     }
 
     /** The mode in which it can be armed; empty when it is in one. */

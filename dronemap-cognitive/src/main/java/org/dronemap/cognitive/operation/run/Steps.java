@@ -66,6 +66,8 @@ final class Steps {
         Sortie next = drone.next();
         if (next == null) {
             draft.put(drone.to(drone.sortie() == null ? DroneStage.LANDED : DroneStage.READY, draft.now()));
+        } else if (TaskReports.spare(draft, drone, next)) {
+            return;
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
             draft.put(onBoard(drone, next).to(DroneStage.READY, draft.now()));
         } else if (Transfer.isFree(draft, drone, next)) {
@@ -177,6 +179,8 @@ final class Steps {
             pause(draft, drone.to(DroneStage.HOLDING, draft.now()));
         } else if (next == null) {
             draft.put(drone.to(DroneStage.HOLDING, draft.now()));
+        } else if (TaskReports.spare(draft, drone, next) || TaskReports.mayTellYet(draft, drone, look)) {
+            return;
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
             draft.put(onBoard(drone, next).to(DroneStage.CONTINUING, draft.now()));
         } else if (!Transfer.isFree(draft, drone, next)) {

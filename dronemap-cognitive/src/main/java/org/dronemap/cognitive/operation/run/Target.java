@@ -2,7 +2,9 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
@@ -14,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param visits the first is the one that counts; a further one only by a drone that was out of contact
  * @param reason why nobody visits it, as a sentence; null: somebody will, or did
  * @param leftOut for that reason the newest plan has nobody for it; the next one tries again
+ * @param reports what became of the parts of its task; of those that nobody was seen to begin there is none
  */
 public record Target(
         Waypoint waypoint,
@@ -21,7 +24,8 @@ public record Target(
         @Nullable DroneId drone,
         List<Visit> visits,
         @Nullable String reason,
-        boolean leftOut) {
+        boolean leftOut,
+        List<Report> reports) {
     /** How it stands with a waypoint. */
     public enum State {
         /** Nobody's yet. */
@@ -42,12 +46,38 @@ public record Target(
     /** {@code at}: when that was learned. */
     public record Visit(DroneId drone, Instant at) {}
 
+    /**
+     * What became of one part of the task.
+     *
+     * @param at when it was learned
+     * @param photo the number of the picture that it came to
+     * @param words a sentence
+     */
+    public record Report(
+            int part,
+            DroneId drone,
+            Result result,
+            Instant at,
+            @Nullable Integer photo,
+            String words) {
+        /** How it went. */
+        public enum Result {
+            UNDER_WAY,
+            DONE,
+            /** The drone was told, and nothing shows what came of it. */
+            NOT_KNOWN,
+            /** Nothing of the kind is told by the drone. */
+            NOT_AVAILABLE
+        }
+    }
+
     public Target {
+        reports = List.copyOf(reports);
         visits = List.copyOf(visits);
     }
 
     static Target waiting(Waypoint waypoint) {
-        return new Target(waypoint, State.WAITING, null, List.of(), null, false);
+        return new Target(waypoint, State.WAITING, null, List.of(), null, false, List.of());
     }
 
     public String id() {
@@ -59,15 +89,29 @@ public record Target(
     }
 
     Target to(State next, @Nullable DroneId whose, @Nullable String why) {
-        return new Target(waypoint, next, whose, visits, why, false);
+        return new Target(waypoint, next, whose, visits, why, false, reports);
     }
 
     Target leftOut(@Nullable String why) {
-        return new Target(waypoint, State.WAITING, null, visits, why, true);
+        return new Target(waypoint, State.WAITING, null, visits, why, true, reports);
     }
 
+    public Optional<Report> report(int part) {
+        return reports.stream().filter(report -> report.part() == part).findFirst();
+    }
+
+    /** In the place of what was reported of that part before. */
+    Target with(Report newer) {
+        List<Report> all = new ArrayList<>(
+                reports.stream().filter(report -> report.part() != newer.part()).toList());
+        all.add(newer);
+        all.sort(Comparator.comparingInt(Report::part));
+        return new Target(waypoint, state, drone, visits, reason, leftOut, all);
+    }
+
+    /** Somewhere else, where nothing was done yet. */
     Target with(Waypoint other) {
-        return new Target(other, state, drone, visits, leftOut ? null : reason, false);
+        return new Target(other, state, drone, visits, leftOut ? null : reason, false, List.of());
     }
 
     /** Whoever it is: the same drone does not count twice. */
@@ -77,6 +121,6 @@ public record Target(
         }
         List<Visit> all = new ArrayList<>(visits);
         all.add(new Visit(by, at));
-        return new Target(waypoint, State.VISITED, null, all, null, false);
+        return new Target(waypoint, State.VISITED, null, all, null, false, reports);
     }
 }

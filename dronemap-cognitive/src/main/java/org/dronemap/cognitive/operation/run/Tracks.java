@@ -158,7 +158,9 @@ final class Tracks {
                 } else if (item instanceof MissionItem.TakeOff takeOff) {
                     double top = drone.craft().homeAmslMeters() + takeOff.altitudeMeters();
                     walk.to(new At(walk.last().spot(), top));
-                } else {
+                } else if (item instanceof MissionItem.Wait wait) {
+                    walk.waitFor(wait.seconds());
+                } else if (Legs.isFlown(item)) {
                     walk.down(drone.craft().homeAmslMeters());
                 }
             }

@@ -2,9 +2,12 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeSet;
 import org.dronemap.cognitive.Scenes;
 import org.dronemap.core.command.CloudLoss;
@@ -26,9 +29,11 @@ import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.MissionItem;
@@ -95,6 +100,14 @@ final class TestVehicle {
     double stillFor;
     /** Places that it came to by its missions, with the moment. */
     final List<MissionItem.Waypoint> visits = new ArrayList<>();
+
+    final List<Geodetic> photos = new ArrayList<>();
+    final List<MissionItem.SetServo> moved = new ArrayList<>();
+    private final Map<Integer, Instant> photoHeard = new HashMap<>();
+    boolean tellsPhotos = true;
+
+    @Nullable
+    Double reading;
 
     TestVehicle(int number, double east, double north) {
         this.id = new DroneId("d" + number);
@@ -197,6 +210,12 @@ final class TestVehicle {
                 visits.add(waypoint);
                 passed(true);
             }
+        } else if (item instanceof MissionItem.Wait wait) {
+            held += seconds;
+            passed(held >= wait.seconds());
+        } else if (item instanceof MissionItem.Action action) {
+            obey(action);
+            passed(true);
         } else if (item instanceof MissionItem.Land) {
             land(seconds);
             if (!armed) {
@@ -204,6 +223,31 @@ final class TestVehicle {
                 complete = true;
             }
         }
+    }
+
+    private void obey(MissionItem.Action action) {
+        if (action instanceof MissionItem.TakePhoto) {
+            photos.add(Scenes.point(east, north));
+        } else if (action instanceof MissionItem.SetServo servo) {
+            moved.add(servo);
+        }
+    }
+
+    private Payload payload(Instant now) {
+        Payload payload = Payload.UNKNOWN;
+        if (!photos.isEmpty() && tellsPhotos) {
+            photoHeard.putIfAbsent(photos.size(), now);
+            payload = payload.with(new Payload.Photo(
+                    photos.size(),
+                    Objects.requireNonNull(photoHeard.get(photos.size())),
+                    photos.get(photos.size() - 1)));
+        }
+        if (!moved.isEmpty()) {
+            List<Integer> outputs = new ArrayList<>(Collections.nCopies(16, 0));
+            moved.forEach(servo -> outputs.set(servo.output() - 1, servo.pulseMicros()));
+            payload = payload.withOutputs(outputs);
+        }
+        return reading == null ? payload : payload.with(new Payload.Reading("temp", reading, now));
     }
 
     private void passed(boolean done) {
@@ -297,6 +341,7 @@ final class TestVehicle {
                 new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),
                 null,
                 new Home(Scenes.point(homeEast, homeNorth), GROUND),
+                payload(now),
                 untold > 0
                         ? MissionProgress.UNKNOWN
                         : new MissionProgress(items, null, currentItem(), phase(), List.copyOf(reached), null),

@@ -13,6 +13,7 @@ import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.RequestDataStream;
+import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.VfrHud;
 
@@ -66,6 +67,7 @@ public final class MessageRates {
         streams.put(ExtendedSysState.ID, new Stream(1_000_000));
         streams.put(GpsRawInt.ID, new Stream(1_000_000));
         streams.put(MissionCurrent.ID, new Stream(1_000_000));
+        streams.put(ServoOutputRaw.ID, new Stream(1_000_000));
         streams.put(BatteryStatus.ID, new Stream(2_000_000));
         streams.put(HomePosition.ID, new Stream(5_000_000));
     }

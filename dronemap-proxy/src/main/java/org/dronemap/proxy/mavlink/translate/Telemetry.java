@@ -14,6 +14,7 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemReached;
+import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.VfrHud;
@@ -68,14 +69,18 @@ public final class Telemetry {
                 status.version(AutopilotVersion.decode(frame));
                 identified();
             }
-            default -> {}
+            case ServoOutputRaw.ID ->
+                Carried.outputs(ServoOutputRaw.decode(frame)).ifPresent(out);
+            default -> Carried.heard(frame).ifPresent(out);
         }
     }
 
-    /** A sentence of another component of the same vehicle. */
+    /** Another component of the same vehicle, such as a camera or a computer beside the autopilot. */
     public void overheard(Frame frame, long nowNanos) {
         if (frame.messageId() == Statustext.ID) {
             texts.heard(frame, nowNanos);
+        } else {
+            Carried.heard(frame).ifPresent(out);
         }
     }
 

@@ -1,0 +1,49 @@
+package org.dronemap.core.drone;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a vehicle said of what it carries.
+ *
+ * @param photo the last one; null: it told of none
+ * @param outputs pulses of its outputs from 1 on in microseconds, 0: none; empty: not told
+ * @param readings the newest of each sensor, at most {@value #MOST_READINGS}, the one heard last at the end
+ */
+public record Payload(@Nullable Photo photo, List<Integer> outputs, List<Reading> readings) {
+    public static final Payload UNKNOWN = new Payload(null, List.of(), List.of());
+    public static final int MOST_READINGS = 16;
+
+    /** {@code number}: the vehicle's own count; {@code point}: where it was taken, null when it did not say. */
+    public record Photo(int number, Instant heard, @Nullable Geodetic point) {}
+
+    /** A number under a name, in the unit that the sensor has. */
+    public record Reading(String name, double value, Instant heard) {}
+
+    public Payload {
+        outputs = List.copyOf(outputs);
+        readings = List.copyOf(readings);
+    }
+
+    public Payload with(Photo newer) {
+        return new Payload(newer, outputs, readings);
+    }
+
+    public Payload withOutputs(List<Integer> newer) {
+        return new Payload(photo, newer, readings);
+    }
+
+    public Payload with(Reading newer) {
+        List<Reading> all = new ArrayList<>(readings.stream()
+                .filter(reading -> !reading.name().equals(newer.name()))
+                .toList());
+        if (all.size() == MOST_READINGS) {
+            all.remove(0);
+        }
+        all.add(newer);
+        return new Payload(photo, outputs, all);
+    }
+}

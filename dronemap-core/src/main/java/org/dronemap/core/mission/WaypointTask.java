@@ -1,0 +1,57 @@
+package org.dronemap.core.mission;
+
+import org.dronemap.core.geo.Geodetic;
+
+/** Something that a drone does at a waypoint. */
+public sealed interface WaypointTask {
+    /** How long the drone stays for it. */
+    double seconds();
+
+    /** Doing it once more would be something else, so that it is not done again when it may have been done. */
+    default boolean isOnce() {
+        return false;
+    }
+
+    /** One picture. */
+    record Photo() implements WaypointTask {
+        private static final double SECONDS = 2;
+
+        @Override
+        public double seconds() {
+            return SECONDS;
+        }
+
+        @Override
+        public boolean isOnce() {
+            return true;
+        }
+    }
+
+    /** An output of the vehicle to pulses of that length. */
+    record Servo(int output, int pulseMicros) implements WaypointTask {
+        private static final double SECONDS = 2;
+
+        @Override
+        public double seconds() {
+            return SECONDS;
+        }
+
+        @Override
+        public boolean isOnce() {
+            return true;
+        }
+    }
+
+    /** Camera and nose point to a place while the drone is at the waypoint. */
+    record Look(Geodetic point, double altitudeAmslMeters) implements WaypointTask {
+        private static final double SECONDS = 3;
+
+        @Override
+        public double seconds() {
+            return SECONDS;
+        }
+    }
+
+    /** It stays for so long, and what its sensors tell meanwhile is kept. */
+    record Sensors(double seconds) implements WaypointTask {}
+}
