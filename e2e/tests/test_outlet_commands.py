@@ -343,3 +343,67 @@ def test_nothing_of_who_may_not_command_reaches_the_vehicle(
 
 def _last_answered(ground: Ground) -> bool:
     return any(m.command == COMMANDS[-1] for m in ground.heard("COMMAND_ACK"))
+
+
+SPEEDS_ONLY, LOITER = 0xDC7, 5
+
+
+def speed(ground: Ground, number: int) -> float:
+    """Over ground, in m/s, as told last."""
+    told = ground.heard("VFR_HUD", number)
+    return float(told[-1].groundspeed) if told else 0.0
+
+
+def steer(ground: Ground, say: Callable[[], None], until: Callable[[], bool]) -> None:
+    """Says the same ten times a second, as programs that steer do, until something is so."""
+
+    def once() -> bool:
+        say()
+        return until()
+
+    wait_for("it is steered", once, 30, 0.1)
+
+
+def entries(api: Api, drone: str) -> list[dict[str, Any]]:
+    """The log of who steered, the newest first, once each has ended."""
+    told = api.get(f"/drones/{drone}/commands")["commands"]
+    return [c for c in told if c["summary"].startswith("steer by ") and c["outcome"]]
+
+
+def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
+    server: Server, api: Api, copters: list[Copter], attach: Attach
+) -> None:
+    drone = copters[0].id
+    pilot = granted(server, api, "operator", [drone])
+    ground = attach(pilot)
+    (number,) = ground.wait_vehicles(1)
+    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
+    assert command(ground, number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
+    assert command(ground, number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
+    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
+
+    def northward() -> None:
+        target = (0, number, 1, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
+        ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
+
+    steer(ground, northward, lambda: speed(ground, number) > 3)
+    wait_for("it stands without another word", lambda: speed(ground, number) < 0.5, 20)
+    (turn,) = entries(api, drone)
+    assert (turn["by"], turn["face"], turn["summary"]) == (pilot.name, "outlet", "steer by speeds")
+    assert turn["outcome"]["result"] == "timedOut" and "stand still" in turn["outcome"]["reason"]
+
+    def forward() -> None:
+        ground.say("manual_control", number, 400, 0, 500, 0, 0)
+
+    forward()
+    wait_for("sticks do nothing in GUIDED", lambda: "mode to LOITER" in "".join(ground.texts().split("\n")))
+    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, LOITER) == ACCEPTED
+    steer(ground, forward, lambda: speed(ground, number) > 3)
+    supervisor = granted(server, api, "supervisor", [drone])
+    taken = supervisor.api.call("POST", f"/drones/{drone}/control/take-over", {"reason": "a helicopter"})
+    assert taken.ok, taken.text
+    steer(ground, forward, lambda: speed(ground, number) < 0.5)
+    assert entries(api, drone)[0]["outcome"]["result"] == "superseded"
+    assert supervisor.api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
+    wait_for("it is down", partial(landed, api, drone), 60)
+    assert supervisor.api.call("DELETE", f"/drones/{drone}/control").ok

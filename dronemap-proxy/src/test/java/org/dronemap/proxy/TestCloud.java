@@ -156,6 +156,19 @@ public final class TestCloud implements AutoCloseable {
     }
 
     /** How many commands have no outcome yet. */
+    /** Nothing is under way, and whatever was steered by sticks was held when nobody did so any more. */
+    public boolean isSettled() {
+        return commandsUnderWay() == 0 && count("Hold", "hold") >= count("Steer", "steer by sticks");
+    }
+
+    private long count(String type, String summary) {
+        return commands.records.values().stream()
+                .filter(record -> record.type().equals(type)
+                        && record.summary().equals(summary)
+                        && (record.by().equals("dronemap") || type.equals("Steer")))
+                .count();
+    }
+
     public long commandsUnderWay() {
         return commands.records.values().stream()
                 .filter(record -> record.outcome() == null)

@@ -47,7 +47,9 @@ public final class CloudManager {
     private final CopyOnWriteArrayList<CloudListener> listeners = new CopyOnWriteArrayList<>();
     private final CloudListener everybody = new Everybody(listeners);
     private final Reception reception;
+    private final CommandStore turns;
     private final CommandGate gate;
+    private final SetpointGate setpoints;
     private final ControlDesk controls = new ControlDesk(registry);
     private final DroneControl.Keeping leases;
     private final LeaseMachine leaseMachine;
@@ -72,8 +74,10 @@ public final class CloudManager {
         this.store = keeping.drones();
         this.journal = keeping.journal();
         this.newIds = newIds;
+        this.turns = keeping.commands();
         this.reception = new Reception(registry, clock);
         this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody, new ZoneRules(zones));
+        this.setpoints = new SetpointGate(registry, gate);
         ZoneGuard guard = new ZoneGuard(zones, new ZoneActions(registry, gate), clock);
         zones.onChange(change -> registry.all().forEach(guard::lookAgain));
         listeners.add(guard);
@@ -92,6 +96,11 @@ public final class CloudManager {
     /** The one door for commands. */
     public CommandGate gate() {
         return gate;
+    }
+
+    /** The one door for setpoints. */
+    public SetpointGate setpoints() {
+        return setpoints;
     }
 
     /** Where control of drones is taken, asked for and given back. */
@@ -281,12 +290,19 @@ public final class CloudManager {
         });
         Lane lane = lanes.of(record.id());
         DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, lane::activeNanos);
-        ManagedDrone drone =
-                new ManagedDrone(new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control);
+        ManagedDrone drone = new ManagedDrone(
+                new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
         drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), everybody, clock));
         registry.add(drone);
         lane.execute(() -> lane.addTicker(drone));
         return drone;
+    }
+
+    private Helm helm(ManagedDrone drone) {
+        return new Helm(
+                drone,
+                new Helm.Log(turns, journal, everybody, clock),
+                (braked, epoch) -> ControlWatch.brake(gate, braked, epoch));
     }
 
     private void remember(ManagedDrone drone) {

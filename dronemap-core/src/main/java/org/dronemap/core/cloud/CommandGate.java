@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -40,7 +39,7 @@ public final class CommandGate {
     private final Clock clock;
     private final CloudListener listener;
     private final ZoneRules zones;
-    private final ConcurrentHashMap<CommandId, Underway> underway = new ConcurrentHashMap<>();
+    private final AllUnderway underway = new AllUnderway();
 
     /** What safety rules are called in the log, and their face. */
     private static final Source SAFETY = new Source(new Principal("dronemap", Role.SUPERVISOR), "rule");
@@ -125,7 +124,7 @@ public final class CommandGate {
                 passage,
                 principal,
                 new CompletableFuture<>());
-        Underway earlier = underway.putIfAbsent(record.id(), entry);
+        Underway earlier = underway.add(entry);
         if (earlier != null) {
             return earlier.open().told();
         }
@@ -134,7 +133,12 @@ public final class CommandGate {
 
     /** What a rule of safety commands while nobody has control; whoever takes it ends this. Does not wait. */
     void submitForSafety(ManagedDrone managed, Command command) {
-        managed.control().enterVacant().ifPresent(passage -> {
+        submitForSafety(managed, command, null);
+    }
+
+    /** The same, also while somebody has the control of this epoch still. */
+    void submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
+        managed.control().enterForSafety(epoch).ifPresent(passage -> {
             CommandId id = new CommandId(UUID.randomUUID().toString());
             // The lane must not wait for the disk.
             journal.write(
@@ -152,20 +156,21 @@ public final class CommandGate {
                 .or(() -> whyNotThere(principal, drone, command));
     }
 
-    private Optional<String> whyNotThere(Principal principal, DroneState drone, Command command) {
+    /** Why the zones, or the bounds of a key, speak against it. */
+    Optional<String> whyNotThere(Principal principal, DroneState drone, Command command) {
         return zones.whyNot(principal.name(), drone, command, clock.instant())
                 .or(() ->
                         ZoneRules.whyNot(principal.scope().bounds(), "the bounds of this access key", drone, command));
     }
 
     public Optional<CommandRecord> find(CommandId id) {
-        Underway now = underway.get(id);
+        Underway now = underway.find(id);
         return now != null ? Optional.of(now.open().told()) : store.command(id);
     }
 
     /** The record once the command has ended; completes at once for one that has. */
     public CompletableFuture<CommandRecord> end(CommandId id) {
-        Underway now = underway.get(id);
+        Underway now = underway.find(id);
         if (now != null) {
             return now.end().copy();
         }
@@ -210,12 +215,12 @@ public final class CommandGate {
     private CommandRecord send(Underway entry, CommandRecord record) {
         try {
             if (!store.begin(record)) {
-                underway.remove(record.id(), entry);
+                underway.remove(entry);
                 return store.command(record.id()).orElse(record);
             }
         } catch (RuntimeException e) {
             if (!ControlRules.bringsToSafety(entry.open().command())) {
-                underway.remove(record.id(), entry);
+                underway.remove(entry);
                 throw e;
             }
             LOG.error("The intent of {} could not be written; it is sent all the same", record.summary(), e);
@@ -233,8 +238,8 @@ public final class CommandGate {
 
     /** Ends what was given under control that somebody else has now. */
     void stopOutdated(ManagedDrone drone) {
-        for (Underway entry : List.copyOf(underway.values())) {
-            if (entry.drone() == drone && entry.open().record().outcome() == null && entry.isOutdated()) {
+        for (Underway entry : underway.of(drone)) {
+            if (entry.open().record().outcome() == null && entry.isOutdated()) {
                 drone.channel()
                         .ifPresent(
                                 channel -> channel.cancel(entry.open().record().id()));
@@ -252,22 +257,17 @@ public final class CommandGate {
 
     /** Something that was given under the control of now is under way. */
     boolean isBusy(ManagedDrone drone) {
-        return underway.values().stream()
-                .anyMatch(entry ->
-                        entry.drone() == drone && entry.open().record().outcome() == null && entry.isUnderControl());
+        return underway.isBusy(drone);
+    }
+
+    /** What is under way and says where to fly, as people call it. Any thread. */
+    Optional<String> manoeuvre(ManagedDrone drone) {
+        return underway.manoeuvre(drone);
     }
 
     /** A change of mode now may be our own doing. */
     boolean mayHaveChangedMode(ManagedDrone drone) {
-        return drone.lane().activeNanos() - drone.movedNanos() < EFFECT_NANOS
-                || underway.values().stream()
-                        .anyMatch(entry ->
-                                entry.drone() == drone && movesIt(entry.open().command()));
-    }
-
-    /** Uploads too: they may hold a drone that flies its mission. */
-    private static boolean movesIt(Command command) {
-        return command.contention().newerWins() || command.contention() == Contention.TRANSFER;
+        return drone.lane().activeNanos() - drone.movedNanos() < EFFECT_NANOS || underway.moves(drone);
     }
 
     private void perform(Underway entry) {
@@ -288,6 +288,9 @@ public final class CommandGate {
             end(entry, new Outcome.Refused(GATE, busy));
             return;
         }
+        if (entry.open().command().contention() == Contention.FLIGHT) {
+            entry.drone().helm().commanded(entry.open().record().summary());
+        }
         Lane.Ticker guard = new Overdue(entry.open(), entry.drone().lane(), () -> giveUp(entry, channel.get()));
         entry.drone().lane().addTicker(guard);
         channel.get().perform(entry.mandate(), entry.open().command(), new Reporter(entry, guard));
@@ -301,8 +304,8 @@ public final class CommandGate {
     /** Newer flight commands replace older ones; of all others the first one goes on. */
     private @Nullable String makeRoom(Underway entry, VehicleChannel channel) {
         Contention contention = entry.open().command().contention();
-        for (Underway other : List.copyOf(underway.values())) {
-            if (other.equals(entry) || other.drone() != entry.drone() || isEarlierThan(entry, other)) {
+        for (Underway other : underway.of(entry.drone())) {
+            if (other.equals(entry) || isEarlierThan(entry, other)) {
                 continue;
             }
             // One that has ended stays in the list until its outcome is written.
@@ -334,7 +337,7 @@ public final class CommandGate {
         if (before.outcome() != null) {
             return;
         }
-        if (movesIt(entry.open().command())) {
+        if (AllUnderway.movesIt(entry.open().command())) {
             entry.drone().moved();
         }
         if (entry.isUnderControl()) {
@@ -346,7 +349,7 @@ public final class CommandGate {
         journal.write("the outcome of " + done.summary(), () -> store.finish(done), () -> {
             entry.open().written();
             listener.commandChanged(done);
-            underway.remove(done.id(), entry);
+            underway.remove(entry);
             entry.end().complete(done);
         });
     }

@@ -1,17 +1,29 @@
 package org.dronemap.core.cloud;
 
+import java.util.Comparator;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
 /** What the state of a drone allows; the same sentences serve the gate and every page that greys a button. */
 public final class CommandRules {
     private static final String ALREADY_ARMED = "It is already armed.";
+
+    /** The modes that people steer in. */
+    private static final Set<String> USUAL = Set.of("GUIDED", "LOITER", "POSCTL", "OFFBOARD");
+
+    private static final int MODES_NAMED = 2;
 
     private CommandRules() {}
 
@@ -46,6 +58,34 @@ public final class CommandRules {
         return why;
     }
 
+    /** Why it cannot be steered so now; empty when it can. */
+    public static Optional<String> whyNot(DroneState drone, Setpoint setpoint) {
+        Optional<String> why = whyNot(drone, setpoint.needs());
+        Steering wanted = setpoint instanceof Setpoint.Sticks ? Steering.STICKS : Steering.ORDERS;
+        Map<String, Steering> modes = drone.capabilities().steering();
+        if (why.isEmpty() && setpoint instanceof Setpoint.Velocity velocity && turnsUnknown(drone, velocity)) {
+            return Optional.of("Where it looks is not known; steer it by its own forward and right.");
+        }
+        // Where no mode says what the vehicle goes by, it is steered in any.
+        if (why.isPresent() || !modes.containsValue(wanted) || modes.get(drone.mode()) == wanted) {
+            return why;
+        }
+        return Optional.of("In " + drone.mode() + " it is not to be steered so; change its mode to "
+                + drone.capabilities().modes().stream()
+                        .filter(mode -> modes.get(mode) == wanted)
+                        .sorted(Comparator.comparing(mode -> !USUAL.contains(mode)))
+                        .limit(MODES_NAMED)
+                        .collect(Collectors.joining(" or "))
+                + " first.");
+    }
+
+    private static boolean turnsUnknown(DroneState drone, Setpoint.Velocity velocity) {
+        Motion motion = drone.motion();
+        return velocity.frame() == Setpoint.Frame.EARTH
+                && (motion == null || motion.headingDegrees() == null)
+                && !velocity.isStill();
+    }
+
     private static @Nullable String stateForbids(DroneState drone, Capability capability) {
         // What has no motors to arm is always ready.
         boolean arms = drone.capabilities().commands().contains(Capability.ARM);
@@ -55,7 +95,8 @@ public final class CommandRules {
             case DISARM -> armed ? (drone.airborne() ? "It is in the air; land first." : null) : "It is not armed.";
             case TAKE_OFF -> armed ? (drone.airborne() ? "It is already in the air." : null) : "Arm first.";
             case LAND, RETURN_TO_LAUNCH, HOLD, PAUSE_MISSION -> armed ? null : "It is not armed.";
-            case GO_TO, GO_TO_LOCAL, TURN ->
+            case STICKS -> armed ? null : "Arm first.";
+            case GO_TO, GO_TO_LOCAL, TURN, VELOCITY, TRACK ->
                 armed ? (needsAir(drone) && !drone.airborne() ? "Take off first." : null) : "Arm first.";
             case START_MISSION ->
                 hasMission(drone.mission()) ? (armed ? null : "Arm first.") : "Upload a mission first.";
@@ -74,6 +115,11 @@ public final class CommandRules {
                     EMERGENCY_STOP,
                     READ_MAP -> null;
         };
+    }
+
+    /** There is something to stop, and it knows how to. */
+    static boolean canHold(DroneState drone) {
+        return whyNot(drone, Capability.HOLD).isEmpty() && (drone.airborne() || !needsAir(drone));
     }
 
     private static boolean needsAir(DroneState drone) {

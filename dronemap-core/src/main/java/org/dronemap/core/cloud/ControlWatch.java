@@ -56,6 +56,7 @@ final class ControlWatch implements Lane.Ticker {
 
     private void changed(Control now, List<ControlChange> changes) {
         gate.stopOutdated(drone);
+        drone.helm().controlChanged();
         for (ControlChange change : changes) {
             listener.controlChanged(drone.id(), now, change);
             String sentence = ControlWords.of(change);
@@ -89,6 +90,16 @@ final class ControlWatch implements Lane.Ticker {
                         .steering(state.mode())
                         .filter(Steering::waitsForSomebody)
                         .isPresent();
+    }
+
+    /** Stops what does not stand by itself when nobody steers it any more, unless somebody else flies it already. */
+    static void brake(CommandGate gate, ManagedDrone drone, @Nullable Long epoch) {
+        DroneState state = drone.drone().state();
+        Optional<Steering> by = state.capabilities().steering(state.mode());
+        boolean goesOn = by.isEmpty() || by.get() == Steering.STICKS;
+        if (goesOn && CommandRules.canHold(state) && gate.manoeuvre(drone).isEmpty()) {
+            gate.submitForSafety(drone, new Command.Hold(), epoch);
+        }
     }
 
     @Override

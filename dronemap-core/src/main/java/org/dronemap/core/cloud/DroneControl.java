@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
-import org.dronemap.core.access.Principal;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
@@ -83,23 +82,27 @@ final class DroneControl {
 
     /** Asks for the control that a command needs, and takes it where it is free; operations have it, or command nothing. */
     synchronized Passage enter(CommandGate.Source source, Command command) {
-        Principal principal = source.principal();
+        if (source.operation() == null && ControlRules.onlyReads(command)) {
+            return new Passage.Open(epoch(), Fence.NONE);
+        }
+        Passage passage = enter(source);
+        return passage instanceof Passage.Closed
+                        && source.operation() == null
+                        && ControlRules.isOpenTo(source.principal(), drone, command)
+                ? new Passage.Open(epoch(), Fence.NONE)
+                : passage;
+    }
+
+    /** Asks for control as it is, and takes it where it is free. */
+    synchronized Passage enter(CommandGate.Source source) {
         Holder.Operation operation = source.operation();
         if (operation != null) {
             return enter(operation);
         }
-        if (ControlRules.onlyReads(command)) {
-            return new Passage.Open(epoch(), Fence.NONE);
-        }
-        LeaseAnswer answer = apply(new LeaseEvent.Command(principal.name(), source.epoch()))
+        LeaseAnswer answer = apply(new LeaseEvent.Command(source.principal().name(), source.epoch()))
                 .step()
                 .answer();
-        if (!(answer instanceof LeaseAnswer.Denied denied)) {
-            return fenced();
-        }
-        return ControlRules.isOpenTo(principal, drone, command)
-                ? new Passage.Open(epoch(), Fence.NONE)
-                : new Passage.Closed(denied.why());
+        return answer instanceof LeaseAnswer.Denied denied ? new Passage.Closed(denied.why()) : fenced();
     }
 
     private Passage enter(Holder.Operation operation) {
@@ -109,9 +112,10 @@ final class DroneControl {
                 : new Passage.Closed(control.sentence());
     }
 
-    /** For what a rule of safety commands; empty when somebody has control. */
-    synchronized Optional<Passage.Open> enterVacant() {
-        return control.tenure() == null ? Optional.of(fenced()) : Optional.empty();
+    /** For what a rule of safety commands; empty when somebody has control, other than by this epoch. */
+    synchronized Optional<Passage.Open> enterForSafety(@Nullable Long epoch) {
+        boolean goesOn = epoch != null && epoch == control.epoch();
+        return control.tenure() == null || goesOn ? Optional.of(fenced()) : Optional.empty();
     }
 
     private Passage.Open fenced() {

@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import java.util.Optional;
+import java.util.function.Function;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
@@ -30,8 +31,15 @@ final class ManagedDrone implements Lane.Ticker {
     private @Nullable LinkSession session;
     private boolean played;
     private Lane.Ticker watch = () -> {};
+    private final Helm helm;
 
-    ManagedDrone(Drone drone, Lane lane, Watchdog watchdog, CloudListener listener, DroneControl control) {
+    ManagedDrone(
+            Drone drone,
+            Lane lane,
+            Watchdog watchdog,
+            CloudListener listener,
+            DroneControl control,
+            Function<ManagedDrone, Helm> helm) {
         this.drone = drone;
         this.lane = lane;
         this.liveness = new Liveness(watchdog);
@@ -40,6 +48,7 @@ final class ManagedDrone implements Lane.Ticker {
         this.madeNanos = lane.activeNanos();
         this.promisedNanos = madeNanos - Long.MAX_VALUE / 2;
         this.movedNanos = promisedNanos;
+        this.helm = helm.apply(this);
     }
 
     Drone drone() {
@@ -57,6 +66,11 @@ final class ManagedDrone implements Lane.Ticker {
     /** Who commands it. Any thread. */
     DroneControl control() {
         return control;
+    }
+
+    /** Who steers it. */
+    Helm helm() {
+        return helm;
     }
 
     /** Ticks along with it. */
@@ -191,6 +205,7 @@ final class ManagedDrone implements Lane.Ticker {
             channel().ifPresent(VehicleChannel::probe);
         }
         watch.tick();
+        helm.tick();
     }
 
     private void judge() {

@@ -3,6 +3,7 @@ package org.dronemap.core.cloud;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 
 /** The way down to one vehicle; every call comes on the drone's lane, returns at once, and is answered there. */
 public interface VehicleChannel {
@@ -11,6 +12,12 @@ public interface VehicleChannel {
      * passes the mandate's fence.
      */
     void perform(Mandate mandate, Command command, Report report);
+
+    /**
+     * Says a setpoint at once, where the mandate's fence lets it pass; it is never answered, and what cannot be said is
+     * dropped: the next one comes soon.
+     */
+    void steer(Mandate mandate, Setpoint setpoint);
 
     /** Stops retrying a command; nothing more of it goes out and nothing is reported. No-op when it has ended. */
     void cancel(CommandId id);

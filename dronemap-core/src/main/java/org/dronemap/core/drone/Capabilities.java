@@ -23,8 +23,10 @@ public record Capabilities(
     public enum Steering {
         /** A pilot's sticks. */
         STICKS,
-        /** Whoever gives orders; it waits for them. */
+        /** Whoever gives orders or leads it; it waits for them. */
         ORDERS,
+        /** Nobody: it stands still and waits for orders, but lets nobody lead it. */
+        STANDS,
         /** The mission on board. */
         MISSION,
         /** Its own way home or down. */
@@ -32,7 +34,12 @@ public record Capabilities(
 
         /** Without anybody who steers, nothing goes on. */
         public boolean waitsForSomebody() {
-            return this == STICKS || this == ORDERS;
+            return this == STICKS || takesOrders();
+        }
+
+        /** It goes where it is told to. */
+        public boolean takesOrders() {
+            return this == ORDERS || this == STANDS;
         }
     }
 

@@ -1,6 +1,6 @@
 package org.dronemap.core.drone;
 
-/** What a vehicle may be able to do; each command needs exactly one of these. */
+/** What a vehicle may be able to do; each command and each setpoint needs exactly one of these. */
 public enum Capability {
     ARM("arm"),
     DISARM("disarm"),
@@ -26,7 +26,10 @@ public enum Capability {
     READ_HOME("tell its home"),
     GO_TO_LOCAL("go to a place on its own map"),
     EMERGENCY_STOP("stop at once"),
-    READ_MAP("tell its map");
+    READ_MAP("tell its map"),
+    VELOCITY("be steered by speeds"),
+    STICKS("be steered by sticks"),
+    TRACK("be led by a place that moves");
 
     private final String phrase;
 

@@ -40,6 +40,13 @@ public final class LocalPlane {
         return spot(origin.longitudeDegrees() + eastward(origin, place), place.latitudeDegrees());
     }
 
+    /** The place that a point of the plane stands for, for points some kilometres away at most. */
+    public Geodetic place(Spot spot) {
+        double latitude = origin.latitudeDegrees() + spot.northMeters() / metersPerDegreeNorth;
+        double longitude = origin.longitudeDegrees() + spot.eastMeters() / metersPerDegreeEast;
+        return new Geodetic(Math.max(-90, Math.min(90, latitude)), Math.IEEEremainder(longitude, 360));
+    }
+
     private Spot spot(double longitudeDegrees, double latitudeDegrees) {
         return new Spot(
                 (longitudeDegrees - origin.longitudeDegrees()) * metersPerDegreeEast,

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.GoToLocal;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.MissionProgress;
@@ -35,6 +36,14 @@ public final class Routes {
             return onBoard(drone);
         }
         return Route.NONE;
+    }
+
+    /**
+     * Where a setpoint leads a drone within a short time, said as the command that leads there; empty when it leads nowhere, or
+     * when nobody knows where the drone is, as with robots that have no GPS.
+     */
+    public static Optional<Command> ahead(DroneState drone, Setpoint setpoint) {
+        return setpoint.isStill() ? Optional.empty() : new Lead(drone).of(setpoint);
     }
 
     /** Where a drone would go by itself later on, once it is called home. */

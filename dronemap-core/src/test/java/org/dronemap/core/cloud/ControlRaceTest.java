@@ -20,6 +20,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
@@ -128,6 +129,11 @@ class ControlRaceTest {
         private final Random delays = new Random(99);
         private final List<Sent> wire = new ArrayList<>();
         private final List<Runnable> repeated = new ArrayList<>();
+
+        @Override
+        public void steer(Mandate mandate, Setpoint setpoint) {
+            throw new AssertionError("nobody steers here");
+        }
 
         @Override
         public void perform(Mandate mandate, Command command, Report report) {

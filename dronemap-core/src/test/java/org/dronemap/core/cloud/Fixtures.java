@@ -15,6 +15,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
@@ -47,6 +48,7 @@ public final class Fixtures {
     /** Takes commands and lets the test say how they end. */
     public static final class RecordingChannel implements VehicleChannel {
         public final List<Command> performed = new CopyOnWriteArrayList<>();
+        public final List<Setpoint> setpoints = new CopyOnWriteArrayList<>();
         public final List<CommandId> cancelled = new CopyOnWriteArrayList<>();
         public final ConcurrentHashMap<CommandId, Report> reports = new ConcurrentHashMap<>();
         public final ConcurrentHashMap<Report, Fence> fences = new ConcurrentHashMap<>();
@@ -56,6 +58,11 @@ public final class Fixtures {
             performed.add(command);
             fences.put(report, mandate.fence());
             reports.put(Objects.requireNonNull(mandate.command()), report);
+        }
+
+        @Override
+        public void steer(Mandate mandate, Setpoint setpoint) {
+            mandate.fence().pass(() -> setpoints.add(setpoint));
         }
 
         @Override

@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
  */
 final class Orders implements CloudListener, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Orders.class);
-    private static final String FACE = "outlet";
+    static final String FACE = "outlet";
     private static final int MOST_WAITING = 256;
 
     private final CloudManager cloud;

@@ -26,6 +26,7 @@ final class OutletClient {
 
     private static final int OWN_SYSTEM = 255;
     private static final int MOST_ORDERS = 50;
+    private static final int MOST_SETPOINTS = 500;
     private static final int OTHER_SYSTEM = 254;
     private static final Heartbeat HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
 
@@ -42,6 +43,7 @@ final class OutletClient {
     private final Set<DroneId> shown = new HashSet<>();
     private byte @Nullable [] ready;
     private int orders;
+    private int setpoints;
     private int lastText;
     /** When it was told what; of a few sentences. */
     private final Map<String, Long> toldNanos = new HashMap<>();
@@ -242,6 +244,11 @@ final class OutletClient {
         return ++orders <= MOST_ORDERS;
     }
 
+    /** False when it has said more setpoints within this second than ten joysticks do; others come soon. */
+    boolean maySteer() {
+        return ++setpoints <= MOST_SETPOINTS;
+    }
+
     /** Numbers texts that come in parts, 1 to 65535. */
     int nextText() {
         lastText = lastText % 65_535 + 1;
@@ -261,6 +268,7 @@ final class OutletClient {
     /** Ends a second of counting. */
     void second() {
         orders = 0;
+        setpoints = 0;
         in.second();
         out.second();
         shown.removeIf(drone -> !sees(drone));

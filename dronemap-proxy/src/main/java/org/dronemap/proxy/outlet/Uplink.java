@@ -14,6 +14,7 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.LogEntry;
 import org.dronemap.mavlink.message.LogRequestData;
 import org.dronemap.mavlink.message.LogRequestList;
+import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionClearAll;
 import org.dronemap.mavlink.message.MissionCount;
@@ -27,8 +28,11 @@ import org.dronemap.mavlink.message.ParamRequestList;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.Ping;
+import org.dronemap.mavlink.message.RcChannelsOverride;
 import org.dronemap.mavlink.message.RequestDataStream;
 import org.dronemap.mavlink.message.SetMode;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.Timesync;
 
@@ -41,11 +45,13 @@ final class Uplink implements AutoCloseable {
     static final Set<Integer> HEARD =
             Set.of(Heartbeat.ID, SystemTime.ID, RequestDataStream.ID, MissionAck.ID, CommandAck.ID);
 
-    /** Sticks and setpoints, which do not pass, and say so. */
-    static final Set<Integer> STEERING = Set.of(69, 70, 82, 84, 86, 139);
-
     private static final String LOGS =
             "Logs on board and recordings of flights are fetched from the server's page, not here.";
+
+    private static final int SET_ATTITUDE_TARGET = 82;
+    private static final int SET_ACTUATOR_CONTROL_TARGET = 139;
+    private static final String NO_ATTITUDES =
+            "Attitudes and actuators are not steered through the cloud; steer by sticks, speeds or places.";
 
     /** What is done otherwise than by these messages. */
     private static final Map<Integer, String> ELSEWHERE = Map.of(
@@ -54,7 +60,11 @@ final class Uplink implements AutoCloseable {
             LogRequestData.ID,
             LOGS,
             MissionSetCurrent.ID,
-            "The item to go on from is not set through the cloud; upload the mission from there on.");
+            "The item to go on from is not set through the cloud; upload the mission from there on.",
+            SET_ATTITUDE_TARGET,
+            NO_ATTITUDES,
+            SET_ACTUATOR_CONTROL_TARGET,
+            NO_ATTITUDES);
 
     private static final long BETWEEN_SENTENCES_NANOS = 10_000_000_000L;
 
@@ -68,6 +78,7 @@ final class Uplink implements AutoCloseable {
     private final ParameterCounter parameters;
     private final MissionCounter missions;
     private final MissionIntake intake;
+    private final SteeringCounter steering;
 
     Uplink(OutletPolicy policy, OutletCounts counts, Map<DroneId, VehicleTap> vehicles, ControlNews.Room room) {
         this.cloud = policy.cloud();
@@ -80,6 +91,7 @@ final class Uplink implements AutoCloseable {
         parameters = new ParameterCounter(cloud, orders);
         missions = new MissionCounter(cloud, orders);
         intake = new MissionIntake(cloud, orders);
+        steering = new SteeringCounter(cloud, orders);
     }
 
     void take(OutletClient client, Frame frame, long now) {
@@ -94,13 +106,21 @@ final class Uplink implements AutoCloseable {
             time(client, frame, now);
             return;
         }
-        MessageTable.Entry entry = MessageTable.find(message);
-        int target = entry == null || entry.targetOffset() < 0 ? 0 : frame.u8(entry.targetOffset());
+        int target = target(frame);
         DroneId drone = target == 0 ? null : client.drone(target);
         VehicleTap vehicle = drone == null ? null : vehicles.get(drone);
         if (drone == null || vehicle == null || !serve(new Asked(client, drone, vehicle, frame), now)) {
             counts.notPassed();
         }
+    }
+
+    /** The system that it is for; 0: none. */
+    private static int target(Frame frame) {
+        if (frame.messageId() == ManualControl.ID) {
+            return ManualControl.decode(frame).target();
+        }
+        MessageTable.Entry entry = MessageTable.find(frame.messageId());
+        return entry == null || entry.targetOffset() < 0 ? 0 : frame.u8(entry.targetOffset());
     }
 
     /** False for what has no effect. */
@@ -119,6 +139,8 @@ final class Uplink implements AutoCloseable {
             case MissionClearAll.ID -> intake.clear(asked, now);
             case LogRequestList.ID -> logs(asked);
             case FileTransferProtocol.ID -> FileCounter.take(asked);
+            case ManualControl.ID, RcChannelsOverride.ID, SetPositionTargetLocalNed.ID, SetPositionTargetGlobalInt.ID ->
+                steering.take(asked, now);
             default -> {
                 explain(asked, now);
                 return false;
@@ -159,10 +181,7 @@ final class Uplink implements AutoCloseable {
 
     /** Says why nothing comes of it, and not again at once. */
     private static void explain(Asked asked, long now) {
-        int message = asked.frame().messageId();
-        String why = STEERING.contains(message)
-                ? "Sticks and setpoints do not pass the cloud; use modes, go-to and missions."
-                : ELSEWHERE.get(message);
+        String why = ELSEWHERE.get(asked.frame().messageId());
         if (why != null && asked.client().mayBeTold(why, now, BETWEEN_SENTENCES_NANOS)) {
             asked.explain(why);
         }
@@ -185,6 +204,7 @@ final class Uplink implements AutoCloseable {
         parameters.forget(client.id());
         missions.forget(client.id());
         intake.forget(client.id());
+        steering.forget(client.id());
     }
 
     @Override

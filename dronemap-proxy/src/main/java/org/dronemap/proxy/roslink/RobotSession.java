@@ -13,10 +13,12 @@ import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.Packet;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.jspecify.annotations.Nullable;
@@ -174,6 +176,22 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
                 id,
                 new Errand(
                         aim.get(), telemetry.facts(), order -> links.best().send(order, fence), report, table.now()));
+    }
+
+    @Override
+    public void steer(Mandate mandate, Setpoint setpoint) {
+        if (setpoint instanceof Setpoint.Velocity velocity) {
+            firstStop.cancel();
+            links.best().send(twist(velocity), mandate.fence());
+        }
+    }
+
+    /** Robots count to their left, upwards and in radians to the left, always as they stand themselves. */
+    private static Order twist(Setpoint.Velocity velocity) {
+        double left = velocity.facing() instanceof Setpoint.Facing.Turning turning
+                ? 0.0 - Math.toRadians(turning.degreesPerSecond())
+                : 0;
+        return new Order.Twist(velocity.forward(), 0.0 - velocity.right(), 0.0 - velocity.down(), 0, 0, left);
     }
 
     @Override

@@ -8,6 +8,7 @@ import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
@@ -153,6 +154,11 @@ final class Conversation {
         Cockpit cockpit = new Cockpit(
                 status, parameters, fenced, observer, this::tell, missions::changedByCloud, telemetry::remark);
         errands.begin(id, command, autopilot.plan(command, cockpit), report, now);
+    }
+
+    /** Says it once, now, as far as this autopilot knows a word for it. */
+    void steer(Mandate mandate, Setpoint setpoint) {
+        autopilot.steer(setpoint, target).ifPresent(message -> links.send(message, mandate));
     }
 
     void cancel(CommandId id, long now) {

@@ -8,6 +8,7 @@ import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
@@ -365,6 +366,11 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
     @Override
     public void perform(Mandate mandate, Command command, Report report) {
         conversation.perform(mandate, command, report);
+    }
+
+    @Override
+    public void steer(Mandate mandate, Setpoint setpoint) {
+        conversation.steer(mandate, setpoint);
     }
 
     @Override

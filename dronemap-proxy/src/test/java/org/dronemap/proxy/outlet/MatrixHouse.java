@@ -20,6 +20,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.Severity;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
@@ -111,7 +112,8 @@ final class MatrixHouse implements AutoCloseable {
         vehicle.is(wanted);
         cloud.awaitDrone(
                 state -> Boolean.valueOf(wanted != MatrixVehicle.State.DISARMED).equals(state.armed())
-                        && state.airborne() == (wanted == MatrixVehicle.State.FLYING)
+                        && state.airborne() == wanted.flies()
+                        && "LOITER".equals(state.mode()) == (wanted == MatrixVehicle.State.STEERED)
                         && state.home() != null);
     }
 
@@ -121,7 +123,7 @@ final class MatrixHouse implements AutoCloseable {
         int before = vehicle.heard().size();
         words.forEach(client::says);
         watch();
-        await(() -> cloud.commandsUnderWay() == 0, "a command does not end");
+        await(cloud::isSettled, "a command does not end");
         // All that left has arrived.
         await(() -> vehicle.heard().size() == taps.count.get(), "a frame was lost on the way");
         Set<String> kinds = new TreeSet<>();
@@ -138,6 +140,11 @@ final class MatrixHouse implements AutoCloseable {
         int refusals = watcher.refusals();
         watcher.says(new CommandLong(1, 1, HOLD, 0, 0, 0, 0, 0, 0, 0, 0));
         await(() -> watcher.refusals() > refusals, "nobody is refused");
+        // What went to the drone's lane without waiting is done before this.
+        String sentence = "look " + refusals;
+        cloud.cloud().say(drone, Severity.INFO, sentence);
+        cloud.awaitDrone(state ->
+                state.messages().stream().anyMatch(message -> message.text().equals(sentence)));
     }
 
     /** There are thousands of these: it looks often. */

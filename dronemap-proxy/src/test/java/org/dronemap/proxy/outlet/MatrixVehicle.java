@@ -23,12 +23,15 @@ import org.dronemap.mavlink.message.ParamRequestList;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
+import org.dronemap.mavlink.message.VfrHud;
 import org.dronemap.proxy.PlayedVehicle;
 
 /** A copter that answers all and does nothing. Any thread. */
 final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoCloseable {
     private static final float OLD = 1_500;
     private static final int RATES = 511;
+    private static final int GUIDED = 4;
+    private static final int LOITER = 5;
     private static final int CLOUD = 255;
     private static final int CLOUDS_COMPONENT = 190;
     private static final int DENIED = 2;
@@ -43,7 +46,13 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     enum State {
         DISARMED,
         ARMED,
-        FLYING
+        FLYING,
+        /** In the air, in a mode that goes by sticks. */
+        STEERED;
+
+        boolean flies() {
+            return this == FLYING || this == STEERED;
+        }
     }
 
     MatrixVehicle(int port) throws IOException {
@@ -53,7 +62,7 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     /** One with so many parameters. */
     MatrixVehicle(int port, int parameters) throws IOException {
         this.parameters = parameters;
-        played = new PlayedVehicle(port, new FrameWriter(1, 1, 2), PlayedVehicle.copter(4, false), this);
+        played = new PlayedVehicle(port, new FrameWriter(1, 1, 2), PlayedVehicle.copter(GUIDED, false), this);
     }
 
     /** All that came in at its socket, oldest first. */
@@ -62,9 +71,10 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     }
 
     void is(State state) {
-        boolean flying = state == State.FLYING;
-        played.is(PlayedVehicle.copter(4, state != State.DISARMED));
+        boolean flying = state.flies();
+        played.is(PlayedVehicle.copter(state == State.STEERED ? LOITER : GUIDED, state != State.DISARMED));
         played.send(new HomePosition(LATITUDE, LONGITUDE, 488_000, 0, 0, 0, new float[] {1, 0, 0, 0}, 0, 0, 0, 0));
+        played.send(new VfrHud(0, 0, 20, 0, 90, 0));
         played.send(new ExtendedSysState(0, flying ? 2 : 1));
         played.send(new GlobalPositionInt(
                 0, LATITUDE, LONGITUDE, flying ? 508_000 : 488_000, flying ? 20_000 : 0, 0, 0, 0, 0));

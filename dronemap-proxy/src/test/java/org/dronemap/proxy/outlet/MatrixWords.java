@@ -9,6 +9,7 @@ import org.dronemap.mavlink.PayloadWriter;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.LogRequestData;
+import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.MissionClearAll;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItem;
@@ -17,7 +18,10 @@ import org.dronemap.mavlink.message.MissionSetCurrent;
 import org.dronemap.mavlink.message.ParamRequestList;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
+import org.dronemap.mavlink.message.RcChannelsOverride;
 import org.dronemap.mavlink.message.SetMode;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 
 /** What a sender says for one row: every message filled in some ways, and those that can mean something so that they do. */
 final class MatrixWords {
@@ -61,17 +65,30 @@ final class MatrixWords {
         clears.add(new MissionClearAll(1, 1, 255));
         MissionItem here = new MissionItem(
                 1, 1, 0, 3, 16, 2, 1, 0, 0, 0, 0, (float) (LATITUDE / E7), (float) (LONGITUDE / E7), 30, 0);
-        return Map.of(
-                SetMode.ID, List.of(new SetMode(1, 1, 5)),
-                ParamRequestList.ID, List.of(new ParamRequestList(1, 1)),
-                ParamRequestRead.ID, List.of(new ParamRequestRead(1, 1, "RTL_ALT", -1)),
-                ParamSet.ID, List.of(new ParamSet(1, 1, "RTL_ALT", 2_000, 9)),
-                MissionCount.ID, counts,
-                MissionClearAll.ID, clears,
-                MissionRequestList.ID, lists,
-                MissionItem.ID, List.of(here),
-                MissionSetCurrent.ID, List.of(new MissionSetCurrent(1, 1, 1)),
-                LogRequestData.ID, List.of(new LogRequestData(1, 1, 1, 0, 90)));
+        return Map.ofEntries(
+                Map.entry(SetMode.ID, List.of(new SetMode(1, 1, 5))),
+                Map.entry(ParamRequestList.ID, List.of(new ParamRequestList(1, 1))),
+                Map.entry(ParamRequestRead.ID, List.of(new ParamRequestRead(1, 1, "RTL_ALT", -1))),
+                Map.entry(ParamSet.ID, List.of(new ParamSet(1, 1, "RTL_ALT", 2_000, 9))),
+                Map.entry(MissionCount.ID, counts),
+                Map.entry(MissionClearAll.ID, clears),
+                Map.entry(MissionRequestList.ID, lists),
+                Map.entry(MissionItem.ID, List.of(here)),
+                Map.entry(MissionSetCurrent.ID, List.of(new MissionSetCurrent(1, 1, 1))),
+                Map.entry(LogRequestData.ID, List.of(new LogRequestData(1, 1, 1, 0, 90))),
+                Map.entry(ManualControl.ID, List.of(new ManualControl(1, 300, 0, 500, 0, 0, 0, 0, 0, 0))),
+                Map.entry(
+                        RcChannelsOverride.ID,
+                        List.of(new RcChannelsOverride(
+                                1, 1, 1600, 1500, 1500, 1500, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0))),
+                Map.entry(
+                        SetPositionTargetLocalNed.ID,
+                        List.of(new SetPositionTargetLocalNed(0, 1, 1, 1, 0xDC7, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0))),
+                Map.entry(SetPositionTargetGlobalInt.ID, List.of(target(0xDF8), target(0xDC0))));
+    }
+
+    private static SetPositionTargetGlobalInt target(int mask) {
+        return new SetPositionTargetGlobalInt(0, 1, 1, 6, mask, LATITUDE, LONGITUDE, 30, 1, 0, 0, 0, 0, 0, 0, 0);
     }
 
     /** A message that is one letter throughout, but for whom it is for. */

@@ -7,13 +7,35 @@ import org.jspecify.annotations.Nullable;
 public final class Drive implements Manoeuvre {
     private static final long FRESH_MILLIS = 3_000;
 
-    private final Setpoint.Velocity velocity;
+    private final Wanted wanted;
     private final Cruise cruise;
     private long begun = -1;
     private @Nullable Hover stop;
 
-    public Drive(Setpoint.Velocity velocity, Cruise cruise) {
-        this.velocity = velocity;
+    /**
+     * Speeds in m/s.
+     *
+     * @param ofItsOwn forward and right as it looks, else north and east
+     * @param yaw where to look, radians; NaN: where it looks already
+     * @param yawRate radians a second clockwise; 0: none
+     */
+    public record Wanted(boolean ofItsOwn, double forward, double right, double up, double yaw, double yawRate) {
+        /** As it stands now. */
+        Setpoint.Velocity of(Craft craft) {
+            double looks = craft.body().yaw();
+            double turned = ofItsOwn ? looks : 0;
+            // A turn is asked for a little ahead of where it looks, at each step.
+            double look = yawRate == 0 ? yaw : looks + Math.signum(yawRate) * Math.min(1, Math.abs(yawRate));
+            return new Setpoint.Velocity(
+                    forward * Math.cos(turned) - right * Math.sin(turned),
+                    forward * Math.sin(turned) + right * Math.cos(turned),
+                    up,
+                    look);
+        }
+    }
+
+    public Drive(Wanted wanted, Cruise cruise) {
+        this.wanted = wanted;
         this.cruise = cruise;
     }
 
@@ -23,7 +45,7 @@ public final class Drive implements Manoeuvre {
             begun = nowMillis;
         }
         if (nowMillis - begun < FRESH_MILLIS) {
-            return velocity;
+            return wanted.of(craft);
         }
         if (stop == null) {
             stop = new Hover(craft, cruise);

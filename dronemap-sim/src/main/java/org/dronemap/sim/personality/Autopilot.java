@@ -2,7 +2,9 @@ package org.dronemap.sim.personality;
 
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.Parameters;
@@ -20,6 +22,12 @@ public interface Autopilot {
     boolean acknowledgesSetMode();
 
     void steer(SetPositionTargetGlobalInt target);
+
+    /** Speeds; an autopilot that flies by none takes no notice. */
+    default void steer(SetPositionTargetLocalNed target) {}
+
+    /** Sticks of a ground station; an autopilot that flies by none takes no notice. */
+    default void manual(ManualControl sticks, int fromSystem) {}
 
     /** The throttle stick of the remote control, 1000 to 2000. */
     void stick(int throttle);

@@ -17,6 +17,7 @@ import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.LogRequestData;
 import org.dronemap.mavlink.message.LogRequestEnd;
 import org.dronemap.mavlink.message.LogRequestList;
+import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.MissionClearAll;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionCurrent;
@@ -35,6 +36,7 @@ import org.dronemap.mavlink.message.RequestDataStream;
 import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.SetMode;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.Timesync;
@@ -159,6 +161,13 @@ final class Desk {
                     autopilot.steer(target);
                 }
             }
+            case SetPositionTargetLocalNed.ID -> {
+                SetPositionTargetLocalNed target = SetPositionTargetLocalNed.decode(frame);
+                if (isMine(target.targetSystem(), target.targetComponent())) {
+                    autopilot.steer(target);
+                }
+            }
+            case ManualControl.ID -> manual(ManualControl.decode(frame), frame.systemId());
             case RC_CHANNELS_OVERRIDE -> stick(frame);
             default -> {
                 if (!receiveMission(frame, nowMillis) && !receiveParameter(frame) && !receiveLog(frame)) {
@@ -175,6 +184,12 @@ final class Desk {
 
     private boolean isMine(int targetSystem, int targetComponent) {
         return (targetSystem == systemId || targetSystem == 0) && (targetComponent == 0 || targetComponent == 1);
+    }
+
+    private void manual(ManualControl sticks, int fromSystem) {
+        if (sticks.target() == systemId) {
+            autopilot.manual(sticks, fromSystem);
+        }
     }
 
     private void stick(Frame frame) {

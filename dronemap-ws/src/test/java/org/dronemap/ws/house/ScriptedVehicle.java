@@ -14,6 +14,7 @@ import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneKey;
@@ -33,6 +34,7 @@ public final class ScriptedVehicle implements VehicleChannel {
             new Capabilities(Set.of(Capability.values()), List.of("STABILIZE", "GUIDED", "AUTO"));
 
     private final List<Command> performed = new CopyOnWriteArrayList<>();
+    private final List<Setpoint> setpoints = new CopyOnWriteArrayList<>();
     private volatile Function<Command, Outcome> script = command -> new Outcome.Succeeded();
     private final DroneLink link;
     private final DroneKey key;
@@ -93,6 +95,11 @@ public final class ScriptedVehicle implements VehicleChannel {
     /** Takes no command. */
     private static final class Deaf implements VehicleChannel {
         @Override
+        public void steer(Mandate mandate, Setpoint setpoint) {
+            throw new AssertionError("nobody steers here");
+        }
+
+        @Override
         public void perform(Mandate mandate, Command command, Report report) {
             report.ended(new Outcome.Failed("It hears nothing."));
         }
@@ -127,8 +134,17 @@ public final class ScriptedVehicle implements VehicleChannel {
     }
 
     /** What reached the vehicle. */
+    public List<Setpoint> setpoints() {
+        return List.copyOf(setpoints);
+    }
+
     public List<Command> performed() {
         return List.copyOf(performed);
+    }
+
+    @Override
+    public void steer(Mandate mandate, Setpoint setpoint) {
+        mandate.fence().pass(() -> setpoints.add(setpoint));
     }
 
     @Override

@@ -88,7 +88,7 @@ public record Look(
     }
 
     boolean waits() {
-        return steering == Steering.ORDERS;
+        return steering != null && steering.takesOrders();
     }
 
     boolean comesDown() {

@@ -3,16 +3,19 @@ package org.dronemap.proxy.mavlink.translate;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Alternative;
@@ -24,6 +27,7 @@ import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 import org.dronemap.proxy.mavlink.procedure.PositionTarget;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
+import org.dronemap.proxy.mavlink.procedure.Target;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -112,6 +116,7 @@ final class ArduPilot implements Autopilot {
         if (table.has(GUIDED)) {
             can.add(Capability.GO_TO);
         }
+        can.addAll(steered());
         if (table.has("RTL")) {
             can.add(Capability.RETURN_TO_LAUNCH);
         }
@@ -125,6 +130,15 @@ final class ArduPilot implements Autopilot {
             can.add(Capability.TURN);
         }
         return new Capabilities(can, modes(), table.steering());
+    }
+
+    private Set<Capability> steered() {
+        if (table == ModeTable.COPTER || table == ModeTable.ROVER) {
+            return EnumSet.of(Capability.STICKS, Capability.VELOCITY, Capability.TRACK);
+        }
+        return table == ModeTable.PLANE || table == ModeTable.SUB
+                ? EnumSet.of(Capability.STICKS)
+                : EnumSet.noneOf(Capability.class);
     }
 
     @Override
@@ -174,6 +188,11 @@ final class ArduPilot implements Autopilot {
             return goTo(cockpit, goTo);
         }
         return planPayload(command, cockpit);
+    }
+
+    @Override
+    public Optional<Message> steer(Setpoint setpoint, Target target) {
+        return new Steersman(target, kind).say(setpoint);
     }
 
     private Exchange planPayload(Command command, Cockpit cockpit) {

@@ -1,11 +1,15 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.Target;
 import org.jspecify.annotations.Nullable;
 
 /** What differs between autopilot families. Stateless; any thread. */
@@ -45,4 +49,7 @@ public interface Autopilot {
 
     /** How a command is carried out on this autopilot. */
     Exchange plan(Command command, Cockpit cockpit);
+
+    /** What says a setpoint to this autopilot; empty when nothing does. */
+    Optional<Message> steer(Setpoint setpoint, Target target);
 }

@@ -63,7 +63,9 @@ final class ModeTable {
     private static final Set<String> SAFETY =
             Set.of("RTL", "SMART_RTL", "AUTO_RTL", "QRTL", "LAND", "QLAND", "AUTOLAND", "LOITERALTQLAND");
 
-    private static final Set<String> ORDERS = Set.of("GUIDED", "GUIDED_NOGPS", "BRAKE", "HOLD");
+    private static final Set<String> ORDERS = Set.of("GUIDED", "GUIDED_NOGPS");
+
+    private static final Set<String> STANDS = Set.of("BRAKE", "HOLD");
 
     private final Map<Long, String> names;
 
@@ -106,6 +108,8 @@ final class ModeTable {
                 steering.put(name, Steering.STICKS);
             } else if (ORDERS.contains(name) || loiter) {
                 steering.put(name, Steering.ORDERS);
+            } else if (STANDS.contains(name)) {
+                steering.put(name, Steering.STANDS);
             } else if (SAFETY.contains(name)) {
                 steering.put(name, Steering.SAFETY);
             } else if (name.equals("AUTO")) {

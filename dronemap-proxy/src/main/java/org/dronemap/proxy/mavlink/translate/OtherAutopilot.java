@@ -1,13 +1,17 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Conclusion;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
+import org.dronemap.proxy.mavlink.procedure.Target;
 import org.jspecify.annotations.Nullable;
 
 /** An autopilot whose ways are not known here: shown, not commanded. */
@@ -69,5 +73,10 @@ final class OtherAutopilot implements Autopilot {
     public Exchange plan(Command command, Cockpit cockpit) {
         return new Conclusion(() -> new Outcome.Refused(
                 "gate", "The ways of this autopilot (" + family() + ") are not known here; nothing was sent."));
+    }
+
+    @Override
+    public Optional<Message> steer(Setpoint setpoint, Target target) {
+        return Optional.empty();
     }
 }

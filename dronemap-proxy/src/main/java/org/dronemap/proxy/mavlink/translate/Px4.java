@@ -5,9 +5,11 @@ import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
@@ -15,6 +17,7 @@ import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
@@ -23,6 +26,7 @@ import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ParameterChange;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 import org.dronemap.proxy.mavlink.procedure.SetCurrentItem;
+import org.dronemap.proxy.mavlink.procedure.Target;
 import org.jspecify.annotations.Nullable;
 
 /** PX4's ways: main and sub mode, take-off and go-to at altitudes above mean sea level, no home in the mission. */
@@ -118,7 +122,10 @@ final class Px4 implements Autopilot {
                 Capability.SET_RELAY,
                 Capability.GO_TO_LOCAL,
                 Capability.EMERGENCY_STOP,
-                Capability.READ_MAP));
+                Capability.READ_MAP,
+                Capability.VELOCITY,
+                Capability.STICKS,
+                Capability.TRACK));
         if (kind == VehicleKind.ROVER || kind == VehicleKind.BOAT || kind == VehicleKind.SUBMARINE) {
             can.removeAll(EnumSet.of(Capability.TAKE_OFF, Capability.LAND));
         }
@@ -166,6 +173,11 @@ final class Px4 implements Autopilot {
         }
         Exchange common = CommonPlans.plan(command, cockpit);
         return common != null ? common : planMission(command, cockpit);
+    }
+
+    @Override
+    public Optional<Message> steer(Setpoint setpoint, Target target) {
+        return new Steersman(target, kind).say(setpoint);
     }
 
     private Exchange planMission(Command command, Cockpit cockpit) {

@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.FlightPlan;
@@ -210,6 +212,18 @@ public final class ArduCopter implements Autopilot {
     @Override
     public void steer(SetPositionTargetGlobalInt target) {
         orders.steer(target);
+    }
+
+    @Override
+    public void steer(SetPositionTargetLocalNed target) {
+        orders.steer(target);
+    }
+
+    @Override
+    public void manual(ManualControl sticks, int fromSystem) {
+        if (fromSystem == (int) parameters.value("SYSID_MYGCS")) {
+            flight.joystick().say(sticks, now);
+        }
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.dronemap.sim.personality.arducopter;
 import java.util.function.Consumer;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Cruise;
+import org.dronemap.sim.flight.Drive;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.FlightPlan;
 import org.dronemap.sim.flight.GoTo;
@@ -23,6 +24,7 @@ import org.jspecify.annotations.Nullable;
 final class CopterFlight {
     private static final int STICK_MID = 1500;
     private static final int STICK_LOW = 1100;
+    private static final Drive.Wanted STANDING = new Drive.Wanted(true, 0, 0, 0, Double.NaN, 0);
 
     private final Craft craft;
     private final FlightPlan plan;
@@ -37,12 +39,15 @@ final class CopterFlight {
     private boolean completed;
     private boolean autoStarted;
     private int stick = STICK_MID;
+    private final Joystick joystick;
+    private boolean byHand;
 
     CopterFlight(Craft craft, FlightPlan plan, Parameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
         this.plan = plan;
         this.parameters = parameters;
         this.events = events;
+        this.joystick = new Joystick(parameters);
         readSpeeds();
     }
 
@@ -58,6 +63,9 @@ final class CopterFlight {
         if (mode == CopterMode.AUTO && craft.landed() && !autoStarted) {
             return new Setpoint.Still();
         }
+        if (isFlownByHand(nowMillis)) {
+            return byHand(nowMillis);
+        }
         if (!isHeldDown()) {
             return manoeuvre.fly(craft, nowMillis);
         }
@@ -67,6 +75,21 @@ final class CopterFlight {
             return new Setpoint.Still();
         }
         return craft.landed() ? manoeuvre.fly(craft, nowMillis) : sink();
+    }
+
+    private boolean isFlownByHand(long nowMillis) {
+        boolean held = mode.followsStick() && !craft.landed() && joystick.isHeld(nowMillis);
+        if (byHand && !held && mode.followsStick()) {
+            // It stays where the hands left it.
+            manoeuvre = new Hover(craft, cruise);
+        }
+        byHand = held;
+        return held;
+    }
+
+    private Setpoint byHand(long nowMillis) {
+        Drive.Wanted wanted = joystick.wanted(nowMillis);
+        return new Drive(wanted == null ? STANDING : wanted, cruise).fly(craft, nowMillis);
     }
 
     private boolean isHeldDown() {
@@ -265,6 +288,11 @@ final class CopterFlight {
 
     CopterMode mode() {
         return mode;
+    }
+
+    /** What a ground station's sticks say. */
+    Joystick joystick() {
+        return joystick;
     }
 
     void setStick(int throttle) {

@@ -3,6 +3,7 @@ package org.dronemap.sim.personality.arducopter;
 import java.util.function.Consumer;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Cruise;
 import org.dronemap.sim.flight.Drive;
@@ -15,13 +16,15 @@ import org.dronemap.sim.personality.Result;
 import org.dronemap.sim.personality.Telemetry;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
-import org.dronemap.sim.physics.Setpoint;
 
 /** How ArduCopter answers MAV_CMDs and position targets. Each copy of an order is acted on. */
 final class CopterOrders {
     private static final int IGNORE_POSITION = 7;
     private static final int IGNORE_VELOCITY = 7 << 3;
     private static final int IGNORE_YAW = 1 << 10;
+    private static final int IGNORE_YAW_RATE = 1 << 11;
+    private static final int FRAME_BODY = 8;
+    private static final int FRAME_BODY_OFFSET = 9;
     private static final float FORCE_ARM = 2989;
     private static final double QUICKEST_TURN = 60;
 
@@ -211,8 +214,27 @@ final class CopterOrders {
             double above = amsl ? target.alt() - craft.home().altitudeAmsl() : target.alt();
             goTo(craft.locate(target.latInt() / 1e7, target.lonInt() / 1e7, above), yaw);
         } else if ((target.typeMask() & IGNORE_VELOCITY) == 0) {
-            flight.follow(
-                    new Drive(new Setpoint.Velocity(target.vx(), target.vy(), -target.vz(), yaw), flight.cruise()));
+            drive(new Drive.Wanted(false, target.vx(), target.vy(), -target.vz(), yaw, 0));
         }
+    }
+
+    /** Speeds in the frames 1 and 7 count from north, in 8 and 9 from its nose. */
+    void steer(SetPositionTargetLocalNed target) {
+        boolean speeds =
+                (target.typeMask() & IGNORE_POSITION) == IGNORE_POSITION && (target.typeMask() & IGNORE_VELOCITY) == 0;
+        if (flight.mode() != CopterMode.GUIDED || !craft.armed() || craft.landed() || !speeds) {
+            return;
+        }
+        drive(new Drive.Wanted(
+                target.coordinateFrame() == FRAME_BODY || target.coordinateFrame() == FRAME_BODY_OFFSET,
+                target.vx(),
+                target.vy(),
+                -target.vz(),
+                (target.typeMask() & IGNORE_YAW) == 0 ? target.yaw() : Double.NaN,
+                (target.typeMask() & IGNORE_YAW_RATE) == 0 ? target.yawRate() : 0));
+    }
+
+    private void drive(Drive.Wanted wanted) {
+        flight.follow(new Drive(wanted, flight.cruise()));
     }
 }

@@ -1,0 +1,63 @@
+package org.dronemap.core.cloud;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Contention;
+import org.jspecify.annotations.Nullable;
+
+/** The commands whose outcome is not known, or not written yet. Any thread; each one belongs to its drone's lane. */
+final class AllUnderway {
+    private final ConcurrentHashMap<CommandId, Underway> all = new ConcurrentHashMap<>();
+
+    @Nullable
+    Underway find(CommandId id) {
+        return all.get(id);
+    }
+
+    /** The one with this id that is under way already; null when there is none, and this one is now. */
+    @Nullable
+    Underway add(Underway entry) {
+        return all.putIfAbsent(entry.open().record().id(), entry);
+    }
+
+    void remove(Underway entry) {
+        all.remove(entry.open().record().id(), entry);
+    }
+
+    /** A drone's. */
+    List<Underway> of(ManagedDrone drone) {
+        return all.values().stream().filter(entry -> entry.drone() == drone).toList();
+    }
+
+    /** Something that was given under the control of now is under way. */
+    boolean isBusy(ManagedDrone drone) {
+        return open(drone).anyMatch(Underway::isUnderControl);
+    }
+
+    /** What may change the drone's way, as people call it: changes of mode alone leave it to whoever steers. */
+    Optional<String> manoeuvre(ManagedDrone drone) {
+        return open(drone)
+                .filter(entry -> entry.open().command().contention() == Contention.FLIGHT
+                        && !(entry.open().command() instanceof Command.SetMode))
+                .map(entry -> entry.open().record().summary())
+                .findFirst();
+    }
+
+    /** Something may change the drone's mode. */
+    boolean moves(ManagedDrone drone) {
+        return of(drone).stream().anyMatch(entry -> movesIt(entry.open().command()));
+    }
+
+    private Stream<Underway> open(ManagedDrone drone) {
+        return of(drone).stream().filter(entry -> entry.open().record().outcome() == null);
+    }
+
+    /** Uploads too: they may hold a drone that flies its mission. */
+    static boolean movesIt(Command command) {
+        return command.contention().newerWins() || command.contention() == Contention.TRANSFER;
+    }
+}

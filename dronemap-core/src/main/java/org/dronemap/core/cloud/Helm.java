@@ -1,0 +1,226 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.util.UUID;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicReference;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The setpoints of one drone: hands the newest on, and sees to it that the vehicle stands still once no more come. Each turn
+ * at the helm, from its first setpoint to its last, is one entry of the log of commands. Setpoints come from any thread, of
+ * which only the newest waits; everything else belongs to the drone's lane.
+ */
+final class Helm implements Lane.Ticker {
+    private static final Logger LOG = LoggerFactory.getLogger(Helm.class);
+    /** No setpoint counts for longer. */
+    static final long EXPIRES_NANOS = 500_000_000L;
+    /** A vehicle is told to stand still more than once, since nothing is answered. */
+    private static final long STILL_AGAIN_NANOS = 150_000_000L;
+
+    private static final int STILL_TIMES = 3;
+    private static final Mandate SAFETY = new Mandate(null, null, "dronemap", Fence.NONE);
+
+    private final ManagedDrone drone;
+    private final Log log;
+    private final Brake brake;
+    private final AtomicReference<@Nullable Word> newest = new AtomicReference<>();
+    // Owned by the lane.
+    private @Nullable Turn turn;
+    private @Nullable Setpoint still;
+    private int stillLeft;
+    private long stillNanos;
+
+    /** Where turns are written down, and who hears of them. */
+    record Log(CommandStore store, Journal journal, CloudListener listener, Clock clock) {}
+
+    /** Stops a vehicle that does not stand by itself once nobody steers it. */
+    interface Brake {
+        /** On the drone's lane; {@code epoch} is that of the control under which it was steered. */
+        void hold(ManagedDrone drone, @Nullable Long epoch);
+    }
+
+    /** A setpoint with who says it, and by what right. */
+    record Word(CommandGate.Source source, Passage.Open passage, Setpoint setpoint) {
+        boolean goesOn(Word earlier) {
+            return source.principal().name().equals(earlier.source.principal().name())
+                    && source.face().equals(earlier.source.face())
+                    && setpoint.summary().equals(earlier.setpoint.summary());
+        }
+    }
+
+    /** One source at the helm. */
+    private static final class Turn {
+        private final CommandRecord record;
+        private Word last;
+        private long lastNanos;
+
+        Turn(CommandRecord record, Word first, long nowNanos) {
+            this.record = record;
+            this.last = first;
+            this.lastNanos = nowNanos;
+        }
+    }
+
+    Helm(ManagedDrone drone, Log log, Brake brake) {
+        this.drone = drone;
+        this.log = log;
+        this.brake = brake;
+    }
+
+    /** Takes a setpoint in the place of one that still waits; false when the lane has no room. Any thread. */
+    boolean take(Word word) {
+        if (newest.getAndSet(word) != null) {
+            return true;
+        }
+        try {
+            drone.lane().execute(this::steer);
+            return true;
+        } catch (RejectedExecutionException e) {
+            newest.set(null);
+            return false;
+        }
+    }
+
+    /** That source steers no more, because of this; no-op when it does not steer. Any thread. */
+    void letGo(CommandGate.Source source, Outcome why) {
+        try {
+            drone.lane().execute(() -> {
+                Turn now = turn;
+                if (now != null && isOf(now.record, source)) {
+                    newest.set(null);
+                    end(now, why, true);
+                }
+            });
+        } catch (RejectedExecutionException e) {
+            LOG.warn("The lane of {} had no room to hear that nobody steers; it will see in half a second", drone.id());
+        }
+    }
+
+    private static boolean isOf(CommandRecord record, CommandGate.Source source) {
+        return record.by().equals(source.principal().name()) && record.face().equals(source.face());
+    }
+
+    private void steer() {
+        Word word = newest.getAndSet(null);
+        VehicleChannel channel = drone.channel().orElse(null);
+        if (word == null || channel == null || !word.passage().fence().isOpen()) {
+            return;
+        }
+        Turn now = turn;
+        if (now != null && !(word.goesOn(now.last) && now.last.passage().fence().isOpen())) {
+            end(now, new Outcome.Superseded("Replaced by: " + word.setpoint().summary() + "."), false);
+            now = null;
+        }
+        if (now == null) {
+            now = begin(word);
+        }
+        still = null;
+        now.last = word;
+        now.lastNanos = drone.lane().activeNanos();
+        channel.steer(
+                new Mandate(
+                        now.record.id(),
+                        word.passage().epoch(),
+                        now.record.by(),
+                        word.passage().fence()),
+                word.setpoint());
+    }
+
+    private Turn begin(Word word) {
+        CommandRecord record = new CommandRecord(
+                new CommandId("steer-" + UUID.randomUUID()),
+                drone.id(),
+                word.source().principal().name(),
+                word.source().face(),
+                "Steer",
+                word.setpoint().summary(),
+                log.clock().instant(),
+                CommandPhase.ACCEPTED,
+                null,
+                null,
+                null,
+                word.passage().epoch());
+        Turn begun = new Turn(record, word, drone.lane().activeNanos());
+        turn = begun;
+        log.journal()
+                .write(
+                        "who steers " + drone.id(),
+                        () -> log.store().begin(record),
+                        () -> log.listener().commandChanged(record));
+        return begun;
+    }
+
+    /** Somebody else has control, or nobody: what was begun under the earlier one is over. */
+    void controlChanged() {
+        Turn now = turn;
+        if (now != null && !now.last.passage().fence().isOpen()) {
+            end(
+                    now,
+                    new Outcome.Superseded("Control has changed hands. "
+                            + drone.control().control().sentence()),
+                    true);
+        }
+    }
+
+    /** A command now says where to fly. */
+    void commanded(String summary) {
+        newest.set(null);
+        still = null;
+        Turn now = turn;
+        if (now != null) {
+            end(now, new Outcome.Superseded("Replaced by: " + summary + "."), false);
+        }
+    }
+
+    private void end(Turn ending, Outcome outcome, boolean standStill) {
+        turn = null;
+        CommandRecord done = ending.record.ended(outcome, log.clock().instant());
+        log.journal()
+                .write(
+                        "that somebody steers " + drone.id() + " no more",
+                        () -> log.store().finish(done),
+                        () -> log.listener().commandChanged(done));
+        if (standStill) {
+            still = ending.last.setpoint().still();
+            stillLeft = STILL_TIMES;
+            sayStill();
+            brake.hold(drone, ending.last.passage().epoch());
+        }
+    }
+
+    private void sayStill() {
+        Setpoint saying = still;
+        if (saying == null) {
+            return;
+        }
+        stillNanos = drone.lane().activeNanos();
+        stillLeft--;
+        drone.channel().ifPresent(channel -> channel.steer(SAFETY, saying));
+        if (stillLeft == 0) {
+            still = null;
+        }
+    }
+
+    @Override
+    public void tick() {
+        long now = drone.lane().activeNanos();
+        Turn steering = turn;
+        if (steering != null && now - steering.lastNanos > EXPIRES_NANOS) {
+            end(
+                    steering,
+                    new Outcome.TimedOut("Nothing more came for half a second; the vehicle was told to stand still."),
+                    true);
+        } else if (still != null && now - stillNanos > STILL_AGAIN_NANOS) {
+            sayStill();
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package org.dronemap.core.cloud;
+
+import java.util.Optional;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.zone.Routes;
+
+/**
+ * The one door for setpoints, whoever steers: each one is judged like a command, and then the newest goes to the vehicle as
+ * long as its source goes on and keeps control. Any thread; nothing here waits.
+ */
+public final class SetpointGate {
+    private static final String GATE = "gate";
+
+    private final DroneRegistry registry;
+    private final CommandGate commands;
+
+    SetpointGate(DroneRegistry registry, CommandGate commands) {
+        this.registry = registry;
+        this.commands = commands;
+    }
+
+    /**
+     * Steers a drone for at most half a second from now on; then it stands still. Empty when the setpoint was taken, else
+     * why it was not, and whoever steered is at the helm no more.
+     *
+     * @throws UnknownDroneException when there is no such drone
+     */
+    public Optional<String> steer(CommandGate.Source source, DroneId drone, Setpoint setpoint) {
+        ManagedDrone managed = find(drone);
+        Optional<String> why = whyNot(source.principal(), managed.drone().state(), setpoint)
+                .or(() -> enter(managed, source, setpoint));
+        why.ifPresent(sentence -> managed.helm().letGo(source, new Outcome.Refused(GATE, sentence)));
+        return why;
+    }
+
+    private Optional<String> enter(ManagedDrone managed, CommandGate.Source source, Setpoint setpoint) {
+        Passage passage = managed.control().enter(source);
+        if (passage instanceof Passage.Closed closed) {
+            return Optional.of(closed.why());
+        }
+        Optional<String> busy = commands.manoeuvre(managed);
+        if (busy.isPresent()) {
+            return Optional.of("Steer when what is under way has ended: " + busy.get() + ".");
+        }
+        return managed.helm().take(new Helm.Word(source, (Passage.Open) passage, setpoint))
+                ? Optional.empty()
+                : Optional.of("The server is overloaded; nothing was sent.");
+    }
+
+    /** Why this principal cannot steer that drone so now; empty when it can. */
+    public Optional<String> whyNot(Principal principal, DroneState drone, Setpoint setpoint) {
+        return RoleRules.whyNot(principal, drone, setpoint.needs())
+                .or(() -> CommandRules.whyNot(drone, setpoint))
+                .or(() -> Routes.ahead(drone, setpoint)
+                        .flatMap(command -> commands.whyNotThere(principal, drone, command)));
+    }
+
+    /**
+     * Its source takes the hands off the sticks: the drone stands still at once. No-op when it did not steer.
+     *
+     * @throws UnknownDroneException when there is no such drone
+     */
+    public void letGo(CommandGate.Source source, DroneId drone) {
+        find(drone).helm().letGo(source, new Outcome.Succeeded());
+    }
+
+    private ManagedDrone find(DroneId drone) {
+        return registry.find(drone).orElseThrow(() -> new UnknownDroneException(drone));
+    }
+}

@@ -1,0 +1,169 @@
+package org.dronemap.core.command;
+
+import java.util.Locale;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a vehicle shall move from now on, said again and again by whoever steers it: the newest one counts, and none counts for
+ * long. No {@link Command}: a single one has no outcome, and one that is lost is replaced by the next.
+ */
+public sealed interface Setpoint {
+    double WHOLE_TURN = 360;
+
+    /** What the vehicle must be able to do for it. */
+    Capability needs();
+
+    /** What whoever says this does, for people: "steer by sticks". */
+    String summary();
+
+    /** What stands for no movement, said in the same way. */
+    Setpoint still();
+
+    default boolean isStill() {
+        return equals(still());
+    }
+
+    /** What the directions of a speed are counted from. */
+    enum Frame {
+        /** Forward, right and down as the vehicle stands. */
+        VEHICLE,
+        /** True north, east and down. */
+        EARTH
+    }
+
+    /** Where a vehicle looks while it moves. */
+    sealed interface Facing {
+        /** As the vehicle likes. */
+        Facing ANY = new Any();
+
+        record Any() implements Facing {}
+
+        /** −360 to 360 degrees clockwise from true north. */
+        record Heading(double degrees) implements Facing {
+            public Heading {
+                within("heading", degrees, WHOLE_TURN);
+            }
+        }
+
+        /** −360 to 360 degrees a second, clockwise seen from above. */
+        record Turning(double degreesPerSecond) implements Facing {
+            public Turning {
+                within("turn", degreesPerSecond, WHOLE_TURN);
+                degreesPerSecond += 0.0;
+            }
+        }
+    }
+
+    /**
+     * Move with a speed, each direction −100 to 100 m/s.
+     *
+     * @param forward m/s forward, or north
+     * @param right m/s to the right, or east
+     * @param down m/s downwards; ground robots know none
+     * @param facing where it looks meanwhile
+     */
+    record Velocity(Frame frame, double forward, double right, double down, Facing facing) implements Setpoint {
+        private static final double FASTEST = 100;
+
+        public Velocity {
+            within("forward", forward, FASTEST);
+            within("right", right, FASTEST);
+            within("down", down, FASTEST);
+            // There is one way to stand still.
+            forward += 0.0;
+            right += 0.0;
+            down += 0.0;
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.VELOCITY;
+        }
+
+        @Override
+        public String summary() {
+            return "steer by speeds";
+        }
+
+        @Override
+        public Velocity still() {
+            return new Velocity(frame, 0, 0, 0, facing instanceof Facing.Turning ? new Facing.Turning(0) : facing);
+        }
+    }
+
+    /**
+     * What a pilot's sticks say, each −1 to 1 with 0 in the middle.
+     *
+     * @param forward pitch; a ground vehicle's throttle
+     * @param right roll
+     * @param up throttle; 0 keeps the height where the mode keeps one
+     * @param turn yaw, clockwise; a ground vehicle's steering
+     */
+    record Sticks(double forward, double right, double up, double turn) implements Setpoint {
+        public Sticks {
+            within("forward", forward, 1);
+            within("right", right, 1);
+            within("up", up, 1);
+            within("turn", turn, 1);
+            forward += 0.0;
+            right += 0.0;
+            up += 0.0;
+            turn += 0.0;
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.STICKS;
+        }
+
+        @Override
+        public String summary() {
+            return "steer by sticks";
+        }
+
+        @Override
+        public Sticks still() {
+            return new Sticks(0, 0, 0, 0);
+        }
+    }
+
+    /**
+     * Be at a place that moves.
+     *
+     * @param moving how the place itself moves, counted from {@link Frame#EARTH}; null: not known
+     * @param facing where it looks meanwhile
+     */
+    record Track(
+            Geodetic point, Altitude altitude, @Nullable Velocity moving, Facing facing) implements Setpoint {
+        public Track {
+            if (moving != null && moving.frame() != Frame.EARTH) {
+                throw new IllegalArgumentException("how a place moves is counted from true north");
+            }
+        }
+
+        @Override
+        public Capability needs() {
+            return Capability.TRACK;
+        }
+
+        @Override
+        public String summary() {
+            return "lead it by a place";
+        }
+
+        @Override
+        public Velocity still() {
+            return new Velocity(Frame.EARTH, 0, 0, 0, Facing.ANY);
+        }
+    }
+
+    private static void within(String field, double value, double most) {
+        if (!(Math.abs(value) <= most)) {
+            throw new IllegalArgumentException(
+                    String.format(Locale.ROOT, "%s must be %.0f to %.0f: %s", field, -most, most, value));
+        }
+    }
+}

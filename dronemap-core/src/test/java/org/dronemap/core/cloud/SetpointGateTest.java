@@ -1,0 +1,277 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandPhase;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.command.Setpoint.Facing;
+import org.dronemap.core.command.Setpoint.Frame;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.BreachAction;
+import org.dronemap.core.zone.Validity;
+import org.dronemap.core.zone.Zone;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Steering a drone, from the gate to the wire, and what follows when nobody does any more. */
+class SetpointGateTest {
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
+    private static final CommandGate.Source ANN = source("ann", Role.OPERATOR);
+    private static final CommandGate.Source BOB = source("bob", Role.OPERATOR);
+    private static final Setpoint NORTHWARD = new Setpoint.Velocity(Frame.EARTH, 3, 0, 0, Facing.ANY);
+    private static final Setpoint NO_SPEED = new Setpoint.Velocity(Frame.EARTH, 0, 0, 0, Facing.ANY);
+    private static final Setpoint PUSHED = new Setpoint.Sticks(0.5, 0, 0, 0);
+    private static final Setpoint MIDDLE = new Setpoint.Sticks(0, 0, 0, 0);
+    private static final Geodetic HERE = new Geodetic(47.3977, 8.5456);
+
+    private final Lanes lanes = new Lanes(1);
+    private final Journal journal = new Journal();
+    private final Fixtures.HeapCommandStore log = new Fixtures.HeapCommandStore();
+    private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    private final CloudManager cloud = new CloudManager(
+            lanes,
+            new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)),
+            Clock.systemUTC(),
+            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), log, new Fixtures.HeapLeaseStore(), journal),
+            () -> new DroneId("drone-1"));
+    private final SetpointGate setpoints = cloud.setpoints();
+    private DroneLink link;
+
+    private static CommandGate.Source source(String name, Role role) {
+        return new CommandGate.Source(new Principal(name, role), "outlet");
+    }
+
+    @BeforeEach
+    void fly() {
+        LinkSession session =
+                new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
+        link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        hear(new DroneEvent.Identified(
+                Fixtures.copter(null),
+                new Capabilities(
+                        Set.of(Capability.values()),
+                        List.of("GUIDED", "BRAKE", "LOITER", "AUTO"),
+                        Map.of(
+                                "GUIDED",
+                                Steering.ORDERS,
+                                "BRAKE",
+                                Steering.STANDS,
+                                "LOITER",
+                                Steering.STICKS,
+                                "AUTO",
+                                Steering.MISSION))));
+        hear(new DroneEvent.HomeHeard(new Home(HERE, 400.0)));
+        hear(new DroneEvent.PositionHeard(new Position(HERE, 420.0, 20.0)));
+        hear(new DroneEvent.MotionHeard(new Motion(0.0, null, 0.0, 0.0)));
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+    }
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    @Test
+    void handsSetpointsOnAndTellsTheVehicleToStandOnceNoMoreCome() {
+        assertThat(steer(ANN, NORTHWARD)).isEmpty();
+        awaitSaid(said -> said.equals(List.of(NORTHWARD, NO_SPEED, NO_SPEED, NO_SPEED)));
+
+        CommandRecord turn = ended();
+        assertThat(turn.by()).isEqualTo("ann");
+        assertThat(turn.face()).isEqualTo("outlet");
+        assertThat(turn.summary()).isEqualTo("steer by speeds");
+        assertThat(turn.epoch()).isPositive();
+        assertThat(turn.outcome())
+                .isEqualTo(new Outcome.TimedOut(
+                        "Nothing more came for half a second; the vehicle was told to stand still."));
+        // In a mode for orders no speed is a place to stay.
+        assertThat(vehicle.performed).isEmpty();
+    }
+
+    @Test
+    void isOneEntryInTheLogForAsLongAsItGoesOn() {
+        for (int count = 0; count < 20; count++) {
+            Setpoint next = new Setpoint.Velocity(Frame.EARTH, 3, 0.1 * count, 0, Facing.ANY);
+            assertThat(steer(ANN, next)).isEmpty();
+            awaitSaid(said -> said.contains(next));
+        }
+
+        await().atMost(PATIENCE).until(() -> log.records.size() == 1);
+        CommandRecord turn = log.records.values().iterator().next();
+        assertThat(turn.phase()).isEqualTo(CommandPhase.ACCEPTED);
+    }
+
+    @Test
+    void onlyTheNewestWaitsForABusyLane() {
+        CountDownLatch busy = new CountDownLatch(1);
+        link.lane().execute(() -> {
+            try {
+                busy.await(20, TimeUnit.SECONDS);
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        for (int speed = 1; speed <= 50; speed++) {
+            assertThat(steer(ANN, new Setpoint.Velocity(Frame.EARTH, speed, 0, 0, Facing.ANY)))
+                    .isEmpty();
+        }
+        busy.countDown();
+
+        awaitSaid(said -> said.contains(NO_SPEED));
+        assertThat(vehicle.setpoints.get(0)).isEqualTo(new Setpoint.Velocity(Frame.EARTH, 50, 0, 0, Facing.ANY));
+        assertThat(vehicle.setpoints.get(1)).isEqualTo(NO_SPEED);
+    }
+
+    @Test
+    void handsOffTheSticksBringsItToAHoldAtOnce() {
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+        assertThat(steer(ANN, PUSHED)).isEmpty();
+        setpoints.letGo(ANN, link.id());
+
+        awaitSaid(said -> said.size() >= 2);
+        assertThat(vehicle.setpoints.subList(0, 2)).containsExactly(PUSHED, MIDDLE);
+        // Sticks that nobody holds keep nothing.
+        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
+        assertThat(ended().outcome()).isEqualTo(new Outcome.Succeeded());
+    }
+
+    @Test
+    void whoTakesControlStopsWhatTheOtherSteeredBeforeAnythingElse() {
+        assertThat(steer(ANN, NORTHWARD)).isEmpty();
+        awaitSaid(said -> said.contains(NORTHWARD));
+        cloud.controls().apply(link.id(), new LeaseEvent.TakeOver("bob", "smoke"));
+        cloud.gate().submit(BOB, link.id(), new CommandId("bobs-goto"), goTo());
+        assertThat(steer(ANN, NORTHWARD))
+                .hasValueSatisfying(why -> assertThat(why).startsWith("bob has had control"));
+
+        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(goTo())));
+        assertThat(vehicle.setpoints).containsExactly(NORTHWARD, NO_SPEED);
+        assertThat(ended().outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Superseded.class,
+                        superseded -> assertThat(superseded.reason()).startsWith("Control has changed hands."));
+    }
+
+    @Test
+    void aCommandTakesTheHelmAndNothingIsSteeredWhileItIsUnderWay() {
+        assertThat(steer(ANN, NORTHWARD)).isEmpty();
+        awaitSaid(said -> said.contains(NORTHWARD));
+        cloud.gate().submit(ANN, link.id(), new CommandId("anns-goto"), goTo());
+        assertThat(steer(ANN, NORTHWARD))
+                .hasValueSatisfying(why -> assertThat(why).startsWith("Steer when what is under way has ended: go to"));
+
+        assertThat(ended().outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Superseded.class,
+                        superseded -> assertThat(superseded.reason()).startsWith("Replaced by: go to"));
+        assertThat(vehicle.setpoints).containsExactly(NORTHWARD);
+    }
+
+    @Test
+    void whoMayNotIsToldWhyAndNothingIsSaid() {
+        assertThat(steer(source("eve", Role.VIEWER), NORTHWARD))
+                .hasValueSatisfying(why -> assertThat(why).contains("look, not command"));
+        assertThat(steer(ANN, PUSHED))
+                .contains("In GUIDED it is not to be steered so; change its mode to LOITER first.");
+        hear(new DroneEvent.ModeHeard("BRAKE", true));
+        assertThat(steer(ANN, NORTHWARD))
+                .contains("In BRAKE it is not to be steered so; change its mode to GUIDED first.");
+        hear(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
+        assertThat(steer(ANN, NORTHWARD)).contains("Take off first.");
+
+        assertThat(vehicle.setpoints).isEmpty();
+        assertThat(log.records).isEmpty();
+    }
+
+    @Test
+    void isNotSteeredIntoAZoneAndStandsWhenItIsTried() {
+        cloud.zones()
+                .put(List.of(new Zone(
+                        "z1",
+                        "the dam",
+                        new FenceZone.Circle(false, new Geodetic(47.3979, 8.5456), 15),
+                        AltitudeBand.ALL,
+                        Binding.EVERYBODY,
+                        Validity.ALWAYS,
+                        BreachAction.HOLD,
+                        "ann",
+                        Instant.EPOCH)));
+        assertThat(steer(ANN, new Setpoint.Velocity(Frame.EARTH, -3, 0, 0, Facing.ANY)))
+                .isEmpty();
+        assertThat(steer(ANN, NORTHWARD))
+                .hasValueSatisfying(why -> assertThat(why).contains("the dam"));
+
+        awaitSaid(said -> said.contains(NO_SPEED));
+        assertThat(vehicle.setpoints).doesNotContain(NORTHWARD);
+        assertThat(ended().outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Refused.class,
+                        refused -> assertThat(refused.reason()).contains("the dam"));
+    }
+
+    private static Command.GoTo goTo() {
+        return new Command.GoTo(new Geodetic(47.398, 8.546), Altitude.aboveHome(20));
+    }
+
+    private Optional<String> steer(CommandGate.Source source, Setpoint setpoint) {
+        return setpoints.steer(source, link.id(), setpoint);
+    }
+
+    private void hear(DroneEvent event) {
+        link.lane().execute(() -> link.accept(event));
+        await().atMost(PATIENCE).until(() -> {
+            CountDownLatch done = new CountDownLatch(1);
+            link.lane().execute(done::countDown);
+            return done.await(20, TimeUnit.SECONDS);
+        });
+    }
+
+    private void awaitSaid(Predicate<List<Setpoint>> wanted) {
+        await().atMost(PATIENCE).until(() -> wanted.test(List.copyOf(vehicle.setpoints)));
+    }
+
+    private CommandRecord ended() {
+        await().atMost(PATIENCE)
+                .until(() -> log.records.values().stream()
+                        .anyMatch(record -> record.type().equals("Steer") && record.outcome() != null));
+        return log.records.values().stream()
+                .filter(record -> record.type().equals("Steer"))
+                .findFirst()
+                .orElseThrow();
+    }
+}

@@ -1,0 +1,152 @@
+package org.dronemap.proxy.outlet;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.cloud.CommandGate;
+import org.dronemap.core.cloud.UnknownDroneException;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.mavlink.message.ManualControl;
+import org.dronemap.mavlink.message.RcChannelsOverride;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Takes sticks and setpoints of clients to the cloud's gate for them, at once and in their users' names; who is not let to
+ * steer is told why, and not again at once. Owned by the outlet's thread.
+ */
+final class SteeringCounter {
+    static final Set<Integer> STEERING = Set.of(
+            ManualControl.ID, RcChannelsOverride.ID, SetPositionTargetLocalNed.ID, SetPositionTargetGlobalInt.ID);
+
+    private static final long BETWEEN_SENTENCES_NANOS = 10_000_000_000L;
+    /** Places that come slower than that are gone to one by one. */
+    private static final long STREAM_NANOS = 1_000_000_000L;
+
+    private final CloudManager cloud;
+    private final Orders orders;
+    private final Map<Seat, Hand> hands = new HashMap<>();
+
+    /** A client at a drone. */
+    private record Seat(String client, DroneId drone) {}
+
+    /** What it said last there: a place that is gone to, or leads. */
+    private record Hand(Principal principal, Setpoint.@Nullable Track place, long nanos, boolean leads) {}
+
+    SteeringCounter(CloudManager cloud, Orders orders) {
+        this.cloud = cloud;
+        this.orders = orders;
+    }
+
+    void take(Asked asked, long now) {
+        Principal principal = asked.client().principal();
+        DroneState state = cloud.drone(asked.drone()).orElse(null);
+        if (principal == null || state == null) {
+            return;
+        }
+        if (asked.client().onlyLooks()) {
+            explain(asked, "This is a port to look only; to steer, sign.", now);
+            return;
+        }
+        Seat seat = new Seat(asked.client().id(), asked.drone());
+        SteeringWords.Wish wish = SteeringWords.of(asked.frame(), state);
+        if (wish instanceof SteeringWords.Wish.Denied denied) {
+            explain(asked, denied.sentence(), now);
+        } else if (wish instanceof SteeringWords.Wish.LetGo) {
+            letGo(seat, hands.remove(seat));
+        } else if (wish instanceof SteeringWords.Wish.Steer steer) {
+            hands.put(seat, new Hand(principal, null, now, true));
+            steer(asked, principal, steer.setpoint(), now);
+        } else if (wish instanceof SteeringWords.Wish.Place place) {
+            place(asked, new Hand(principal, place.track(), now, false), now);
+        }
+    }
+
+    /** A place that is said once is gone to; places that follow on each other lead. */
+    private void place(Asked asked, Hand said, long now) {
+        Seat seat = new Seat(asked.client().id(), asked.drone());
+        Hand before = hands.get(seat);
+        Setpoint.Track track = said.place();
+        if (track == null) {
+            return;
+        }
+        if (before == null || before.place() == null || now - before.nanos() >= STREAM_NANOS) {
+            hands.put(seat, said);
+            goTo(asked, said.principal(), track);
+        } else if (!before.leads() && track.equals(before.place())) {
+            hands.put(seat, said);
+        } else {
+            hands.put(seat, new Hand(said.principal(), track, now, true));
+            steer(asked, said.principal(), track, now);
+        }
+    }
+
+    private void goTo(Asked asked, Principal principal, Setpoint.Track track) {
+        if (asked.client().mayOrder()) {
+            Command command = new Command.GoTo(track.point(), track.altitude());
+            orders.give(principal, asked.drone(), command, new Going(asked));
+        }
+    }
+
+    private void steer(Asked asked, Principal principal, Setpoint setpoint, long now) {
+        if (!asked.client().maySteer()) {
+            return;
+        }
+        try {
+            Optional<String> why = cloud.setpoints().steer(source(principal), asked.drone(), setpoint);
+            // Programs with a joystick say its middle all the time, whatever the drone does.
+            why.filter(sentence -> !setpoint.isStill()).ifPresent(sentence -> explain(asked, sentence, now));
+        } catch (UnknownDroneException removedMeanwhile) {
+            explain(asked, "This drone was removed.", now);
+        }
+    }
+
+    /** The client has gone: what it steered stands still. */
+    void forget(String client) {
+        for (Seat seat : Set.copyOf(hands.keySet())) {
+            if (seat.client().equals(client)) {
+                letGo(seat, hands.remove(seat));
+            }
+        }
+    }
+
+    private void letGo(Seat seat, @Nullable Hand hand) {
+        if (hand != null && hand.leads() && cloud.drone(seat.drone()).isPresent()) {
+            cloud.setpoints().letGo(source(hand.principal()), seat.drone());
+        }
+    }
+
+    private static CommandGate.Source source(Principal principal) {
+        return new CommandGate.Source(principal, Orders.FACE);
+    }
+
+    private static void explain(Asked asked, String why, long now) {
+        if (asked.client().mayBeTold(why, now, BETWEEN_SENTENCES_NANOS)) {
+            asked.explain(why);
+        }
+    }
+
+    /** A target is not acknowledged; what comes of it is told where it is not done. */
+    private record Going(Asked asked) implements Orders.Answer {
+        @Override
+        public void accepted() {
+            // There is no message for it.
+        }
+
+        @Override
+        public void ended(Outcome outcome) {
+            String why = Reasons.sentence(outcome);
+            if (!why.isEmpty()) {
+                asked.explain(why);
+            }
+        }
+    }
+}

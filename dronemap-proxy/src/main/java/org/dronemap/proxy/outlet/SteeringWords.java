@@ -1,0 +1,179 @@
+package org.dronemap.proxy.outlet;
+
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.command.Setpoint.Facing;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.ManualControl;
+import org.dronemap.mavlink.message.RcChannelsOverride;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
+import org.jspecify.annotations.Nullable;
+
+/** What the messages by which clients steer mean, see POSITION_TARGET_TYPEMASK, MAV_FRAME and MANUAL_CONTROL. Stateless. */
+final class SteeringWords {
+    private static final int POSITION = 0x007;
+    private static final int SPEED = 0x038;
+    private static final int ACCELERATION = 0x1C0;
+    private static final int FORCE = 0x200;
+    private static final int YAW = 0x400;
+    private static final int YAW_RATE = 0x800;
+
+    private static final double E7 = 1e7;
+    private static final double STICK_END = 1000;
+    private static final double STICK_HALF = 500;
+    private static final int PULSE_MIDDLE = 1500;
+    private static final double PULSE_HALF = 500;
+    private static final int PULSE_UNSAID = 0xFFFF;
+    private static final int PULSE_SHORTEST = 800;
+    private static final int PULSE_LONGEST = 2200;
+
+    private SteeringWords() {}
+
+    /** What a client wants with the helm. */
+    sealed interface Wish {
+        record Steer(Setpoint setpoint) implements Wish {}
+
+        /** To be at a place, said alone: as a command when it is said once. */
+        record Place(Setpoint.Track track) implements Wish {}
+
+        record LetGo() implements Wish {}
+
+        record Nothing() implements Wish {}
+
+        record Denied(String sentence) implements Wish {}
+    }
+
+    static Wish of(Frame frame, DroneState state) {
+        try {
+            return switch (frame.messageId()) {
+                case ManualControl.ID -> sticks(ManualControl.decode(frame), state);
+                case RcChannelsOverride.ID -> channels(RcChannelsOverride.decode(frame), state);
+                case SetPositionTargetLocalNed.ID -> speeds(SetPositionTargetLocalNed.decode(frame));
+                default -> place(SetPositionTargetGlobalInt.decode(frame));
+            };
+        } catch (IllegalArgumentException outOfRange) {
+            return new Wish.Denied("This cannot be steered by: " + outOfRange.getMessage() + ".");
+        }
+    }
+
+    private static Wish sticks(ManualControl said, DroneState state) {
+        if (said.buttons() != 0 || said.buttons2() != 0) {
+            return new Wish.Denied("Buttons of joysticks do not pass the cloud; only sticks do.");
+        }
+        Setpoint sticks = drives(state)
+                ? new Setpoint.Sticks(said.z() / STICK_END, 0, 0, said.y() / STICK_END)
+                : new Setpoint.Sticks(
+                        said.x() / STICK_END,
+                        said.y() / STICK_END,
+                        (said.z() - STICK_HALF) / STICK_HALF,
+                        said.r() / STICK_END);
+        return new Wish.Steer(sticks);
+    }
+
+    /** The first four channels as radios come: roll, pitch (backwards is more), throttle, yaw. */
+    private static Wish channels(RcChannelsOverride said, DroneState state) {
+        int[] sticks = {said.chan1Raw(), said.chan2Raw(), said.chan3Raw(), said.chan4Raw()};
+        int released = 0;
+        int unsaid = 0;
+        for (int pulse : sticks) {
+            released += pulse == 0 ? 1 : 0;
+            unsaid += pulse == PULSE_UNSAID ? 1 : 0;
+            if (pulse != 0 && pulse != PULSE_UNSAID && (pulse < PULSE_SHORTEST || pulse > PULSE_LONGEST)) {
+                return new Wish.Denied(
+                        "A channel is " + PULSE_SHORTEST + " to " + PULSE_LONGEST + " us, not " + pulse + ".");
+            }
+        }
+        if (isSwitched(said)) {
+            return new Wish.Denied("Only the channels 1 to 4 pass the cloud; modes and switches are commands.");
+        }
+        if (released + unsaid == sticks.length) {
+            return released > 0 ? new Wish.LetGo() : new Wish.Nothing();
+        }
+        double first = share(sticks[0]);
+        double third = share(sticks[2]);
+        return new Wish.Steer(
+                drives(state)
+                        ? new Setpoint.Sticks(third, 0, 0, first)
+                        : new Setpoint.Sticks(0.0 - share(sticks[1]), first, third, share(sticks[3])));
+    }
+
+    private static boolean isSwitched(RcChannelsOverride said) {
+        int[] switches = {said.chan5Raw(), said.chan6Raw(), said.chan7Raw(), said.chan8Raw()};
+        for (int pulse : switches) {
+            if (pulse != 0 && pulse != PULSE_UNSAID) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static double share(int pulse) {
+        if (pulse == 0 || pulse == PULSE_UNSAID) {
+            return 0;
+        }
+        return Math.max(-1, Math.min(1, (pulse - PULSE_MIDDLE) / PULSE_HALF));
+    }
+
+    private static boolean drives(DroneState state) {
+        VehicleKind kind = state.identification().kind();
+        return kind == VehicleKind.ROVER || kind == VehicleKind.BOAT;
+    }
+
+    private static Wish speeds(SetPositionTargetLocalNed said) {
+        Setpoint.Frame frame = speedFrame(said.coordinateFrame());
+        boolean onlySpeeds = (said.typeMask() & POSITION) == POSITION && (said.typeMask() & SPEED) == 0;
+        if (frame == null || !onlySpeeds || accelerates(said.typeMask())) {
+            return new Wish.Denied(
+                    "Of local targets only speeds pass the cloud; places are SET_POSITION_TARGET_GLOBAL_INT.");
+        }
+        return new Wish.Steer(new Setpoint.Velocity(
+                frame, said.vx(), said.vy(), said.vz(), facing(said.typeMask(), said.yaw(), said.yawRate())));
+    }
+
+    private static Setpoint.@Nullable Frame speedFrame(int frame) {
+        return switch (frame) {
+            case 1, 7 -> Setpoint.Frame.EARTH;
+            case 8, 9, 12 -> Setpoint.Frame.VEHICLE;
+            default -> null;
+        };
+    }
+
+    private static Wish place(SetPositionTargetGlobalInt said) {
+        boolean placed = (said.typeMask() & POSITION) == 0;
+        boolean moves = (said.typeMask() & SPEED) == 0;
+        if ((!placed && !moves)
+                || accelerates(said.typeMask())
+                || (!placed && (said.typeMask() & POSITION) != POSITION)) {
+            return new Wish.Denied("Of global targets whole places and speeds pass the cloud, accelerations do not.");
+        }
+        Facing facing = facing(said.typeMask(), said.yaw(), said.yawRate());
+        Setpoint.Velocity moving =
+                moves ? new Setpoint.Velocity(Setpoint.Frame.EARTH, said.vx(), said.vy(), said.vz(), facing) : null;
+        if (!placed && moving != null) {
+            return new Wish.Steer(moving);
+        }
+        Altitude altitude = CommandWords.altitude(said.coordinateFrame(), said.alt());
+        if (altitude == null) {
+            return new Wish.Denied(
+                    "Heights are counted from home or from the sea, not in frame " + said.coordinateFrame() + ".");
+        }
+        Setpoint.Track track =
+                new Setpoint.Track(new Geodetic(said.latInt() / E7, said.lonInt() / E7), altitude, moving, facing);
+        return moving == null && facing instanceof Facing.Any ? new Wish.Place(track) : new Wish.Steer(track);
+    }
+
+    private static boolean accelerates(int mask) {
+        return (mask & ACCELERATION) != ACCELERATION || (mask & FORCE) != 0;
+    }
+
+    private static Facing facing(int mask, float yaw, float yawRate) {
+        if ((mask & YAW) == 0) {
+            return new Facing.Heading(Math.toDegrees(yaw));
+        }
+        return (mask & YAW_RATE) == 0 ? new Facing.Turning(Math.toDegrees(yawRate)) : Facing.ANY;
+    }
+}
