@@ -2,11 +2,14 @@
 
 import type { Role } from './accounts';
 import type { Control } from './control';
+import type { AltitudeReference, MissionItem } from './items';
 import type { FleetPlan } from './plans';
 import type { MissionRun } from './runs';
 import type { SensedNumbers } from './sensed';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
+
+export type { AltitudeReference, LookAtItem, MissionItem, WaypointItem } from './items';
 
 /** `ended`: the recording that it comes from has been played to its end. */
 export type LinkState = 'live' | 'suspect' | 'lost' | 'ended';
@@ -88,38 +91,6 @@ export interface Home {
   latitude: number;
   longitude: number;
   altitudeAmsl: number | null;
-}
-
-export type AltitudeReference = 'home' | 'amsl';
-
-export interface WaypointItem {
-  type: 'waypoint';
-  latitude: number;
-  longitude: number;
-  altitude: number;
-  altitudeReference: AltitudeReference;
-  holdSeconds?: number | null;
-}
-
-export type MissionItem =
-  | { type: 'takeOff'; altitude: number }
-  | WaypointItem
-  | { type: 'returnToLaunch' }
-  | { type: 'land' }
-  | { type: 'wait'; holdSeconds: number }
-  | { type: 'takePhoto' }
-  | { type: 'setServo'; output: number; pulse: number }
-  | LookAtItem
-  | { type: 'lookAhead' }
-  | { type: 'other'; description: string };
-
-/** The camera points there until it is to look ahead again. */
-export interface LookAtItem {
-  type: 'lookAt';
-  latitude: number;
-  longitude: number;
-  altitude: number;
-  altitudeReference?: AltitudeReference;
 }
 
 /** The mission that the vehicle itself holds, as read back from it. */

@@ -3,11 +3,13 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Hidden;
 import jakarta.servlet.RequestDispatcher;
 import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
 import java.util.Optional;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
+import org.jspecify.annotations.Nullable;
 import org.springframework.boot.webmvc.error.ErrorController;
 import org.springframework.http.MediaType;
 import org.springframework.http.ResponseEntity;
@@ -24,8 +26,12 @@ public class ErrorAnswer implements ErrorController {
         this.outages = outages;
     }
 
+    /** Null when an answer is on its way already, of which nothing can be taken back. */
     @RequestMapping("/error")
-    public ResponseEntity<Problem> error(HttpServletRequest request) {
+    public @Nullable ResponseEntity<Problem> error(HttpServletRequest request, HttpServletResponse response) {
+        if (response.isCommitted()) {
+            return null;
+        }
         Object code = request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE);
         int status = code instanceof Integer number ? number : RejectionKind.UNKNOWN.status();
         Object thrown = request.getAttribute(RequestDispatcher.ERROR_EXCEPTION);
