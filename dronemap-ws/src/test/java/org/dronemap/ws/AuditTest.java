@@ -46,6 +46,7 @@ class AuditTest {
             "setMode", ",\"mode\":\"GUIDED\"",
             "goTo", ",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20",
             "uploadMission", ",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]",
+            "goToLocal", ",\"x\":1,\"y\":2",
             "turn", ",\"degrees\":90",
             "setRelay", ",\"relay\":1,\"setting\":\"on\"",
             "setParameters", ",\"parameters\":[{\"name\":\"RTL_ALT\",\"value\":2000}]");

@@ -12,7 +12,10 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** A record: each component under its name, in their order; no more and no less. */
+/**
+ * A record: each component under its name, in their order; no more and no less. Only lists may be missing, and are empty then: so
+ * what was written before a record had them can be read still.
+ */
 final class RecordForm implements Form {
     private final Class<?> type;
     private final Constructor<?> constructor;
@@ -81,7 +84,8 @@ final class RecordForm implements Form {
 
     /** {@code others}: how many members there are besides. */
     Object read(JsonNode node, int others) {
-        if (!node.isObject() || node.size() != members.size() + others) {
+        long written = members.stream().filter(one -> node.has(one.name())).count();
+        if (!node.isObject() || node.size() != written + others) {
             throw new IllegalArgumentException("no " + type.getSimpleName() + ": " + node);
         }
         @Nullable Object[] parts = new @Nullable Object[members.size()];
@@ -99,6 +103,9 @@ final class RecordForm implements Form {
 
     private @Nullable Object part(Member member, JsonNode node) {
         JsonNode part = node.get(member.name());
+        if (part == null && member.form() instanceof SequenceForm list) {
+            return list.read(JsonNodeFactory.instance.arrayNode());
+        }
         if (part == null || (part.isNull() && !member.nullable())) {
             throw new IllegalArgumentException(at(member) + " is missing");
         }

@@ -12,6 +12,7 @@ import org.dronemap.cognitive.operation.run.MissionRun;
 import org.dronemap.cognitive.operation.run.Replan;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunState;
+import org.dronemap.cognitive.operation.run.Target;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -23,6 +24,8 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.Decision;
 import org.junit.jupiter.api.Test;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 class RunCodecTest {
     private static final int ROUNDS = 300;
@@ -133,10 +136,32 @@ class RunCodecTest {
                 .containsExactlyInAnyOrder("Succeeded", "Refused", "Failed", "TimedOut", "Superseded", "Unknown");
         assertThat(records(MissionItem.class))
                 .extracting(Class::getSimpleName)
-                .containsExactlyInAnyOrder("TakeOff", "Waypoint", "ReturnToLaunch", "Land", "Other");
+                .containsExactlyInAnyOrder(
+                        "TakeOff",
+                        "Waypoint",
+                        "ReturnToLaunch",
+                        "Land",
+                        "TakePhoto",
+                        "SetServo",
+                        "LookAt",
+                        "LookAhead",
+                        "Wait",
+                        "Other");
         assertThat(records(FenceZone.class))
                 .extracting(Class::getSimpleName)
                 .containsExactlyInAnyOrder("Polygon", "Circle");
+    }
+
+    @Test
+    void readsWhatWasWrittenBeforeAListWasThere() {
+        Target target = made.of(Target.class);
+        ObjectNode older = (ObjectNode) new JsonMapper().readTree(codec.write(Target.class, target));
+        older.remove("reports");
+
+        Object again = codec.read(Target.class, older.toString());
+
+        older.putArray("reports");
+        assertThat(codec.write(Target.class, again)).isEqualTo(older.toString());
     }
 
     @Test
