@@ -1,7 +1,9 @@
 """Ground stations of other makers fly, read and write through the outlet; with pymavlink's own signing."""
 
+import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
@@ -354,14 +356,20 @@ def speed(ground: Ground, number: int) -> float:
     return float(told[-1].groundspeed) if told else 0.0
 
 
-def steer(ground: Ground, say: Callable[[], None], until: Callable[[], bool]) -> None:
-    """Says the same ten times a second, as programs that steer do, until something is so."""
+@contextmanager
+def said_on(say: Callable[[], None]) -> Iterator[None]:
+    """Says the same ten times a second, as programs that steer do."""
+    over = threading.Event()
 
-    def once() -> bool:
-        say()
-        return until()
+    def run() -> None:
+        while not over.wait(0.1):
+            say()
 
-    wait_for("it is steered", once, 30, 0.1)
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    yield
+    over.set()
+    thread.join(5)
 
 
 def entries(api: Api, drone: str) -> list[dict[str, Any]]:
@@ -386,7 +394,8 @@ def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
         target = (0, number, 1, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
         ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
 
-    steer(ground, northward, lambda: speed(ground, number) > 3)
+    with said_on(northward):
+        wait_for("it is steered by speeds", lambda: speed(ground, number) > 3)
     wait_for("it stands without another word", lambda: speed(ground, number) < 0.5, 20)
     (turn,) = entries(api, drone)
     assert (turn["by"], turn["face"], turn["summary"]) == (pilot.name, "outlet", "steer by speeds")
@@ -398,12 +407,12 @@ def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
     forward()
     wait_for("sticks do nothing in GUIDED", lambda: "mode to LOITER" in "".join(ground.texts().split("\n")))
     assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, LOITER) == ACCEPTED
-    steer(ground, forward, lambda: speed(ground, number) > 3)
     supervisor = granted(server, api, "supervisor", [drone])
-    taken = supervisor.api.call("POST", f"/drones/{drone}/control/take-over", {"reason": "a helicopter"})
-    assert taken.ok, taken.text
-    steer(ground, forward, lambda: speed(ground, number) < 0.5)
+    with said_on(forward):
+        wait_for("it is steered by sticks", lambda: speed(ground, number) > 3)
+        taken = supervisor.api.call("POST", f"/drones/{drone}/control/take-over", {"reason": "a helicopter"})
+        assert taken.ok, taken.text
+        wait_for("it stands whatever the sticks say", lambda: speed(ground, number) < 0.5)
     assert entries(api, drone)[0]["outcome"]["result"] == "superseded"
     assert supervisor.api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
     wait_for("it is down", partial(landed, api, drone), 60)
-    assert supervisor.api.call("DELETE", f"/drones/{drone}/control").ok
