@@ -57,7 +57,8 @@ final class SteeringCounter {
             return;
         }
         Seat seat = new Seat(asked.client().id(), asked.drone());
-        SteeringWords.Wish wish = SteeringWords.of(asked.frame(), state);
+        SteeringWords.Wish wish =
+                SteeringWords.of(asked.frame(), state.identification().kind());
         if (wish instanceof SteeringWords.Wish.Denied denied) {
             explain(asked, denied.sentence(), now);
         } else if (wish instanceof SteeringWords.Wish.LetGo) {

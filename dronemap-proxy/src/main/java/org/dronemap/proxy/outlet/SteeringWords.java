@@ -2,7 +2,6 @@ package org.dronemap.proxy.outlet;
 
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
-import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -47,11 +46,11 @@ final class SteeringWords {
         record Denied(String sentence) implements Wish {}
     }
 
-    static Wish of(Frame frame, DroneState state) {
+    static Wish of(Frame frame, VehicleKind kind) {
         try {
             return switch (frame.messageId()) {
-                case ManualControl.ID -> sticks(ManualControl.decode(frame), state);
-                case RcChannelsOverride.ID -> channels(RcChannelsOverride.decode(frame), state);
+                case ManualControl.ID -> sticks(ManualControl.decode(frame), kind);
+                case RcChannelsOverride.ID -> channels(RcChannelsOverride.decode(frame), kind);
                 case SetPositionTargetLocalNed.ID -> speeds(SetPositionTargetLocalNed.decode(frame));
                 default -> place(SetPositionTargetGlobalInt.decode(frame));
             };
@@ -60,11 +59,11 @@ final class SteeringWords {
         }
     }
 
-    private static Wish sticks(ManualControl said, DroneState state) {
+    private static Wish sticks(ManualControl said, VehicleKind kind) {
         if (said.buttons() != 0 || said.buttons2() != 0) {
             return new Wish.Denied("Buttons of joysticks do not pass the cloud; only sticks do.");
         }
-        Setpoint sticks = drives(state)
+        Setpoint sticks = drives(kind)
                 ? new Setpoint.Sticks(said.z() / STICK_END, 0, 0, said.y() / STICK_END)
                 : new Setpoint.Sticks(
                         said.x() / STICK_END,
@@ -75,7 +74,7 @@ final class SteeringWords {
     }
 
     /** The first four channels as radios come: roll, pitch (backwards is more), throttle, yaw. */
-    private static Wish channels(RcChannelsOverride said, DroneState state) {
+    private static Wish channels(RcChannelsOverride said, VehicleKind kind) {
         int[] sticks = {said.chan1Raw(), said.chan2Raw(), said.chan3Raw(), said.chan4Raw()};
         int released = 0;
         int unsaid = 0;
@@ -96,7 +95,7 @@ final class SteeringWords {
         double first = share(sticks[0]);
         double third = share(sticks[2]);
         return new Wish.Steer(
-                drives(state)
+                drives(kind)
                         ? new Setpoint.Sticks(third, 0, 0, first)
                         : new Setpoint.Sticks(0.0 - share(sticks[1]), first, third, share(sticks[3])));
     }
@@ -118,8 +117,7 @@ final class SteeringWords {
         return Math.max(-1, Math.min(1, (pulse - PULSE_MIDDLE) / PULSE_HALF));
     }
 
-    private static boolean drives(DroneState state) {
-        VehicleKind kind = state.identification().kind();
+    private static boolean drives(VehicleKind kind) {
         return kind == VehicleKind.ROVER || kind == VehicleKind.BOAT;
     }
 
@@ -143,24 +141,24 @@ final class SteeringWords {
     }
 
     private static Wish place(SetPositionTargetGlobalInt said) {
-        boolean placed = (said.typeMask() & POSITION) == 0;
+        int unsaid = said.typeMask() & POSITION;
         boolean moves = (said.typeMask() & SPEED) == 0;
-        if ((!placed && !moves)
-                || accelerates(said.typeMask())
-                || (!placed && (said.typeMask() & POSITION) != POSITION)) {
+        boolean whole = unsaid == 0 || (unsaid == POSITION && moves);
+        if (!whole || accelerates(said.typeMask())) {
             return new Wish.Denied("Of global targets whole places and speeds pass the cloud, accelerations do not.");
+        }
+        Altitude altitude = CommandWords.altitude(said.coordinateFrame(), unsaid == 0 ? said.alt() : 0);
+        if (altitude == null) {
+            return new Wish.Denied("A global target needs a frame counted from home or from the sea, and a height.");
         }
         Facing facing = facing(said.typeMask(), said.yaw(), said.yawRate());
         Setpoint.Velocity moving =
                 moves ? new Setpoint.Velocity(Setpoint.Frame.EARTH, said.vx(), said.vy(), said.vz(), facing) : null;
-        if (!placed && moving != null) {
-            return new Wish.Steer(moving);
-        }
-        Altitude altitude = CommandWords.altitude(said.coordinateFrame(), said.alt());
-        if (altitude == null) {
-            return new Wish.Denied(
-                    "Heights are counted from home or from the sea, not in frame " + said.coordinateFrame() + ".");
-        }
+        return unsaid == 0 || moving == null ? place(said, altitude, moving, facing) : new Wish.Steer(moving);
+    }
+
+    private static Wish place(
+            SetPositionTargetGlobalInt said, Altitude altitude, Setpoint.@Nullable Velocity moving, Facing facing) {
         Setpoint.Track track =
                 new Setpoint.Track(new Geodetic(said.latInt() / E7, said.lonInt() / E7), altitude, moving, facing);
         return moving == null && facing instanceof Facing.Any ? new Wish.Place(track) : new Wish.Steer(track);
