@@ -416,3 +416,30 @@ def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
     assert entries(api, drone)[0]["outcome"]["result"] == "superseded"
     assert supervisor.api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
     wait_for("it is down", partial(landed, api, drone), 60)
+
+
+def test_who_is_disabled_while_steering_steers_no_more_and_has_no_control(
+    server: Server, api: Api, copters: list[Copter], attach: Attach
+) -> None:
+    drone = copters[1].id
+    pilot = granted(server, api, "operator", [drone])
+    ground = attach(pilot)
+    (number,) = ground.wait_vehicles(1)
+    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
+    assert command(ground, number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
+    assert command(ground, number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
+    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
+
+    def northward() -> None:
+        target = (0, number, 1, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
+        ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
+
+    with said_on(northward):
+        wait_for("it is steered", lambda: speed(ground, number) > 3)
+        assert api.call("PATCH", f"/users/{pilot.name}", {"state": "disabled"}).ok
+        wait_for("it stands", lambda: (api.drone(drone)["motion"]["groundSpeed"] or 0) < 0.5)
+    (turn,) = entries(api, drone)
+    assert turn["outcome"]["result"] == "superseded"
+    assert api.drone(drone)["control"]["holder"] is None
+    assert api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
+    wait_for("it is down", partial(landed, api, drone), 60)

@@ -49,6 +49,11 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         ports = new PersonalPorts(this, urls, personal, policy);
     }
 
+    /** Looks at once what the users of all clients may do now; may wait for the store. */
+    public void judgeAnew() {
+        rights.judge(room);
+    }
+
     /**
      * Opens all endpoints or none.
      *

@@ -61,14 +61,19 @@ final class RightsWatch implements AutoCloseable {
     private void look(OutletRoom room, Runnable often) {
         try {
             often.run();
-            for (OutletClient client : room.clients()) {
-                client.rightsAre(rights.principal(client.user()).orElse(null));
-            }
+            judge(room);
             if (++rounds % ROUNDS_BETWEEN_STAMPS == 0) {
                 keys.storeStamps();
             }
         } catch (RuntimeException e) {
             LOG.error("It could not be looked up what users at the outlet may do; what they might before holds on", e);
+        }
+    }
+
+    /** On the thread that calls. */
+    void judge(OutletRoom room) {
+        for (OutletClient client : room.clients()) {
+            client.rightsAre(rights.principal(client.user()).orElse(null));
         }
     }
 

@@ -23,16 +23,23 @@ public final class ControlService {
     private final DroneService drones;
     private final AccessStore access;
     private final GrantBook grants;
+    private final OutletControl outlet;
 
     /** How it is now; {@code waiting}: the holder was asked, and decides. */
     public record Answer(ControlView control, boolean waiting) {}
 
     public ControlService(
-            CloudManager cloud, DroneService drones, AccessStore access, Accounts accounts, GrantBook grants) {
+            CloudManager cloud,
+            DroneService drones,
+            AccessStore access,
+            Accounts accounts,
+            GrantBook grants,
+            OutletControl outlet) {
         this.cloud = cloud;
         this.drones = drones;
         this.access = access;
         this.grants = grants;
+        this.outlet = outlet;
         accounts.onChange(user -> judgeAnew());
         grants.onChange(this::judgeAnew);
     }
@@ -124,6 +131,8 @@ public final class ControlService {
 
     /** Nobody keeps control by rights that are gone. */
     private void judgeAnew() {
+        // Before control is free: programs that steer would take it again at their next word.
+        outlet.judgeAnew();
         cloud.controls().expelUnless(this::mayCommand);
     }
 }

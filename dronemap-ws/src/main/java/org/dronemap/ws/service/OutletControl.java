@@ -19,6 +19,9 @@ public interface OutletControl {
 
     OutletView status();
 
+    /** Looks at once what the users of all clients may do now, and returns when that holds. */
+    void judgeAnew();
+
     /** Ends a client, which may come back in a minute; false when there is no such client. */
     boolean disconnect(String id);
 

@@ -18,6 +18,11 @@ record ProxyOutlet(Outlet outlet) implements OutletControl {
     }
 
     @Override
+    public void judgeAnew() {
+        outlet.judgeAnew();
+    }
+
+    @Override
     public boolean hasKey(String user) {
         return outlet.hasKey(user);
     }

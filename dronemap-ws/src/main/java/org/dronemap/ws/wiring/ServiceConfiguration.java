@@ -202,7 +202,13 @@ public class ServiceConfiguration {
 
     @Bean
     ControlService controlService(House house, DroneService drones, Accounts accounts) {
-        return new ControlService(house.cloud(), drones, house.access(), accounts, house.grantBook());
+        return new ControlService(
+                house.cloud(),
+                drones,
+                house.access(),
+                accounts,
+                house.grantBook(),
+                house.links().outlet());
     }
 
     @Bean

@@ -22,6 +22,11 @@ final class ListedClients implements OutletControl {
     }
 
     @Override
+    public void judgeAnew() {
+        // Nobody is attached.
+    }
+
+    @Override
     public boolean hasKey(String user) {
         return keys.containsKey(user);
     }
