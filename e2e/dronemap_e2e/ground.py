@@ -5,6 +5,7 @@ import os
 import secrets
 import threading
 import time
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 os.environ.setdefault("MAVLINK20", "1")
@@ -121,6 +122,18 @@ class Ground:
         pairs = zip(numbers, numbers[1:], strict=False)
         return sum((after - before - 1) % 256 for before, after in pairs)
 
+    def command(self, number: int, command: int, *params: float, seconds: float = 30) -> int:
+        """Sends that system a command as a ground station does; the result that it is acknowledged with."""
+        before = len(self.heard("COMMAND_ACK", number))
+        values = [*params, *([0.0] * (7 - len(params)))]
+        self.say("command_long", number, 1, command, 0, *values)
+
+        def answer() -> list[int] | None:
+            answers = self.heard("COMMAND_ACK", number)[before:]
+            return [m.result for m in answers if m.command == command] or None
+
+        return wait_for(f"command {command} is acknowledged", answer, seconds)[0]
+
     def texts(self) -> str:
         return "\n".join(m.text for m in self.heard("STATUSTEXT"))
 
@@ -128,3 +141,6 @@ class Ground:
         self._closed = True
         self._thread.join(5)
         self.link.close()
+
+
+Attach = Callable[..., Ground]

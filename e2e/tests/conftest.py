@@ -3,10 +3,13 @@
 import itertools
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.copter import Copter
+from dronemap_e2e.ground import Attach, Ground, User
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.tap import Tap
@@ -14,6 +17,7 @@ from dronemap_e2e.waiting import wait_for
 
 # A vehicle of its own for every test, so that no test takes another one's for its own.
 SYSTEM_IDS = itertools.count(10)
+HARDWARE = itertools.count(5001)
 # The files that take longest begin first, or one process is still at them when the others have nothing left.
 LONGEST = (
     "test_accounts_in_browser",
@@ -28,6 +32,7 @@ LONGEST = (
     "test_parameters",
     "test_outlet_commands",
     "test_outlet_tools",
+    "test_outlet_steering",
     "test_plans_in_browser",
     "test_flight_by_program",
     "test_identity",
@@ -82,3 +87,29 @@ def copter(tap: Tap, api: Api, tmp_path: Path) -> Iterator[Json]:
     )
     yield wait_for("the copter is listed, with a home, and ready to arm", lambda: api.ready(system_id), 90)
     started.stop()
+
+
+@pytest.fixture(scope="module")
+def copters(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[Copter]]:
+    """Two, both of which call themselves system 1."""
+    folder = tmp_path_factory.mktemp("copters")
+    made = [Copter(server, api, folder / f"{number}.log", next(HARDWARE)) for number in range(2)]
+    yield made
+    for one in made:
+        one.close()
+
+
+@pytest.fixture
+def attach(server: Server) -> Iterator[Attach]:
+    """Attaches ground stations to the outlet, until the test is over."""
+    attached: list[Ground] = []
+
+    def make(user: User | None, tcp: bool = True, **options: Any) -> Ground:
+        port = server.outlet_tcp_port if tcp else server.outlet_udp_port
+        address = f"{'tcp' if tcp else 'udpout'}:127.0.0.1:{port}"
+        attached.append(Ground(address, user.passphrase if user else None, **options))
+        return attached[-1]
+
+    yield make
+    for ground in attached:
+        ground.close()

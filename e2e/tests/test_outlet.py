@@ -4,8 +4,7 @@ import hashlib
 import secrets
 import socket
 import time
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator
 
 import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -13,29 +12,11 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.carriers import WebSocketCaller
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
-from dronemap_e2e.ground import Ground, User, new_user
+from dronemap_e2e.ground import Attach, Ground, User, new_user
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import MINUTE, now_ticks, resigned
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import throughout, wait_for
-
-Attach = Callable[..., Ground]
-
-
-@pytest.fixture
-def attach(server: Server) -> Iterator[Attach]:
-    attached: list[Ground] = []
-
-    def make(user: User | None, tcp: bool = False, **options: Any) -> Ground:
-        address = (
-            f"tcp:127.0.0.1:{server.outlet_tcp_port}" if tcp else f"udpout:127.0.0.1:{server.outlet_udp_port}"
-        )
-        attached.append(Ground(address, user.passphrase if user else None, **options))
-        return attached[-1]
-
-    yield make
-    for ground in attached:
-        ground.close()
 
 
 @pytest.fixture
@@ -94,7 +75,7 @@ def test_vehicles_with_one_system_id_are_told_apart_and_every_frame_is_signed(
 def test_a_user_knows_each_drone_by_the_same_number_ever_after(
     twins: list[Json], attach: Attach, viewer: User, api: Api
 ) -> None:
-    first = attach(viewer)
+    first = attach(viewer, tcp=False)
     before = first.wait_vehicles(len(twins))
     places = {number: _place(first, number) for number in before}
     first.close()
@@ -111,7 +92,7 @@ def _place(ground: Ground, number: int) -> tuple[int, int]:
 
 
 def test_a_client_never_has_the_number_of_a_vehicle(twins: list[Json], attach: Attach, viewer: User) -> None:
-    taken = attach(viewer).wait_vehicles(len(twins))
+    taken = attach(viewer, tcp=False).wait_vehicles(len(twins))
     for number in sorted(taken)[:1]:
         twin = attach(viewer, tcp=True, system_id=number)
         seen = twin.wait_vehicles(len(twins))
@@ -123,9 +104,9 @@ def test_strangers_and_wrong_passphrases_see_nothing_and_are_counted(
 ) -> None:
     unsigned, wrong = refused(api, "unsigned"), refused(api, "badSignature")
     strangers = [
-        attach(None),
+        attach(None, tcp=False),
         attach(None, tcp=True),
-        attach(viewer._replace(passphrase=secrets.token_hex(12))),
+        attach(viewer._replace(passphrase=secrets.token_hex(12)), tcp=False),
         attach(viewer._replace(passphrase=secrets.token_hex(12)), tcp=True),
     ]
     wait_for("unsigned frames are counted", lambda: refused(api, "unsigned") >= unsigned + 6)
@@ -169,7 +150,7 @@ def test_a_grant_taken_back_silences_an_attached_client_within_a_second(
     twins: list[Json], attach: Attach, viewer: User, api: Api
 ) -> None:
     assert api.call("PUT", f"/users/{viewer.name}/only-granted", {"onlyGranted": True}).status_code == 204
-    ground = attach(viewer)
+    ground = attach(viewer, tcp=False)
     wait_for("it is attached", lambda: own(api, viewer))
     wait_for("the cloud says that it is there", lambda: ground.heard("HEARTBEAT"))
     assert ground.vehicles() == set()
@@ -193,7 +174,7 @@ def test_a_grant_taken_back_silences_an_attached_client_within_a_second(
 def test_a_disabled_user_is_silenced_within_a_second_and_stays_outside(
     twins: list[Json], attach: Attach, viewer: User, api: Api
 ) -> None:
-    ground = attach(viewer)
+    ground = attach(viewer, tcp=False)
     seen = ground.wait_vehicles(len(twins))
     assert api.call("PATCH", f"/users/{viewer.name}", {"state": "disabled"}).ok
     taken = time.monotonic()
@@ -204,10 +185,10 @@ def test_a_disabled_user_is_silenced_within_a_second_and_stays_outside(
 def test_a_client_follows_to_another_address_and_a_disconnected_one_stays_outside(
     twins: list[Json], attach: Attach, viewer: User, api: Api
 ) -> None:
-    first = attach(viewer)
+    first = attach(viewer, tcp=False)
     first.wait_vehicles(len(twins))
     first.silent = True
-    moved = attach(viewer)
+    moved = attach(viewer, tcp=False)
     moved.wait_vehicles(len(twins))
     port = moved.link.port.getsockname()[1]
     client = next(c for c in own(api, viewer) if c["address"].endswith(f":{port}"))
@@ -222,12 +203,12 @@ def test_a_client_follows_to_another_address_and_a_disconnected_one_stays_outsid
 def test_another_passphrase_ends_the_clients_of_the_one_before(
     twins: list[Json], attach: Attach, viewer: User, api: Api
 ) -> None:
-    attach(viewer).wait_vehicles(len(twins))
+    attach(viewer, tcp=False).wait_vehicles(len(twins))
     chosen = f"correct horse {secrets.token_hex(4)}"
     answer = viewer.api.call("PUT", "/outlet/passphrase", {"passphrase": chosen})
     assert answer.json() == {"passphrase": chosen}
     wait_for("the client of the old one is gone", lambda: not own(api, viewer))
-    attach(viewer._replace(passphrase=chosen)).wait_vehicles(len(twins))
+    attach(viewer._replace(passphrase=chosen), tcp=False).wait_vehicles(len(twins))
 
     assert viewer.api.call("DELETE", "/outlet/passphrase").status_code == 204
     wait_for("no client is left", lambda: not own(api, viewer))

@@ -1,9 +1,7 @@
 """Ground stations of other makers fly, read and write through the outlet; with pymavlink's own signing."""
 
-import threading
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -11,57 +9,14 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.copter import PARAMETERS, Copter, ids
-from dronemap_e2e.ground import Ground, User, granted
+from dronemap_e2e.copter import PARAMETERS, Copter, ids, landed
+from dronemap_e2e.ground import Attach, Ground, granted
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
 
 ACCEPTED, REJECTED, DENIED, UNSUPPORTED = 0, 1, 2, 3
 GUIDED = 4
 GAPS_AT_ONCE = 50
-
-Attach = Callable[..., Ground]
-
-
-@pytest.fixture(scope="module")
-def copters(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[Copter]]:
-    folder = tmp_path_factory.mktemp("copters")
-    made = [Copter(server, api, folder / f"{number}.log", 5001 + number) for number in range(2)]
-    yield made
-    for copter in made:
-        copter.close()
-
-
-@pytest.fixture
-def attach(server: Server) -> Iterator[Attach]:
-    attached: list[Ground] = []
-
-    def make(user: User | None, tcp: bool = True, **options: Any) -> Ground:
-        port = server.outlet_tcp_port if tcp else server.outlet_udp_port
-        address = f"{'tcp' if tcp else 'udpout'}:127.0.0.1:{port}"
-        attached.append(Ground(address, user.passphrase if user else None, **options))
-        return attached[-1]
-
-    yield make
-    for ground in attached:
-        ground.close()
-
-
-def command(ground: Ground, number: int, command: int, *params: float, seconds: float = 30) -> int:
-    """Sends a command as a ground station does; the result that it is acknowledged with."""
-    before = len(ground.heard("COMMAND_ACK", number))
-    values = [*params, *([0.0] * (7 - len(params)))]
-    ground.say("command_long", number, 1, command, 0, *values)
-
-    def answer() -> list[int] | None:
-        answers = ground.heard("COMMAND_ACK", number)[before:]
-        return [m.result for m in answers if m.command == command] or None
-
-    return wait_for(f"command {command} is acknowledged", answer, seconds)[0]
-
-
-def landed(api: Api, drone: str) -> bool:
-    return api.drone(drone)["armed"] is False
 
 
 def test_two_vehicles_of_one_system_id_are_flown_from_one_client(
@@ -71,9 +26,9 @@ def test_two_vehicles_of_one_system_id_are_flown_from_one_client(
     ground = attach(pilot)
     numbers = sorted(ground.wait_vehicles(2))
     for number in numbers:
-        assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
-        assert command(ground, number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
-        assert command(ground, number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 12) == ACCEPTED
+        assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
+        assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
+        assert ground.command(number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 12) == ACCEPTED
     for number in numbers:
 
         def high(number: int = number) -> bool:
@@ -81,7 +36,7 @@ def test_two_vehicles_of_one_system_id_are_flown_from_one_client(
 
         wait_for("it is up there", high, 60)
     for number in numbers:
-        assert command(ground, number, mavlink.MAV_CMD_NAV_LAND) == ACCEPTED
+        assert ground.command(number, mavlink.MAV_CMD_NAV_LAND) == ACCEPTED
     for copter in copters:
         wait_for("it is down", partial(landed, api, copter.id), 60)
         commands = api.get(f"/drones/{copter.id}/commands")["commands"]
@@ -93,10 +48,10 @@ def test_a_refusal_says_why(server: Server, api: Api, copters: list[Copter], att
     ground = attach(granted(server, api, "viewer", ids(copters[:1])))
     (number,) = ground.wait_vehicles(1)
     told = len(copters[0].told())
-    assert command(ground, number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == DENIED
+    assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == DENIED
     wait_for("it says why", lambda: "Your role may look, not command" in "".join(ground.texts().split("\n")))
-    assert command(ground, number, mavlink.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1) == UNSUPPORTED
-    assert command(ground, number, mavlink.MAV_CMD_REQUEST_MESSAGE, 148) == ACCEPTED
+    assert ground.command(number, mavlink.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1) == UNSUPPORTED
+    assert ground.command(number, mavlink.MAV_CMD_REQUEST_MESSAGE, 148) == ACCEPTED
     wait_for("the version comes from the cache", lambda: ground.heard("AUTOPILOT_VERSION", number))
     assert len(copters[0].told()) == told
 
@@ -108,10 +63,10 @@ def test_who_has_no_control_is_refused_and_told_who_has(
     assert holder.api.call("POST", f"/drones/{copters[1].id}/control/take").ok
     ground = attach(other)
     (number,) = ground.wait_vehicles(1)
-    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == DENIED
+    assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == DENIED
     wait_for("it says who has it", lambda: holder.name in "".join(ground.texts().split("\n")))
     assert holder.api.call("DELETE", f"/drones/{copters[1].id}/control").ok
-    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
+    assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
     assert other.api.call("DELETE", f"/drones/{copters[1].id}/control").ok
 
 
@@ -132,20 +87,20 @@ def test_control_is_asked_for_and_handed_over_between_ground_stations_and_lost_w
     ann, bob = attach(users[0], system_id=251), attach(users[1], system_id=252)
     (number,), (his,) = ann.wait_vehicles(1), bob.wait_vehicles(1)
     wait_for("it is free", lambda: in_control(ann, number) == 0)
-    assert command(ann, number, OPERATOR_CONTROL, 1) == ACCEPTED
+    assert ann.command(number, OPERATOR_CONTROL, 1) == ACCEPTED
     wait_for("both are told", lambda: (in_control(ann, number), in_control(bob, his)) == (251, 255))
 
-    assert command(bob, his, OPERATOR_CONTROL, 1) == FAILED
+    assert bob.command(his, OPERATOR_CONTROL, 1) == FAILED
     asked = wait_for("the holder is asked", lambda: ann.heard("COMMAND_LONG", number))
     assert (asked[0].command, asked[0].target_system) == (OPERATOR_CONTROL, 251)
     wait_for(
         "and told by whom", lambda: f"{users[1].name} asks for control" in "".join(ann.texts().split("\n"))
     )
-    assert command(ann, number, OPERATOR_CONTROL, 1, 1) == ACCEPTED
+    assert ann.command(number, OPERATOR_CONTROL, 1, 1) == ACCEPTED
     wait_for("both are told", lambda: (in_control(ann, number), in_control(bob, his)) == (255, 252))
 
     # Taken on purpose it is kept by heartbeats alone.
-    assert command(bob, his, OPERATOR_CONTROL, 1) == ACCEPTED
+    assert bob.command(his, OPERATOR_CONTROL, 1) == ACCEPTED
     bob.silent = True
     wait_for("it is lost", lambda: in_control(ann, number) == 0, 20)
     records = api.get(f"/audit?drone={drone}&limit=100")["records"]
@@ -345,101 +300,3 @@ def test_nothing_of_who_may_not_command_reaches_the_vehicle(
 
 def _last_answered(ground: Ground) -> bool:
     return any(m.command == COMMANDS[-1] for m in ground.heard("COMMAND_ACK"))
-
-
-SPEEDS_ONLY, LOITER = 0xDC7, 5
-
-
-def speed(ground: Ground, number: int) -> float:
-    """Over ground, in m/s, as told last."""
-    told = ground.heard("VFR_HUD", number)
-    return float(told[-1].groundspeed) if told else 0.0
-
-
-@contextmanager
-def said_on(say: Callable[[], None]) -> Iterator[None]:
-    """Says the same ten times a second, as programs that steer do."""
-    over = threading.Event()
-
-    def run() -> None:
-        while not over.wait(0.1):
-            say()
-
-    thread = threading.Thread(target=run, daemon=True)
-    thread.start()
-    yield
-    over.set()
-    thread.join(5)
-
-
-def entries(api: Api, drone: str) -> list[dict[str, Any]]:
-    """The log of who steered, the newest first, once each has ended."""
-    told = api.get(f"/drones/{drone}/commands")["commands"]
-    return [c for c in told if c["summary"].startswith("steer by ") and c["outcome"]]
-
-
-def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
-    server: Server, api: Api, copters: list[Copter], attach: Attach
-) -> None:
-    drone = copters[0].id
-    pilot = granted(server, api, "operator", [drone])
-    ground = attach(pilot)
-    (number,) = ground.wait_vehicles(1)
-    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
-    assert command(ground, number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
-    assert command(ground, number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
-    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
-
-    def northward() -> None:
-        target = (0, number, 1, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
-        ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
-
-    with said_on(northward):
-        wait_for("it is steered by speeds", lambda: speed(ground, number) > 3)
-    wait_for("it stands without another word", lambda: speed(ground, number) < 0.5, 20)
-    (turn,) = entries(api, drone)
-    assert (turn["by"], turn["face"], turn["summary"]) == (pilot.name, "outlet", "steer by speeds")
-    assert turn["outcome"]["result"] == "timedOut" and "stand still" in turn["outcome"]["reason"]
-
-    def forward() -> None:
-        ground.say("manual_control", number, 400, 0, 500, 0, 0)
-
-    forward()
-    wait_for("sticks do nothing in GUIDED", lambda: "mode to LOITER" in "".join(ground.texts().split("\n")))
-    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, LOITER) == ACCEPTED
-    supervisor = granted(server, api, "supervisor", [drone])
-    with said_on(forward):
-        wait_for("it is steered by sticks", lambda: speed(ground, number) > 3)
-        taken = supervisor.api.call("POST", f"/drones/{drone}/control/take-over", {"reason": "a helicopter"})
-        assert taken.ok, taken.text
-        wait_for("it stands whatever the sticks say", lambda: speed(ground, number) < 0.5)
-    assert entries(api, drone)[0]["outcome"]["result"] == "superseded"
-    assert supervisor.api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
-    wait_for("it is down", partial(landed, api, drone), 60)
-
-
-def test_who_is_disabled_while_steering_steers_no_more_and_has_no_control(
-    server: Server, api: Api, copters: list[Copter], attach: Attach
-) -> None:
-    drone = copters[1].id
-    pilot = granted(server, api, "operator", [drone])
-    ground = attach(pilot)
-    (number,) = ground.wait_vehicles(1)
-    assert command(ground, number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
-    assert command(ground, number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
-    assert command(ground, number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
-    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
-
-    def northward() -> None:
-        target = (0, number, 1, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
-        ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
-
-    with said_on(northward):
-        wait_for("it is steered", lambda: speed(ground, number) > 3)
-        assert api.call("PATCH", f"/users/{pilot.name}", {"state": "disabled"}).ok
-        wait_for("it stands", lambda: (api.drone(drone)["motion"]["groundSpeed"] or 0) < 0.5)
-    (turn,) = entries(api, drone)
-    assert turn["outcome"]["result"] == "superseded"
-    assert api.drone(drone)["control"]["holder"] is None
-    assert api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
-    wait_for("it is down", partial(landed, api, drone), 60)

@@ -26,16 +26,6 @@ Sign = Callable[..., int]
 DENIED = 2
 
 
-@pytest.fixture(scope="module")
-def copters(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[Copter]]:
-    """Two, both of which call themselves system 1."""
-    folder = tmp_path_factory.mktemp("tools")
-    made = [Copter(server, api, folder / f"{number}.log", 6001 + number) for number in range(2)]
-    yield made
-    for copter in made:
-        copter.close()
-
-
 @pytest.fixture
 def pilot(server: Server, api: Api, copters: list[Copter]) -> Iterator[User]:
     user = granted(server, api, "operator", ids(copters))
