@@ -81,9 +81,9 @@ public final class CommandRules {
 
     private static boolean turnsUnknown(DroneState drone, Setpoint.Velocity velocity) {
         Motion motion = drone.motion();
-        return velocity.frame() == Setpoint.Frame.EARTH
-                && (motion == null || motion.headingDegrees() == null)
-                && !velocity.isStill();
+        boolean counted =
+                velocity.frame() == Setpoint.Frame.EARTH || velocity.facing() instanceof Setpoint.Facing.Heading;
+        return counted && (motion == null || motion.headingDegrees() == null) && !velocity.isStill();
     }
 
     private static @Nullable String stateForbids(DroneState drone, Capability capability) {
@@ -122,9 +122,12 @@ public final class CommandRules {
         return whyNot(drone, Capability.HOLD).isEmpty() && (drone.airborne() || !needsAir(drone));
     }
 
+    /** Robots of a kind that nobody knows drive, where they cannot take off. */
     private static boolean needsAir(DroneState drone) {
         VehicleKind kind = drone.identification().kind();
-        return kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE;
+        boolean flies =
+                kind != VehicleKind.UNKNOWN || drone.capabilities().commands().contains(Capability.TAKE_OFF);
+        return flies && kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE;
     }
 
     private static boolean hasMission(MissionProgress mission) {

@@ -190,11 +190,20 @@ final class Helm implements Lane.Ticker {
                         () -> log.store().finish(done),
                         () -> log.listener().commandChanged(done));
         if (standStill) {
-            still = ending.last.setpoint().still();
+            Setpoint said = ending.last.setpoint().still();
+            still = said;
             stillLeft = STILL_TIMES;
             sayStill();
-            brake.hold(drone, ending.last.passage().epoch());
+            if (!standsBySpeeds(said)) {
+                brake.hold(drone, ending.last.passage().epoch());
+            }
         }
+    }
+
+    /** What has no modes goes by the speeds that it is told, and stands by zeros. */
+    private boolean standsBySpeeds(Setpoint said) {
+        return said instanceof Setpoint.Velocity
+                && drone.drone().state().capabilities().modes().isEmpty();
     }
 
     private void sayStill() {

@@ -2,6 +2,7 @@ package org.dronemap.core.zone;
 
 import java.util.Optional;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Motion;
@@ -21,6 +22,8 @@ final class Lead {
 
     private static final double STICK_CLIMB_METERS_PER_SECOND = 2.5;
     private static final double FASTEST = 100;
+    /** Where that is on the Earth, nobody knows. */
+    private static final Command SOMEWHERE = new GoToLocal(0, 0, null);
 
     private final DroneState drone;
     private final @Nullable Position position;
@@ -35,6 +38,9 @@ final class Lead {
             return Optional.of(new Command.GoTo(track.point(), track.altitude()));
         }
         Geodetic here = position == null ? null : position.point();
+        if (setpoint instanceof Setpoint.Velocity velocity && (here == null || turnsUnknown(velocity))) {
+            return Optional.of(SOMEWHERE);
+        }
         if (here == null) {
             return Optional.empty();
         }
@@ -44,6 +50,12 @@ final class Lead {
         return altitude == null
                 ? Optional.empty()
                 : Optional.of(new Command.GoTo(new LocalPlane(here).place(moved(wanted)), altitude));
+    }
+
+    private boolean turnsUnknown(Setpoint.Velocity velocity) {
+        return velocity.frame() == Setpoint.Frame.VEHICLE
+                && heading() == null
+                && (velocity.forward() != 0 || velocity.right() != 0);
     }
 
     /** Sticks say where to; how fast, the vehicle's own settings say. */

@@ -40,7 +40,7 @@ public final class Routes {
 
     /**
      * Where a setpoint leads a drone within a short time, said as the command that leads there; empty when it leads nowhere, or
-     * when nobody knows where the drone is, as with robots that have no GPS.
+     * when sticks are moved and nobody knows where the drone is: without GPS they are what is left.
      */
     public static Optional<Command> ahead(DroneState drone, Setpoint setpoint) {
         return setpoint.isStill() ? Optional.empty() : new Lead(drone).of(setpoint);

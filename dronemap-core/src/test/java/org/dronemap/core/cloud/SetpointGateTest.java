@@ -127,8 +127,10 @@ class SetpointGateTest {
     void isOneEntryInTheLogForAsLongAsItGoesOn() {
         for (int count = 0; count < 20; count++) {
             Setpoint next = new Setpoint.Velocity(Frame.EARTH, 3, 0.1 * count, 0, Facing.ANY);
+            int before = vehicle.setpoints.size();
             assertThat(steer(ANN, next)).isEmpty();
-            awaitSaid(said -> said.contains(next));
+            // Without the pauses of other waits: half a second without a word would be the end of the turn.
+            await().pollInterval(Duration.ofMillis(2)).atMost(PATIENCE).until(() -> vehicle.setpoints.size() > before);
         }
 
         await().atMost(PATIENCE).until(() -> log.records.size() == 1);
@@ -220,17 +222,7 @@ class SetpointGateTest {
 
     @Test
     void isNotSteeredIntoAZoneAndStandsWhenItIsTried() {
-        cloud.zones()
-                .put(List.of(new Zone(
-                        "z1",
-                        "the dam",
-                        new FenceZone.Circle(false, new Geodetic(47.3979, 8.5456), 15),
-                        AltitudeBand.ALL,
-                        Binding.EVERYBODY,
-                        Validity.ALWAYS,
-                        BreachAction.HOLD,
-                        "ann",
-                        Instant.EPOCH)));
+        cloud.zones().put(List.of(dam()));
         assertThat(steer(ANN, new Setpoint.Velocity(Frame.EARTH, -3, 0, 0, Facing.ANY)))
                 .isEmpty();
         assertThat(steer(ANN, NORTHWARD))
@@ -244,8 +236,47 @@ class SetpointGateTest {
                         refused -> assertThat(refused.reason()).contains("the dam"));
     }
 
+    @Test
+    void whereNobodyKnowsWhereSpeedsLeadNoneAreTakenAmongZones() {
+        Setpoint ahead = new Setpoint.Velocity(Frame.VEHICLE, 3, 0, 0, Facing.ANY);
+        hear(new DroneEvent.MotionHeard(new Motion(0.0, null, 0.0, null)));
+        assertThat(steer(ANN, ahead)).isEmpty();
+        cloud.zones().put(List.of(dam()));
+
+        assertThat(steer(ANN, ahead))
+                .hasValueSatisfying(why -> assertThat(why).contains("not known").contains("the dam"));
+        assertThat(steer(ANN, new Setpoint.Velocity(Frame.VEHICLE, 0, 0, -1, Facing.ANY)))
+                .as("straight up")
+                .isEmpty();
+    }
+
+    @Test
+    void whatHasNoModesStandsByZerosAlone() {
+        hear(new DroneEvent.Identified(
+                Fixtures.copter(null), new Capabilities(Set.of(Capability.values()), List.of())));
+        assertThat(steer(ANN, NORTHWARD)).isEmpty();
+        setpoints.letGo(ANN, link.id());
+
+        awaitSaid(said -> said.equals(List.of(NORTHWARD, NO_SPEED, NO_SPEED, NO_SPEED)));
+        assertThat(vehicle.performed).isEmpty();
+        assertThat(steer(ANN, NORTHWARD)).as("and goes on at once").isEmpty();
+    }
+
     private static Command.GoTo goTo() {
         return new Command.GoTo(new Geodetic(47.398, 8.546), Altitude.aboveHome(20));
+    }
+
+    private static Zone dam() {
+        return new Zone(
+                "z1",
+                "the dam",
+                new FenceZone.Circle(false, new Geodetic(47.3979, 8.5456), 15),
+                AltitudeBand.ALL,
+                Binding.EVERYBODY,
+                Validity.ALWAYS,
+                BreachAction.HOLD,
+                "ann",
+                Instant.EPOCH);
     }
 
     private Optional<String> steer(CommandGate.Source source, Setpoint setpoint) {

@@ -315,6 +315,13 @@ sealed interface Aim {
     record Still(@Override Optional<Order> opening) implements Aim {
         private static final double METERS_PER_SECOND = 0.05;
         private static final double RADIANS_PER_SECOND = 0.05;
+        /** Links lose messages, and what still moves does not wait. */
+        private static final long AGAIN_NANOS = SECOND_NANOS / 5;
+
+        @Override
+        public long betweenNanos() {
+            return AGAIN_NANOS;
+        }
 
         @Override
         public Order order(RobotFacts facts) {

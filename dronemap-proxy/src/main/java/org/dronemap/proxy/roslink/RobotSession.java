@@ -34,7 +34,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     private final RobotLinks links;
     private final RobotTelemetry telemetry;
     private final Map<CommandId, Errand> errands = new LinkedHashMap<>();
-    private final FirstStop firstStop;
+    private final Standstill standstill;
     private volatile @Nullable DroneLink drone;
     private volatile boolean over;
     private @Nullable LinkReport told;
@@ -43,7 +43,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         this.table = table;
         this.name = first.name();
         links = new RobotLinks(first);
-        firstStop = new FirstStop(type.words().flies(), order -> links.best().send(order, Fence.NONE));
+        standstill = new Standstill(type.words().flies(), order -> links.best().send(order, Fence.NONE));
         telemetry = new RobotTelemetry(
                 type, name.hardware(), this::tell, () -> table.refusals().unreadable());
     }
@@ -81,6 +81,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         lane.execute(() -> {
             lane.addTicker(this);
             telemetry.identified();
+            standstill.calledIn(table.now());
         });
     }
 
@@ -98,6 +99,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         telemetry.heard(packet.message());
         RobotMessage message = packet.message();
         long now = table.now();
+        standstill.heard(message, telemetry.facts());
         List.copyOf(errands.values()).forEach(errand -> errand.heard(message, telemetry.facts(), now));
         errands.values().removeIf(Errand::isOver);
     }
@@ -125,7 +127,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
             return;
         }
         long now = table.now();
-        firstStop.tick(now);
+        standstill.tick(now);
         List.copyOf(errands.values()).forEach(errand -> errand.tick(telemetry.facts(), now));
         errands.values().removeIf(Errand::isOver);
         links.measure(now);
@@ -169,7 +171,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
             report.ended(new Outcome.Refused("vehicle", "These robots cannot be told to " + command.summary() + "."));
             return;
         }
-        firstStop.cancel();
+        standstill.commanded(aim.get() instanceof Aim.Still, table.now());
         CommandId id = Objects.requireNonNull(mandate.command());
         Fence fence = mandate.fence();
         errands.put(
@@ -180,14 +182,25 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
 
     @Override
     public void steer(Mandate mandate, Setpoint setpoint) {
-        if (setpoint instanceof Setpoint.Velocity velocity) {
-            firstStop.cancel();
-            links.best().send(twist(velocity), mandate.fence());
+        if (over || !(setpoint instanceof Setpoint.Velocity velocity)) {
+            return;
+        }
+        links.best().send(twist(velocity), mandate.fence());
+        if (velocity.isStill()) {
+            standstill.told(table.now());
+        } else {
+            standstill.moved();
         }
     }
 
-    /** Robots count to their left, upwards and in radians to the left, always as they stand themselves. */
+    /**
+     * Robots count to their left, upwards and in radians to the left, always as they stand themselves: the gate lets nobody
+     * count from north, since nobody knows where they look.
+     */
     private static Order twist(Setpoint.Velocity velocity) {
+        if (velocity.isStill()) {
+            return Order.Twist.STOP;
+        }
         double left = velocity.facing() instanceof Setpoint.Facing.Turning turning
                 ? 0.0 - Math.toRadians(turning.degreesPerSecond())
                 : 0;

@@ -65,10 +65,13 @@ final class RobotTelemetry {
                                 Capability.HOLD,
                                 Capability.EMERGENCY_STOP,
                                 Capability.GO_TO_LOCAL,
-                                Capability.READ_MAP),
+                                Capability.READ_MAP,
+                                Capability.VELOCITY),
                         List.of());
             case AR_DRONE ->
-                new Capabilities(EnumSet.of(Capability.TAKE_OFF, Capability.LAND, Capability.HOLD), List.of());
+                new Capabilities(
+                        EnumSet.of(Capability.TAKE_OFF, Capability.LAND, Capability.HOLD, Capability.VELOCITY),
+                        List.of());
             case MAVROS ->
                 new Capabilities(
                         EnumSet.of(
@@ -78,7 +81,8 @@ final class RobotTelemetry {
                                 Capability.TAKE_OFF,
                                 Capability.LAND,
                                 Capability.RETURN_TO_LAUNCH,
-                                Capability.HOLD),
+                                Capability.HOLD,
+                                Capability.VELOCITY),
                         RobotModes.all(),
                         Map.copyOf(RobotModes.steering()));
         };

@@ -114,9 +114,13 @@ class RobotTelemetryTest {
     void declaresWhatEachKindOfRobotCanDo() {
         assertThat(robot(RobotType.TURTLEBOT).capabilities().commands())
                 .containsExactlyInAnyOrder(
-                        Capability.HOLD, Capability.EMERGENCY_STOP, Capability.GO_TO_LOCAL, Capability.READ_MAP);
+                        Capability.HOLD,
+                        Capability.EMERGENCY_STOP,
+                        Capability.GO_TO_LOCAL,
+                        Capability.READ_MAP,
+                        Capability.VELOCITY);
         assertThat(robot(RobotType.BEBOP).capabilities().commands())
-                .contains(Capability.TAKE_OFF, Capability.LAND)
+                .contains(Capability.TAKE_OFF, Capability.LAND, Capability.VELOCITY)
                 .doesNotContain(Capability.ARM, Capability.SET_MODE, Capability.GO_TO_LOCAL);
         assertThat(robot(RobotType.GAPTER).capabilities().modes()).contains("GUIDED", "RTL");
         assertThat(robot(RobotType.TURTLEBOT).identification().kind()).isEqualTo(VehicleKind.ROVER);

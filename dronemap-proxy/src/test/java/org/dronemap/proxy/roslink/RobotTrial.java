@@ -84,7 +84,7 @@ abstract class RobotTrial {
 
     /** Something that may be tried again and again. */
     interface Look {
-        boolean isThere() throws IOException;
+        boolean isThere() throws IOException, InterruptedException;
     }
 
     void await(Look look) {
@@ -93,6 +93,9 @@ abstract class RobotTrial {
                 () -> {
                     try {
                         return look.isThere();
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                        throw new AssertionError(e);
                     } catch (IOException e) {
                         throw new AssertionError(e);
                     }

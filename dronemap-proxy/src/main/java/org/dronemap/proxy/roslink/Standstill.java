@@ -1,0 +1,97 @@
+package org.dronemap.proxy.roslink;
+
+import java.util.function.Consumer;
+import org.dronemap.proxy.roslink.wire.Order;
+import org.dronemap.proxy.roslink.wire.RobotMessage;
+
+/**
+ * Zero speeds for a robot that nobody steers any more, or that has just called in: it may drive on with the last speeds that it
+ * heard for ever. Nothing is acknowledged, so they are said quickly a few times, and then until the robot reports that it
+ * stands. Without I/O; owned by the session's lane.
+ */
+final class Standstill {
+    private static final long SECOND_NANOS = 1_000_000_000L;
+    private static final long QUICKLY_NANOS = 90_000_000L;
+    private static final long SLOWLY_NANOS = 500_000_000L;
+    /** So many whatever is reported: what was under way may have been said before the last speeds were heard. */
+    private static final int QUICK_TIMES = 6;
+
+    private final Consumer<Order> send;
+    private final long patienceNanos;
+    private final boolean flies;
+    private boolean wanted;
+    private boolean moved;
+    private int said;
+    private long begunNanos;
+    private long saidNanos;
+
+    /** A robot that flies is left to its flight controller, for which a speed counts for moments, and never quite stands. */
+    Standstill(boolean flies, Consumer<Order> send) {
+        this.flies = flies;
+        this.send = send;
+        patienceNanos = (flies ? 3 : 30) * SECOND_NANOS;
+    }
+
+    /** It has called in. */
+    void calledIn(long nowNanos) {
+        if (!flies) {
+            begin(nowNanos);
+        }
+    }
+
+    /** It was told speeds that move it. */
+    void moved() {
+        moved = true;
+        wanted = false;
+    }
+
+    /** It shall stand, and has been told so once, if it was told to move before. */
+    void told(long nowNanos) {
+        if (moved) {
+            begin(nowNanos);
+            said = 1;
+            saidNanos = nowNanos;
+        }
+    }
+
+    /** A command says what it shall do; before a way of its own it forgets speeds, as both would move it at once. */
+    void commanded(boolean stops, long nowNanos) {
+        if (moved && !flies) {
+            begin(nowNanos);
+            say(nowNanos);
+        } else if (!stops) {
+            wanted = false;
+        }
+    }
+
+    private void begin(long nowNanos) {
+        wanted = true;
+        moved = false;
+        said = 0;
+        begunNanos = nowNanos;
+    }
+
+    /** A report has come, and these are the facts with it. */
+    void heard(RobotMessage report, RobotFacts facts) {
+        if (wanted && said >= QUICK_TIMES && report instanceof RobotMessage.Motion && Aim.Still.isStill(facts)) {
+            wanted = false;
+        }
+    }
+
+    void tick(long nowNanos) {
+        if (!wanted) {
+            return;
+        }
+        if (nowNanos - begunNanos > patienceNanos) {
+            wanted = false;
+        } else if (said == 0 || nowNanos - saidNanos > (said < QUICK_TIMES ? QUICKLY_NANOS : SLOWLY_NANOS)) {
+            say(nowNanos);
+        }
+    }
+
+    private void say(long nowNanos) {
+        said++;
+        saidNanos = nowNanos;
+        send.accept(Order.Twist.STOP);
+    }
+}
