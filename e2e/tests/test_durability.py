@@ -5,35 +5,39 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 import requests
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
 
-WRITES = 1_000
 WRITERS = 4
-KILLS = 4
 ITEMS = [{"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20}]
 
 
-def test_a_thousand_acknowledged_writes_survive_random_kills(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("writes", "kills"),
+    [(300, 2), pytest.param(1_000, 4, marks=pytest.mark.soak)],
+    ids=["some", "a thousand"],
+)
+def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, tmp_path: Path) -> None:
     server = Server(tmp_path / "data")
     server.start()
     chance = random.Random(20)
     acknowledged: list[str] = []
     try:
-        for kill in range(KILLS):
-            goal = WRITES * (kill + 1) // (KILLS + 1) + chance.randrange(50)
+        for kill in range(kills):
+            goal = writes * (kill + 1) // (kills + 1) + chance.randrange(50)
             _write_until(server, acknowledged, goal, and_then=server.kill)
             server.start()
-        _write_until(server, acknowledged, WRITES)
+        _write_until(server, acknowledged, writes)
         api = Api(server.address, server.local_key())
         kept = {mission["name"] for mission in api.get("/missions")["missions"]}
     finally:
         server.stop()
 
-    assert len(acknowledged) >= WRITES
+    assert len(acknowledged) >= writes
     assert set(acknowledged) <= kept
 
 

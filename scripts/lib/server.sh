@@ -94,6 +94,7 @@ start_server() { # DESCRIPTION
     check_data_space
     step "Starting the server"
     WORK="starting the server"
+    unpack_server
     ON_INTERRUPT=stop_everything
     keep_small "$LOGS/server.log"
     # The log before this mark belongs to earlier runs.
@@ -101,8 +102,24 @@ start_server() { # DESCRIPTION
     local options
     read -r -a options <<<"${DRONEMAP_JAVA_OPTS:-}"
     server_environment
-    start_daemon server "$LOGS/server.log" "$JDK/bin/java" -Xmx384m "${options[@]}" "-Ddronemap.checkout=$DATA" -jar "$APP/dronemap.jar"
+    start_daemon server "$LOGS/server.log" "$JDK/bin/java" -Xmx384m "${options[@]}" "-Ddronemap.checkout=$DATA" -jar "$SERVER"
     printf '%s\n' "$1" >"$RUN_FILE"
+}
+
+# A server with its libraries beside it starts in half the time of one that has them inside. Each build has a folder
+# of its own, so that none changes under a running server; those that no server runs from are removed.
+unpack_server() {
+    local folder old
+    folder=$APP/server-$(stamp_of jars)
+    SERVER=$folder/dronemap.jar
+    [[ -f $SERVER ]] && return
+    for old in "$APP"/server-*; do
+        # Not in brackets, this very search would find itself.
+        grep -qsa -- "[/]${old#/}/" /proc/[0-9]*/cmdline || rm -rf "$old"
+    done
+    "$JDK/bin/java" -Djarmode=tools -jar "$APP/dronemap.jar" extract --destination "$folder.new" >"$LOGS/unpack.log" 2>&1 ||
+        fail_from_log "$LOGS/unpack.log" "$EXIT_START" "The server could not be unpacked into $folder."
+    mv "$folder.new" "$folder"
 }
 
 server_environment() {

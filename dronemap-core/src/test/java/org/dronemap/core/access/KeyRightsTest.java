@@ -24,7 +24,7 @@ import org.locationtech.jts.geom.Point;
 import org.locationtech.jts.geom.Polygon;
 
 class KeyRightsTest {
-    private static final int PAIRS = 10_000;
+    private static final int PAIRS = 3_000;
     private static final Instant NOW = Instant.parse("2026-01-01T00:00:00Z");
     private static final List<DroneId> DRONES =
             List.of(new DroneId("d1"), new DroneId("d2"), new DroneId("d3"), new DroneId("d4"));

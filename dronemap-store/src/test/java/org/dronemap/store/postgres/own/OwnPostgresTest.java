@@ -69,12 +69,11 @@ class OwnPostgresTest {
         Random random = new Random(20260304);
         Set<String> acknowledged = new HashSet<>();
         int round = 0;
-        while (acknowledged.size() < 250) {
+        while (acknowledged.size() < 120 || round < 3) {
             // The server alone in even rounds; in odd ones its database as well, in the middle of its work.
             acknowledged.addAll(killedAfter(20 + random.nextInt(80), round % 2 == 1, "round" + round));
             round++;
         }
-        assertThat(round).isGreaterThanOrEqualTo(3);
         try (Database database = Database.openOwn(directory)) {
             assertThat(acknowledged)
                     .allMatch(
