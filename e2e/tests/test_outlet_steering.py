@@ -42,9 +42,13 @@ def said_on(say: Callable[[], None]) -> Iterator[None]:
 
 
 def entries(api: Api, drone: str) -> list[dict[str, Any]]:
-    """The log of who steered, the newest first, once each has ended."""
+    """The log of who steered, and who was not let to, the newest first, once each has ended."""
     told = api.get(f"/drones/{drone}/commands")["commands"]
     return [c for c in told if c["summary"].startswith("steer by ") and c["outcome"]]
+
+
+def turns(api: Api, drone: str) -> list[dict[str, Any]]:
+    return [entry for entry in entries(api, drone) if entry["outcome"]["result"] != "refused"]
 
 
 def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
@@ -66,7 +70,7 @@ def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
     with said_on(northward):
         wait_for("it is steered by speeds", lambda: speed(ground, number) > 3)
     wait_for("it stands without another word", lambda: speed(ground, number) < 0.5, 20)
-    (turn,) = entries(api, drone)
+    (turn,) = turns(api, drone)
     assert (turn["by"], turn["face"], turn["summary"]) == (pilot.name, "outlet", "steer by speeds")
     assert turn["outcome"]["result"] == "timedOut" and "stand still" in turn["outcome"]["reason"]
 
@@ -82,7 +86,13 @@ def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
         taken = supervisor.api.call("POST", f"/drones/{drone}/control/take-over", {"reason": "a helicopter"})
         assert taken.ok, taken.text
         wait_for("it stands whatever the sticks say", lambda: speed(ground, number) < 0.5)
-    assert entries(api, drone)[0]["outcome"]["result"] == "superseded"
+    assert turns(api, drone)[0]["outcome"]["result"] == "superseded"
+    refused = {e["outcome"]["reason"] for e in entries(api, drone)} - {
+        t["outcome"]["reason"] for t in turns(api, drone)
+    }
+    assert any("change its mode to LOITER" in reason for reason in refused), (
+        "who may not steer so is written down"
+    )
     assert supervisor.api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
     wait_for("it is down", partial(landed, api, drone), 60)
 
@@ -107,7 +117,7 @@ def test_who_is_disabled_while_steering_steers_no_more_and_has_no_control(
         wait_for("it is steered", lambda: speed(ground, number) > 3)
         assert api.call("PATCH", f"/users/{pilot.name}", {"state": "disabled"}).ok
         wait_for("it stands", lambda: (api.drone(drone)["motion"]["groundSpeed"] or 0) < 0.5)
-    (turn,) = entries(api, drone)
+    (turn,) = turns(api, drone)
     assert turn["outcome"]["result"] == "superseded"
     assert api.drone(drone)["control"]["holder"] is None
     assert api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok

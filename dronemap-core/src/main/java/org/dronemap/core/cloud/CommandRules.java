@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import java.util.Comparator;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -14,6 +15,8 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /** What the state of a drone allows; the same sentences serve the gate and every page that greys a button. */
@@ -24,6 +27,8 @@ public final class CommandRules {
     private static final Set<String> USUAL = Set.of("GUIDED", "LOITER", "POSCTL", "OFFBOARD");
 
     private static final int MODES_NAMED = 2;
+    /** In one command. */
+    private static final double FARTHEST_METERS = 100_000;
 
     private CommandRules() {}
 
@@ -55,6 +60,9 @@ public final class CommandRules {
         if (why.isEmpty() && command instanceof Command.SetMode setMode) {
             return modeForbids(drone, setMode.mode());
         }
+        if (why.isEmpty() && command instanceof Command.GoTo goTo) {
+            return tooFar(drone, goTo.point());
+        }
         return why;
     }
 
@@ -65,6 +73,9 @@ public final class CommandRules {
         Map<String, Steering> modes = drone.capabilities().steering();
         if (why.isEmpty() && setpoint instanceof Setpoint.Velocity velocity && turnsUnknown(drone, velocity)) {
             return Optional.of("Where it looks is not known; steer it by its own forward and right.");
+        }
+        if (why.isEmpty() && setpoint instanceof Setpoint.Track track) {
+            why = tooFar(drone, track.point());
         }
         // Where no mode says what the vehicle goes by, it is steered in any.
         if (why.isPresent() || !modes.containsValue(wanted) || modes.get(drone.mode()) == wanted) {
@@ -77,6 +88,23 @@ public final class CommandRules {
                         .limit(MODES_NAMED)
                         .collect(Collectors.joining(" or "))
                 + " first.");
+    }
+
+    /** A place beyond all that drones fly at one go is a slip: of a digit, of a sign, or of a program that sends zeros. */
+    private static Optional<String> tooFar(DroneState drone, Geodetic point) {
+        Geodetic here = drone.position() == null ? null : drone.position().point();
+        if (here == null) {
+            return Optional.empty();
+        }
+        double meters = Geodesy.distanceMeters(here, point);
+        return meters <= FARTHEST_METERS
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "%s is %.0f km from where it is; it is sent at most %.0f km far.",
+                        point.words(),
+                        meters / 1_000,
+                        FARTHEST_METERS / 1_000));
     }
 
     private static boolean turnsUnknown(DroneState drone, Setpoint.Velocity velocity) {

@@ -34,6 +34,7 @@ final class Helm implements Lane.Ticker {
     private final Brake brake;
     private final AtomicReference<@Nullable Word> newest = new AtomicReference<>();
     // Owned by the lane.
+    private final HelmRefusals refusals = new HelmRefusals();
     private @Nullable Turn turn;
     private @Nullable Setpoint still;
     private int stillLeft;
@@ -105,6 +106,34 @@ final class Helm implements Lane.Ticker {
         }
     }
 
+    /**
+     * That source may not steer so, because of this: if it did, it does no more. Written down, but not each time again, and not
+     * of hands that are off the sticks. Any thread.
+     */
+    void refused(CommandGate.Source source, Setpoint setpoint, Outcome.Refused why) {
+        try {
+            drone.lane().execute(() -> {
+                boolean isNews =
+                        refusals.isNews(source, why.reason(), drone.lane().activeNanos());
+                Turn now = turn;
+                if (now != null && isOf(now.record, source)) {
+                    newest.set(null);
+                    end(now, why, true);
+                } else if (isNews && !setpoint.isStill()) {
+                    CommandRecord refused = record(source, setpoint, null)
+                            .ended(why, log.clock().instant());
+                    log.journal()
+                            .write(
+                                    "who may not steer " + drone.id(),
+                                    () -> log.store().begin(refused),
+                                    () -> log.listener().commandChanged(refused));
+                }
+            });
+        } catch (RejectedExecutionException e) {
+            LOG.warn("The lane of {} had no room to hear why somebody may not steer: {}", drone.id(), why.reason());
+        }
+    }
+
     private static boolean isOf(CommandRecord record, CommandGate.Source source) {
         return record.by().equals(source.principal().name()) && record.face().equals(source.face());
     }
@@ -136,19 +165,8 @@ final class Helm implements Lane.Ticker {
     }
 
     private Turn begin(Word word) {
-        CommandRecord record = new CommandRecord(
-                new CommandId("steer-" + UUID.randomUUID()),
-                drone.id(),
-                word.source().principal().name(),
-                word.source().face(),
-                "Steer",
-                word.setpoint().summary(),
-                log.clock().instant(),
-                CommandPhase.ACCEPTED,
-                null,
-                null,
-                null,
-                word.passage().epoch());
+        CommandRecord record =
+                record(word.source(), word.setpoint(), word.passage().epoch());
         Turn begun = new Turn(record, word, drone.lane().activeNanos());
         turn = begun;
         log.journal()
@@ -157,6 +175,22 @@ final class Helm implements Lane.Ticker {
                         () -> log.store().begin(record),
                         () -> log.listener().commandChanged(record));
         return begun;
+    }
+
+    private CommandRecord record(CommandGate.Source source, Setpoint setpoint, @Nullable Long epoch) {
+        return new CommandRecord(
+                new CommandId("steer-" + UUID.randomUUID()),
+                drone.id(),
+                source.principal().name(),
+                source.face(),
+                "Steer",
+                setpoint.summary(),
+                log.clock().instant(),
+                CommandPhase.ACCEPTED,
+                null,
+                null,
+                null,
+                epoch);
     }
 
     /** Somebody else has control, or nobody: what was begun under the earlier one is over. */

@@ -25,7 +25,7 @@ public final class SetpointGate {
 
     /**
      * Steers a drone for at most half a second from now on; then it stands still. Empty when the setpoint was taken, else
-     * why it was not, and whoever steered is at the helm no more.
+     * why it was not; that is written down, and whoever steered is at the helm no more.
      *
      * @throws UnknownDroneException when there is no such drone
      */
@@ -33,7 +33,7 @@ public final class SetpointGate {
         ManagedDrone managed = find(drone);
         Optional<String> why = whyNot(source.principal(), managed.drone().state(), setpoint)
                 .or(() -> enter(managed, source, setpoint));
-        why.ifPresent(sentence -> managed.helm().letGo(source, new Outcome.Refused(GATE, sentence)));
+        why.ifPresent(sentence -> managed.helm().refused(source, setpoint, new Outcome.Refused(GATE, sentence)));
         return why;
     }
 

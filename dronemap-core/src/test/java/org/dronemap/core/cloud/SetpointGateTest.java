@@ -216,8 +216,47 @@ class SetpointGateTest {
         hear(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
         assertThat(steer(ANN, NORTHWARD)).contains("Take off first.");
 
+        assertThat(steer(ANN, MIDDLE)).as("hands off the sticks").isPresent();
+        awaitRefusals(4);
         assertThat(vehicle.setpoints).isEmpty();
-        assertThat(log.records).isEmpty();
+    }
+
+    @Test
+    void whoGoesOnTryingIsWrittenDownOnce() {
+        CommandGate.Source eve = source("eve", Role.VIEWER);
+        for (int again = 0; again < 20; again++) {
+            assertThat(steer(eve, NORTHWARD)).isPresent();
+        }
+        assertThat(steer(BOB, PUSHED)).isPresent();
+
+        List<CommandRecord> refused = awaitRefusals(2);
+        assertThat(refused).extracting(CommandRecord::by).containsExactlyInAnyOrder("eve", "bob");
+    }
+
+    /** All that was written down: so many, each of which says why. */
+    private List<CommandRecord> awaitRefusals(int count) {
+        await().atMost(PATIENCE).until(() -> log.records.size() >= count);
+        List<CommandRecord> all = List.copyOf(log.records.values());
+        assertThat(all).hasSize(count).allSatisfy(record -> {
+            assertThat(record.type()).isEqualTo("Steer");
+            assertThat(record.outcome()).isInstanceOf(Outcome.Refused.class);
+        });
+        return all;
+    }
+
+    @Test
+    void isNotSentWhereOnlyASlipWouldSendIt() {
+        Geodetic nowhere = new Geodetic(0, 0);
+        Setpoint track = new Setpoint.Track(nowhere, Altitude.aboveHome(20), null, Facing.ANY);
+        assertThat(steer(ANN, track))
+                .hasValueSatisfying(why -> assertThat(why).contains("5335 km").contains("at most 100 km"));
+
+        CommandRecord refused = cloud.gate()
+                .submit(ANN, link.id(), new CommandId("to-nowhere"), new Command.GoTo(nowhere, Altitude.aboveHome(20)));
+        assertThat(refused.outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Refused.class,
+                        answer -> assertThat(answer.reason()).contains("at most 100 km"));
     }
 
     @Test
@@ -296,12 +335,17 @@ class SetpointGateTest {
         await().atMost(PATIENCE).until(() -> wanted.test(List.copyOf(vehicle.setpoints)));
     }
 
+    /** Who was let to the helm had control. */
+    private static boolean isTurn(CommandRecord record) {
+        return record.type().equals("Steer") && record.epoch() != null;
+    }
+
     private CommandRecord ended() {
         await().atMost(PATIENCE)
-                .until(() -> log.records.values().stream()
-                        .anyMatch(record -> record.type().equals("Steer") && record.outcome() != null));
+                .until(() ->
+                        log.records.values().stream().anyMatch(record -> isTurn(record) && record.outcome() != null));
         return log.records.values().stream()
-                .filter(record -> record.type().equals("Steer"))
+                .filter(SetpointGateTest::isTurn)
                 .findFirst()
                 .orElseThrow();
     }

@@ -1,0 +1,33 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.junit.jupiter.api.Test;
+
+class HelmRefusalsTest {
+    private static final CommandGate.Source EVE = new CommandGate.Source(new Principal("eve", Role.VIEWER), "outlet");
+
+    private final HelmRefusals refusals = new HelmRefusals();
+
+    @Test
+    void areNewsAgainAfterTenSecondsAndForAnotherReasonAtOnce() {
+        assertThat(refusals.isNews(EVE, "may only look", 0)).isTrue();
+        assertThat(refusals.isNews(EVE, "may only look", HelmRefusals.AGAIN_NANOS - 1))
+                .isFalse();
+        assertThat(refusals.isNews(EVE, "no contact", HelmRefusals.AGAIN_NANOS - 1))
+                .isTrue();
+        assertThat(refusals.isNews(EVE, "may only look", HelmRefusals.AGAIN_NANOS))
+                .isTrue();
+    }
+
+    @Test
+    void areForgottenOldestFirstWhenThereAreMany() {
+        for (int reason = 0; reason < 100; reason++) {
+            assertThat(refusals.isNews(EVE, "reason " + reason, reason)).isTrue();
+        }
+        assertThat(refusals.isNews(EVE, "reason 99", 100)).isFalse();
+        assertThat(refusals.isNews(EVE, "reason 0", 100)).isTrue();
+    }
+}
