@@ -38,6 +38,12 @@ class FakeSocket implements Socket {
   onclose: Socket['onclose'] = null;
   closed = false;
 
+  readonly sent: string[] = [];
+
+  send(text: string): void {
+    this.sent.push(text);
+  }
+
   close(): void {
     this.closed = true;
   }

@@ -1,10 +1,11 @@
-import type { StreamMessage } from './types';
+import type { StreamMessage, StreamRequest } from './types';
 
 /** The part of a WebSocket that the stream uses, so that tests can play the server. */
 export interface Socket {
   onopen: ((event: Event) => void) | null;
   onmessage: ((event: MessageEvent) => void) | null;
   onclose: ((event: CloseEvent) => void) | null;
+  send(text: string): void;
   close(): void;
 }
 
@@ -70,6 +71,15 @@ export class StreamClient {
     this.#drop();
     this.#up = false;
     this.#down = false;
+  }
+
+  /** False when the line is down: what is said many times a second is not kept for later. */
+  say(request: StreamRequest): boolean {
+    if (!this.#up || this.#socket === null) {
+      return false;
+    }
+    this.#socket.send(JSON.stringify(request));
+    return true;
   }
 
   /** Tries now instead of waiting for the next planned try. */

@@ -172,11 +172,25 @@ export interface Drone {
   home: Home | null;
   mission: VehicleMission | null;
   messages: VehicleMessage[];
-  actions: Partial<Record<CommandKind, Action>>;
+  actions: Partial<Record<CommandKind | 'velocity', Action>>;
   control?: Control;
   lastUpdate: string | null;
   version: number;
 }
+
+/** Speeds from the vehicle's own nose, in m/s, and a turn in degrees a second, clockwise. */
+export interface Velocity {
+  frame: 'vehicle';
+  forward: number;
+  right: number;
+  down: number;
+  turn: number;
+}
+
+/** What the page says on the stream; `requestId` comes back with an error. */
+export type StreamRequest =
+  | { type: 'steer'; requestId: string; drone: string; velocity: Velocity; epoch?: number }
+  | { type: 'letGo'; requestId: string; drone: string };
 
 /** What a vehicle on a mission does by itself when it no longer hears the cloud. */
 export type CloudLoss = 'continue' | 'rtl';

@@ -13,6 +13,7 @@ import { Fleet } from './fleet.svelte';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
 import { Runs } from './runs.svelte';
+import { SteeringLines, type SteeringLine } from './steering';
 import { Tours } from './tours.svelte';
 import { Virtuals } from './virtuals.svelte';
 import { Zones } from './zones.svelte';
@@ -59,6 +60,11 @@ export class Station {
     },
   );
 
+  readonly #lines = new SteeringLines(
+    (request) => this.#stream.say(request),
+    (drone) => this.controls.kept.get(drone),
+  );
+
   /** Asks who is signed in. Rejects when the cloud cannot be reached. */
   async open(): Promise<void> {
     setInterval(() => {
@@ -98,6 +104,11 @@ export class Station {
   async signOutEverywhere(): Promise<void> {
     await this.rest.signOutEverywhere();
     this.#forgetSession(null);
+  }
+
+  /** A line to steer that drone by; `onRefused` hears why the cloud takes no speeds. */
+  steering(drone: string, onRefused: (why: string) => void): SteeringLine {
+    return this.#lines.open(drone, onRefused);
   }
 
   retryNow(): void {
@@ -197,6 +208,9 @@ export class Station {
         this.clock.hear(message.at);
         break;
       case 'error':
+        if (this.#lines.hear(message)) {
+          break;
+        }
         console.warn('The stream reports:', message.problem.detail);
         break;
       default:

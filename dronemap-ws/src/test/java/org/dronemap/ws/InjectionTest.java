@@ -247,7 +247,7 @@ class InjectionTest {
     @Test
     void takesThemInEveryMemberThatTheStreamKnows() {
         int tried = 0;
-        for (String type : List.of("ping", "subscribe", "command", "control")) {
+        for (String type : List.of("ping", "subscribe", "command", "control", "steer")) {
             for (String member : members()) {
                 for (String text : Injections.ALL) {
                     ObjectNode message = json.createObjectNode();

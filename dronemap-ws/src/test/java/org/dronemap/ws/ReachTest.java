@@ -132,8 +132,11 @@ class ReachTest extends ReachTrial {
         for (Role role : Set.of(Role.VIEWER, Role.OPERATOR, Role.SUPERVISOR, Role.ADMINISTRATOR)) {
             try (StreamListener stream =
                     StreamListener.withKey(house, ours.get(role).key())) {
-                for (String about :
-                        List.of("\"command\",\"command\":{\"type\":\"land\"}", "\"control\",\"action\":\"take\"")) {
+                for (String about : List.of(
+                        "\"command\",\"command\":{\"type\":\"land\"}",
+                        "\"control\",\"action\":\"take\"",
+                        "\"steer\",\"velocity\":{\"forward\":1}",
+                        "\"letGo\"")) {
                     String there = said(stream, about, foreign.drone().id());
                     String absent = said(stream, about, ABSENT);
                     if (!there.equals(absent)) {

@@ -27,6 +27,11 @@ public final class Accounts {
         listeners.add(listener);
     }
 
+    /** The same, before all others: who acts by rights that are gone must not do so on what the others free. */
+    public void onChangeFirst(Consumer<String> listener) {
+        listeners.add(0, listener);
+    }
+
     /**
      * A new user, unless the name is one's already, or cannot be told from it.
      *

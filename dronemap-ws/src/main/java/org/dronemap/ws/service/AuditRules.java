@@ -29,6 +29,9 @@ public final class AuditRules {
             "controlHeartbeat");
     private static final Set<String> LEFT_OUT_OF_STREAM = Set.of("ping", "subscribe");
 
+    /** Whose success another record tells: what follows a sign-in, or that of a turn at the helm, from begin to end. */
+    private static final Set<String> TOLD_ELSEWHERE = Set.of("authenticate", "steer", "letGo");
+
     private AuditRules() {}
 
     public static boolean onlyLooks(String method, String path) {
@@ -42,6 +45,11 @@ public final class AuditRules {
 
     public static boolean leavesOutSoap(String operation) {
         return LEFT_OUT_OF_SOAP.contains(operation);
+    }
+
+    /** Of these only what is turned away leaves a record of its own. */
+    public static boolean recordsElsewhere(String type) {
+        return TOLD_ELSEWHERE.contains(type);
     }
 
     public static boolean leavesOutStream(String type) {

@@ -25,6 +25,7 @@ final class StreamClient {
     private final ConcurrentHashMap<DroneId, Set<Permission>> shown = new ConcurrentHashMap<>();
     private volatile boolean unsettled;
     private final long connectedNanos;
+    private final StreamHands hands = new StreamHands();
     private volatile @Nullable SignedIn caller;
     private volatile @Nullable Set<String> wanted;
     private volatile int perSecond = Turns.MOST_PER_SECOND;
@@ -53,6 +54,15 @@ final class StreamClient {
 
     long connectedNanos() {
         return connectedNanos;
+    }
+
+    StreamHands hands() {
+        return hands;
+    }
+
+    /** It is nobody any more. */
+    void leave() {
+        caller = null;
     }
 
     ClientOutbox outbox() {

@@ -42,6 +42,7 @@ import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RunService;
+import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
@@ -75,8 +76,11 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             DroneService drones,
             Pictures pictures,
             CommandService commands,
-            ControlService controls,
+            Reins reins,
             JsonReader json) {}
+
+    /** Who has control of drones, and who steers them by it. */
+    public record Reins(ControlService controls, SteeringService steering) {}
 
     /** Who may come in, who has to leave, and where it is taken down. */
     public record Entrance(
@@ -113,7 +117,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.planFeed = new PlanFeed(services.pictures().plans(), services.json(), this::wake);
         this.runFeed = new RunFeed(services.pictures().runs(), services.json(), this::wake);
         this.requests = new StreamRequests(services);
-        services.entrance().accounts().onChange(this::judgeAnew);
+        services.entrance().accounts().onChangeFirst(this::judgeAnew);
         this.server = new StreamServer(
                 address,
                 requests,

@@ -10,6 +10,7 @@ import org.dronemap.ws.service.DroneView;
 import org.dronemap.ws.service.PlanView;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.RunView;
+import org.dronemap.ws.service.SteeringRequest;
 import org.dronemap.ws.service.VirtualDroneView;
 import org.dronemap.ws.service.ZoneFeature;
 import org.jspecify.annotations.Nullable;
@@ -25,6 +26,8 @@ final class StreamMessage {
             @Nullable String requestId,
             @Nullable String drone,
             @Nullable CommandRequest command,
+            SteeringRequest.@Nullable Velocity velocity,
+            SteeringRequest.@Nullable Sticks sticks,
             @Nullable List<String> drones,
             @Nullable Integer rate,
             @Nullable String action,

@@ -8,9 +8,9 @@ import org.dronemap.ws.service.AuditRules;
 /** Notes what a client says, for the record that it leaves. */
 final class StreamNotes {
     /** Anything else stays unreadable: it may be a secret in the wrong place. */
-    private static final Set<String> TYPES = Set.of("authenticate", "command", "control", "subscribe", "ping");
+    private static final Set<String> TYPES =
+            Set.of("authenticate", "command", "control", "steer", "letGo", "subscribe", "ping");
 
-    private static final String AUTHENTICATE = "authenticate";
     private static final String CONTROL = "control";
     private static final String HEARTBEAT = "heartbeat";
 
@@ -26,7 +26,7 @@ final class StreamNotes {
         }
         if (AuditRules.leavesOutStream(type) || (type.equals(CONTROL) && HEARTBEAT.equals(message.action()))) {
             call.leaveOut();
-        } else if (type.equals(AUTHENTICATE)) {
+        } else if (AuditRules.recordsElsewhere(type)) {
             call.leaveOutUnlessTurnedAway();
         }
         String drone = message.drone();

@@ -2,6 +2,7 @@ package org.dronemap.ws.stream;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditDesk;
@@ -29,13 +30,17 @@ import org.slf4j.LoggerFactory;
 /** Answers what clients of the stream say. Any thread. */
 final class StreamRequests {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequests.class);
-    private static final String TYPES = "authenticate, command, control, subscribe or ping";
+    private static final String TYPES = "authenticate, command, control, steer, letGo, subscribe or ping";
+
+    /** Of these some cost nothing, as they are for safety. */
+    private static final Set<String> PAID_ELSEWHERE = Set.of("command", "control", "steer", "letGo");
 
     private final Authentication authentication;
     private final Budgets budgets;
     private final DroneService drones;
     private final CommandService commands;
     private final StreamControl controls;
+    private final StreamSteering steering;
     private final StreamCrowd crowd;
     private final JsonReader json;
     private final AuditDesk desk;
@@ -45,7 +50,8 @@ final class StreamRequests {
         this.budgets = services.entrance().bounds().budgets();
         this.drones = services.drones();
         this.commands = services.commands();
-        this.controls = new StreamControl(services.controls());
+        this.controls = new StreamControl(services.reins().controls());
+        this.steering = new StreamSteering(services.reins().steering());
         this.crowd = services.entrance().bounds().crowd();
         this.json = services.json();
         this.desk = services.entrance().desk();
@@ -95,6 +101,13 @@ final class StreamRequests {
     void expel(StreamClient client, int code, Rejection why) {
         String message = json.write(new StreamMessage.Failure(Problem.of(why), null));
         client.expel(new StreamClient.Farewell(code, why.sentence(), message));
+        steering.handsOff(client);
+    }
+
+    /** Its connection has ended. */
+    void left(StreamClient client) {
+        client.leave();
+        steering.handsOff(client);
     }
 
     void hear(StreamClient client, String text) {
@@ -150,15 +163,24 @@ final class StreamRequests {
         Principal principal = client.principal()
                 .orElseThrow(() -> Rejection.notSignedIn(
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
-        if (!type.equals("command") && !type.equals("control")) {
+        if (!PAID_ELSEWHERE.contains(type)) {
             budgets.take(Work.REQUEST, principal.name());
         }
         switch (type) {
             case "command" -> command(client, principal, message);
             case "control" -> say(client, controls.answer(principal, message));
+            case "steer" -> steer(client, message);
+            case "letGo" -> steering.letGo(client, principal, message);
             case "subscribe" -> subscribe(client, message);
             case "ping" -> say(client, new StreamMessage.Pong());
             default -> throw InvalidInput.outside("type", TYPES, "\"" + type + "\"");
+        }
+    }
+
+    /** What is refused again and again leaves no more records than sentences. */
+    private void steer(StreamClient client, StreamMessage.FromClient message) {
+        if (!steering.steer(client, message)) {
+            Activity.current().ifPresent(Activity::leaveOut);
         }
     }
 

@@ -99,7 +99,11 @@ final class StreamServer extends WebSocketServer {
 
     @Override
     public void onClose(WebSocket socket, int code, String reason, boolean remote) {
+        StreamClient client = crowd.of(socket);
         crowd.leave(socket);
+        if (client != null) {
+            requests.left(client);
+        }
     }
 
     @Override

@@ -48,6 +48,7 @@ import org.dronemap.ws.service.RobotKeyService;
 import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SensingService;
 import org.dronemap.ws.service.ServerMetrics;
+import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.SystemService;
 import org.dronemap.ws.service.TelemetryFiles;
 import org.dronemap.ws.service.TelemetryService;
@@ -198,6 +199,11 @@ public class ServiceConfiguration {
     @Bean
     CommandService commandService(House house, DroneService drones, Budgets budgets) {
         return new CommandService(house.cloud(), drones, budgets);
+    }
+
+    @Bean
+    SteeringService steeringService(House house, DroneService drones, Budgets budgets) {
+        return new SteeringService(house.cloud(), drones, budgets);
     }
 
     @Bean

@@ -20,6 +20,7 @@ import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.stream.StreamCrowd;
 import org.dronemap.ws.stream.StreamFace;
@@ -63,9 +64,14 @@ public class StreamConfiguration {
             DroneService drones,
             StreamFace.Pictures pictures,
             CommandService commands,
-            ControlService controls,
+            StreamFace.Reins reins,
             JsonReader json) {
-        return new StreamFace.Services(entrance, drones, pictures, commands, controls, json);
+        return new StreamFace.Services(entrance, drones, pictures, commands, reins, json);
+    }
+
+    @Bean
+    StreamFace.Reins streamReins(ControlService controls, SteeringService steering) {
+        return new StreamFace.Reins(controls, steering);
     }
 
     @Bean

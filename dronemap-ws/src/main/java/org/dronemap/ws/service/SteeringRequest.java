@@ -1,0 +1,94 @@
+package org.dronemap.ws.service;
+
+import java.util.Objects;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.command.Setpoint.Facing;
+import org.dronemap.core.command.Setpoint.Frame;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a drone shall move from now on, as a client writes it: by speeds or by sticks. Nothing is checked yet.
+ *
+ * @param epoch of the control that the client believes to have; null: it does not say
+ */
+public record SteeringRequest(
+        @Nullable Velocity velocity,
+        @Nullable Sticks sticks,
+        @Nullable Long epoch) {
+    private static final String FRAMES = "vehicle (the default) or earth";
+
+    /**
+     * Speeds in m/s; what is left out is 0.
+     *
+     * @param frame from the vehicle's nose, or from true north
+     * @param turn degrees a second, clockwise seen from above
+     * @param heading degrees clockwise from true north, where it shall look; not beside {@code turn}
+     */
+    public record Velocity(
+            @Nullable String frame,
+            @Nullable Double forward,
+            @Nullable Double right,
+            @Nullable Double down,
+            @Nullable Double turn,
+            @Nullable Double heading) {}
+
+    /** Each −1 to 1, with 0 in the middle; what is left out is there. */
+    public record Sticks(
+            @Nullable Double forward,
+            @Nullable Double right,
+            @Nullable Double up,
+            @Nullable Double turn) {}
+
+    /** Throws {@link InvalidInput} for what is none. */
+    Setpoint setpoint() {
+        Velocity speeds = velocity;
+        Sticks moved = sticks;
+        if (speeds == null && moved == null) {
+            throw InvalidInput.missing("velocity", "speeds such as {\"forward\":1}, or \"sticks\" in their place");
+        }
+        if (speeds != null && moved != null) {
+            throw InvalidInput.outside("sticks", "alone, or velocity alone", "beside the other");
+        }
+        try {
+            if (moved != null) {
+                return new Setpoint.Sticks(
+                        said(moved.forward()), said(moved.right()), said(moved.up()), said(moved.turn()));
+            }
+            return speeds(Objects.requireNonNull(speeds));
+        } catch (IllegalArgumentException outside) {
+            throw new InvalidInput(
+                    "velocity", "within bounds", "This cannot be steered by: " + outside.getMessage() + ".");
+        }
+    }
+
+    private static Setpoint speeds(Velocity said) {
+        return new Setpoint.Velocity(
+                frame(said.frame()), said(said.forward()), said(said.right()), said(said.down()), facing(said));
+    }
+
+    private static Frame frame(@Nullable String name) {
+        if (name == null || name.equals("vehicle")) {
+            return Frame.VEHICLE;
+        }
+        if (name.equals("earth")) {
+            return Frame.EARTH;
+        }
+        throw InvalidInput.outside("velocity.frame", FRAMES, "\"" + name + "\"");
+    }
+
+    private static Facing facing(Velocity said) {
+        Double heading = said.heading();
+        Double turn = said.turn();
+        if (heading != null && turn != null) {
+            throw InvalidInput.outside("velocity.heading", "alone, or turn alone", "beside the other");
+        }
+        if (heading != null) {
+            return new Facing.Heading(heading);
+        }
+        return turn == null ? Facing.ANY : new Facing.Turning(turn);
+    }
+
+    private static double said(@Nullable Double value) {
+        return value == null ? 0 : value;
+    }
+}

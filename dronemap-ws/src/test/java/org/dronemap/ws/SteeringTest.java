@@ -1,0 +1,234 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Predicate;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.command.Setpoint.Facing;
+import org.dronemap.core.command.Setpoint.Frame;
+import org.dronemap.core.command.Setpoint.Velocity;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.java_websocket.exceptions.WebsocketNotConnectedException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+
+/** Drones steered through the stream, and standing as soon as whoever steered has gone or may no more. */
+class SteeringTest {
+    private static final Setpoint ROUND = new Velocity(Frame.VEHICLE, 0, 0, 0, new Facing.Turning(10));
+    private static final Setpoint STILL = new Velocity(Frame.VEHICLE, 0, 0, 0, new Facing.Turning(0));
+    private static final String TURN = "\"velocity\":{\"turn\":10}";
+
+    private TestHouse house;
+    private ScriptedVehicle vehicle;
+    private Member root;
+    private Member ann;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        vehicle = ScriptedVehicle.connect(house.cloud(), 15683);
+        vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
+        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        Waiting.until(
+                "it flies",
+                () -> house.cloud().drones().stream()
+                        .filter(drone -> drone.airborne() && Boolean.TRUE.equals(drone.armed()))
+                        .findFirst());
+        root = house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR);
+        ann = house.member(OrganisationId.HOME, "ann", Role.OPERATOR);
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void steersAndStandsWhenHandsAreTakenOff() {
+        try (StreamListener stream = entered(house.key(Role.OPERATOR))) {
+            steer(stream, "\"velocity\":{\"frame\":\"vehicle\",\"forward\":2,\"right\":-1,\"down\":0.5,\"turn\":20}");
+            awaitSaid(said -> said.contains(new Velocity(Frame.VEHICLE, 2, -1, 0.5, new Facing.Turning(20))));
+            stream.send("{\"type\":\"letGo\",\"drone\":\"" + vehicle.id() + "\"}");
+            awaitSaid(said -> said.contains(STILL));
+
+            JsonNode turn = stream.await(message -> outcome(message).equals("succeeded"));
+            assertThat(turn.path("command").path("summary").asString()).isEqualTo("steer by speeds");
+            assertThat(turn.path("command").path("face").asString()).isEqualTo("stream");
+        }
+    }
+
+    @Test
+    void standsWhenTheConnectionEndsLongBeforeSetpointsExpire() {
+        try (StreamListener others = entered(house.key(Role.VIEWER))) {
+            try (StreamListener stream = entered(house.key(Role.OPERATOR))) {
+                steer(stream, TURN);
+                awaitSaid(said -> said.contains(ROUND));
+            }
+            awaitSaid(said -> said.contains(STILL));
+            // Had it been silence, the turn would have timed out.
+            others.await(message -> outcome(message).equals("succeeded"));
+        }
+    }
+
+    @Test
+    void whoIsDisabledInTheMiddleOfATurnSteersNoMoreAndHasNoControl() {
+        for (int times = 0; times < 5; times++) {
+            try (StreamListener stream = entered(ann.key())) {
+                steer(stream, TURN);
+                awaitSaid(said -> said.contains(ROUND));
+                CompletableFuture<Integer> disabled = CompletableFuture.supplyAsync(() -> state("disabled"));
+                steerUntilClosed(stream);
+                assertThat(disabled.join()).isEqualTo(200);
+                // Before it is closed it hears all that came of what it has said.
+                stream.awaitClose();
+                assertThat(house.cloud()
+                                .controls()
+                                .control(new DroneId(vehicle.id()))
+                                .tenure())
+                        .isNull();
+                awaitSaid(said -> said.get(said.size() - 1).equals(STILL));
+            }
+            assertThat(state("active")).isEqualTo(200);
+        }
+    }
+
+    @Test
+    void aGrantThatIsTakenBackStopsWhatIsSteeredByIt() {
+        call("PUT", "/api/v1/users/ann/only-granted", "{\"onlyGranted\":true}");
+        String grant = root.http()
+                .post(
+                        "/api/v1/grants",
+                        "{\"user\":\"ann\",\"drones\":[\"" + vehicle.id() + "\"],\"operations\":[\"command\"]}")
+                .text("id");
+        try (StreamListener stream = entered(ann.key())) {
+            steer(stream, TURN);
+            awaitSaid(said -> said.contains(ROUND));
+            call("DELETE", "/api/v1/grants/" + grant, "");
+            awaitSaid(said -> said.contains(STILL));
+            int before = vehicle.setpoints().size();
+            steer(stream, TURN);
+            stream.await(message -> message.path("type").asString().equals("error"));
+            assertThat(vehicle.setpoints().subList(before, vehicle.setpoints().size()))
+                    .doesNotContain(ROUND);
+        }
+    }
+
+    private void steerUntilClosed(StreamListener stream) {
+        while (true) {
+            try {
+                steer(stream, TURN);
+            } catch (WebsocketNotConnectedException closed) {
+                return;
+            }
+        }
+    }
+
+    private int state(String state) {
+        return call("PATCH", "/api/v1/users/ann", "{\"state\":\"" + state + "\"}");
+    }
+
+    private int call(String method, String path, String body) {
+        return root.http()
+                .send(
+                        path,
+                        request -> request.header("Content-Type", "application/json")
+                                .method(method, HttpRequest.BodyPublishers.ofString(body)))
+                .status();
+    }
+
+    @Test
+    void isToldOnceASecondWhyNothingIsSteered() {
+        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
+        Waiting.until(
+                "it has landed",
+                () -> house.cloud().drones().stream()
+                        .filter(drone -> !drone.airborne())
+                        .findFirst());
+        try (StreamListener stream = entered(house.key(Role.OPERATOR))) {
+            for (int times = 0; times < 20; times++) {
+                steer(stream, TURN);
+            }
+            stream.send("{\"type\":\"ping\"}");
+            stream.await(message -> message.path("type").asString().equals("pong"));
+
+            List<JsonNode> errors = stream.heard().stream()
+                    .filter(message -> message.path("type").asString().equals("error"))
+                    .toList();
+            assertThat(errors).hasSizeBetween(1, 3);
+            assertThat(errors.get(0).path("problem").path("detail").asString()).isEqualTo("Take off first.");
+            assertThat(vehicle.setpoints()).isEmpty();
+        }
+    }
+
+    @Test
+    void takesNoSpeedThatIsNoneAndNoStickThatIsOne() {
+        try (StreamListener stream = entered(house.key(Role.OPERATOR))) {
+            for (String wrong : List.of(
+                    "\"epoch\":1",
+                    "\"velocity\":{},\"sticks\":{}",
+                    "\"velocity\":{\"forward\":101}",
+                    "\"velocity\":{\"frame\":\"moon\"}",
+                    "\"velocity\":{\"turn\":1,\"heading\":2}",
+                    "\"sticks\":{\"up\":1.5}")) {
+                int before = errors(stream);
+                steer(stream, wrong);
+                Waiting.until(wrong, () -> Optional.of(errors(stream)).filter(count -> count > before));
+            }
+            steer(stream, "\"sticks\":{\"forward\":0.5,\"turn\":-1}");
+            awaitSaid(said -> said.contains(new Setpoint.Sticks(0.5, 0, 0, -1)));
+        }
+    }
+
+    @Test
+    void anEpochThatIsOverSteersNothing() {
+        try (StreamListener stream = entered(house.key(Role.OPERATOR))) {
+            steer(stream, TURN + ",\"epoch\":1");
+            JsonNode error =
+                    stream.await(message -> message.path("type").asString().equals("error"));
+            assertThat(error.path("problem").path("status").asInt()).isEqualTo(409);
+            assertThat(vehicle.setpoints()).isEmpty();
+        }
+    }
+
+    private static int errors(StreamListener stream) {
+        return (int) stream.heard().stream()
+                .filter(message -> message.path("type").asString().equals("error"))
+                .count();
+    }
+
+    private static String outcome(JsonNode message) {
+        return message.path("command").path("outcome").path("result").asString("");
+    }
+
+    private StreamListener entered(String key) {
+        StreamListener stream = StreamListener.withKey(house, key);
+        stream.await(message -> message.path("type").asString().equals("drones"));
+        return stream;
+    }
+
+    private void steer(StreamListener stream, String how) {
+        stream.send("{\"type\":\"steer\",\"drone\":\"" + vehicle.id() + "\"," + how + "}");
+    }
+
+    private void awaitSaid(Predicate<List<Setpoint>> wanted) {
+        Waiting.until(
+                "the vehicle is told", () -> Optional.of(vehicle.setpoints()).filter(wanted));
+    }
+}

@@ -1,0 +1,113 @@
+import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import type { Action, Velocity } from '../api/types';
+import { STATION, Station } from '../state/station.svelte';
+import { aDrone } from '../testing';
+import SteerSection from './SteerSection.svelte';
+
+const MAY: Action = { allowed: true, why: null };
+
+describe('steer section', () => {
+  let said: (Velocity | 'let go' | 'closed')[];
+  let refuse: (why: string) => void;
+  let made: Station;
+
+  beforeEach(() => {
+    vi.useFakeTimers();
+    said = [];
+    made = new Station();
+    made.connection.up();
+    made.session = { name: 'olga', role: 'operator', mustChangePassword: false };
+    vi.spyOn(made, 'steering').mockImplementation((_, onRefused) => {
+      refuse = onRefused;
+      return {
+        steer: (velocity) => said.push(velocity) > 0,
+        letGo: () => said.push('let go'),
+        close: () => said.push('closed'),
+      };
+    });
+  });
+
+  afterEach(() => {
+    cleanup();
+    vi.useRealTimers();
+  });
+
+  function show(velocity: Action = MAY) {
+    const drone = aDrone({ kind: 'rover', modes: [], name: 'Burger', actions: { velocity } });
+    return render(SteerSection, { props: { drone }, context: new Map([[STATION, made]]) });
+  }
+
+  function pad(): HTMLElement {
+    return screen.getByRole('application', { name: 'Steer Burger by keys' });
+  }
+
+  function ahead(): number {
+    return said.filter((one) => typeof one === 'object' && one.forward > 0).length;
+  }
+
+  it('moves as long as a key is down, and says so', async () => {
+    show();
+    await fireEvent.keyDown(pad(), { code: 'KeyW' });
+    await vi.advanceTimersByTimeAsync(450);
+    expect(ahead()).toBe(5);
+    expect(screen.getByRole('status').textContent).toContain('You are steering: 0.3 m/s ahead');
+    await fireEvent.keyUp(pad(), { code: 'KeyW' });
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(said.slice(5)).toEqual(['let go']);
+    expect(screen.getByRole('status').textContent).toBe('Nobody steers from here');
+  });
+
+  it.each([
+    ['the focus goes', () => fireEvent.blur(pad())],
+    ['the window is left', () => fireEvent.blur(window)],
+    ['Escape is pressed', () => fireEvent.keyDown(document.body, { code: 'Escape' })],
+    ['Space is pressed', () => fireEvent.keyDown(pad(), { code: 'Space' })],
+    ['the page goes', () => fireEvent(window, new Event('pagehide'))],
+    ['the page is hidden', hideDocument],
+  ])('lets go when %s', async (_, happens) => {
+    show();
+    await fireEvent.keyDown(pad(), { code: 'ArrowUp' });
+    expect(ahead()).toBe(1);
+    await happens();
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(said.slice(1)).toEqual(['let go']);
+    await fireEvent.keyDown(pad(), { code: 'ArrowUp', repeat: true });
+    expect(said.slice(1)).toEqual(['let go']);
+  });
+
+  it('steers nothing, with the reason, where it may not', async () => {
+    show({ allowed: false, why: 'Take off first.' });
+    await fireEvent.keyDown(pad(), { code: 'KeyW' });
+    expect(said).toEqual([]);
+    expect(screen.getByText('Take off first.')).toBeDefined();
+  });
+
+  it('stops and tells why when the cloud says no', async () => {
+    show();
+    await fireEvent.keyDown(pad(), { code: 'KeyW' });
+    refuse('bob has control.');
+    await vi.advanceTimersByTimeAsync(500);
+    expect(said.slice(1)).toEqual(['let go']);
+    expect(screen.getByRole('alert').textContent).toBe('bob has control.');
+  });
+
+  it('lets go when the panel is left', async () => {
+    const { unmount } = show();
+    await fireEvent.keyDown(pad(), { code: 'KeyW' });
+    unmount();
+    expect(said.slice(1)).toEqual(['let go', 'closed']);
+  });
+
+  it('is faster when one wants it to be', async () => {
+    show();
+    await fireEvent.input(screen.getByRole('slider'), { target: { value: '1' } });
+    await fireEvent.keyDown(pad(), { code: 'KeyS' });
+    expect(said[0]).toMatchObject({ forward: -1, turn: 0, frame: 'vehicle' });
+  });
+});
+
+function hideDocument(): Promise<boolean> {
+  vi.spyOn(document, 'hidden', 'get').mockReturnValueOnce(true);
+  return fireEvent(document, new Event('visibilitychange'));
+}
