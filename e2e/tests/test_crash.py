@@ -89,12 +89,13 @@ def test_after_a_crash_the_vehicles_own_item_is_shown(
     watch.expect_at_most(RETURN_SECONDS)
     assert back["id"] == drone["id"]
     assert len(now["mission"]["items"]) == 4
-    texts = [m["text"] for m in now["messages"]]
     if on_cloud_loss == "continue":
         assert now["mode"] == "AUTO"
         wait_for("it heads for the last", lambda: (again.drone(drone["id"])["mission"]["current"] or 0) >= 3)
         said = ("flew on from item 2", "flew its mission to the end")
-        assert any(sentence in text for text in texts for sentence in said), texts
+        wait_for(
+            "it says so", lambda: any(sentence in text for text in _texts(again, drone) for sentence in said)
+        )
     else:
         assert now["mode"] == "RTL"
 
@@ -135,6 +136,10 @@ def _watch(port: int, on_cloud_loss: str) -> None:
 def _live(api: Api, drone: str) -> Json | None:
     now = api.drone(drone)
     return now if now["link"]["state"] == "live" else None
+
+
+def _texts(api: Api, drone: Json) -> list[str]:
+    return [message["text"] for message in api.drone(drone["id"])["messages"]]
 
 
 def _with_mission(api: Api, drone: str) -> Json | None:
