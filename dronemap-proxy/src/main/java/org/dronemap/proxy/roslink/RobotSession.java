@@ -17,6 +17,7 @@ import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.LinkReport;
+import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.Packet;
@@ -28,6 +29,8 @@ import org.jspecify.annotations.Nullable;
  */
 final class RobotSession implements VehicleChannel, Lane.Ticker {
     private static final long GIVEN_UP_NANOS = 120_000_000_000L;
+    private static final DroneEvent DRIVES_ON = new DroneEvent.TextHeard(
+            Severity.ALERT, "It was told to stand still five seconds ago and reports that it moves. Stop it by hand.");
 
     private final RobotTable table;
     private final RobotName name;
@@ -43,7 +46,8 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         this.table = table;
         this.name = first.name();
         links = new RobotLinks(first);
-        standstill = new Standstill(type.words().flies(), order -> links.best().send(order, Fence.NONE));
+        standstill = new Standstill(
+                type.words().flies(), order -> links.best().send(order, Fence.NONE), () -> tell(DRIVES_ON));
         telemetry = new RobotTelemetry(
                 type, name.hardware(), this::tell, () -> table.refusals().unreadable());
     }

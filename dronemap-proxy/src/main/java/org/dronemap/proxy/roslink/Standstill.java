@@ -15,20 +15,30 @@ final class Standstill {
     private static final long SLOWLY_NANOS = 500_000_000L;
     /** So many whatever is reported: what was under way may have been said before the last speeds were heard. */
     private static final int QUICK_TIMES = 6;
+    /** Whatever brakes stands by then. */
+    private static final long SHOULD_STAND_NANOS = 5 * SECOND_NANOS;
 
     private final Consumer<Order> send;
+    private final Runnable drivesOn;
     private final long patienceNanos;
     private final boolean flies;
     private boolean wanted;
+    private boolean moves;
+    private boolean alarmed;
     private boolean moved;
     private int said;
     private long begunNanos;
     private long saidNanos;
 
-    /** A robot that flies is left to its flight controller, for which a speed counts for moments, and never quite stands. */
-    Standstill(boolean flies, Consumer<Order> send) {
+    /**
+     * A robot that flies is left to its flight controller, for which a speed counts for moments, and never quite stands.
+     *
+     * @param drivesOn hears, once a time, that a robot on the ground reports to move though it has long been told to stand
+     */
+    Standstill(boolean flies, Consumer<Order> send, Runnable drivesOn) {
         this.flies = flies;
         this.send = send;
+        this.drivesOn = drivesOn;
         patienceNanos = (flies ? 3 : 30) * SECOND_NANOS;
     }
 
@@ -67,20 +77,27 @@ final class Standstill {
     private void begin(long nowNanos) {
         wanted = true;
         moved = false;
+        moves = false;
+        alarmed = false;
         said = 0;
         begunNanos = nowNanos;
     }
 
     /** A report has come, and these are the facts with it. */
     void heard(RobotMessage report, RobotFacts facts) {
-        if (wanted && said >= QUICK_TIMES && report instanceof RobotMessage.Motion && Aim.Still.isStill(facts)) {
-            wanted = false;
+        if (wanted && said >= QUICK_TIMES && report instanceof RobotMessage.Motion) {
+            moves = !Aim.Still.isStill(facts);
+            wanted = moves;
         }
     }
 
     void tick(long nowNanos) {
         if (!wanted) {
             return;
+        }
+        if (moves && !flies && !alarmed && nowNanos - begunNanos > SHOULD_STAND_NANOS) {
+            alarmed = true;
+            drivesOn.run();
         }
         if (nowNanos - begunNanos > patienceNanos) {
             wanted = false;

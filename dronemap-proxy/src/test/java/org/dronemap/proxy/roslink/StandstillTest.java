@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotMessage.Angles;
@@ -21,8 +22,9 @@ class StandstillTest {
             new Angles(null, null, null));
 
     private final List<Order> orders = new ArrayList<>();
-    private final Standstill rover = new Standstill(false, orders::add);
-    private final Standstill drone = new Standstill(true, orders::add);
+    private final AtomicInteger alarms = new AtomicInteger();
+    private final Standstill rover = new Standstill(false, orders::add, alarms::incrementAndGet);
+    private final Standstill drone = new Standstill(true, orders::add, alarms::incrementAndGet);
     private long now = -5;
 
     @Test
@@ -61,6 +63,24 @@ class StandstillTest {
         pass(rover, 60);
 
         assertThat(orders).hasSizeGreaterThanOrEqualTo(before + 2);
+    }
+
+    @Test
+    void tellsOnceOfARobotThatDrivesOnWhateverItHears() {
+        rover.moved();
+        rover.told(now);
+        for (int report = 0; report < 12; report++) {
+            pass(rover, 50);
+            rover.heard(MOTION, speed(0.4));
+            assertThat(alarms).as("%d s", report).hasValue(report < 5 ? 0 : 1);
+        }
+        rover.heard(MOTION, speed(0));
+        rover.moved();
+        rover.told(now);
+        pass(rover, 60);
+        rover.heard(MOTION, speed(0));
+        pass(rover, 600);
+        assertThat(alarms).hasValue(1);
     }
 
     @Test
@@ -116,11 +136,14 @@ class StandstillTest {
         Random chance = new Random(7);
         for (int trial = 0; trial < 10_000; trial++) {
             List<Long> heard = new ArrayList<>();
-            Standstill stop = new Standstill(false, order -> {
-                if (chance.nextInt(10) > 0) {
-                    heard.add(now);
-                }
-            });
+            Standstill stop = new Standstill(
+                    false,
+                    order -> {
+                        if (chance.nextInt(10) > 0) {
+                            heard.add(now);
+                        }
+                    },
+                    alarms::incrementAndGet);
             long begun = now;
             stop.moved();
             stop.told(now);
