@@ -174,7 +174,15 @@ class SteeringTest {
             assertThat(errors).hasSizeBetween(1, 3);
             assertThat(errors.get(0).path("problem").path("detail").asString()).isEqualTo("Take off first.");
             assertThat(vehicle.setpoints()).isEmpty();
+            Waiting.until(
+                    "it is written down once", () -> Optional.of(records()).filter(count -> count == 1));
         }
+    }
+
+    private long records() {
+        return house.records().stream()
+                .filter(record -> record.entry().operation().equalsIgnoreCase("steer"))
+                .count();
     }
 
     @Test
@@ -213,8 +221,11 @@ class SteeringTest {
                 .count();
     }
 
+    /** Of a turn at the helm; what follows it is held by a command of its own. */
     private static String outcome(JsonNode message) {
-        return message.path("command").path("outcome").path("result").asString("");
+        JsonNode command = message.path("command");
+        boolean turn = command.path("summary").asString("").startsWith("steer by");
+        return turn ? command.path("outcome").path("result").asString("") : "";
     }
 
     private StreamListener entered(String key) {

@@ -177,11 +177,19 @@ final class StreamRequests {
         }
     }
 
-    /** What is refused again and again leaves no more records than sentences. */
+    /** What the gate refuses it writes down itself; what is refused again and again leaves no more records than sentences. */
     private void steer(StreamClient client, StreamMessage.FromClient message) {
-        if (!steering.steer(client, message)) {
-            Activity.current().ifPresent(Activity::leaveOut);
+        try {
+            if (steering.steer(client, message)) {
+                return;
+            }
+        } catch (Rejection why) {
+            if (why.kind() != RejectionKind.CONFLICT) {
+                throw why;
+            }
+            say(client, new StreamMessage.Failure(Problem.of(why), message.requestId()));
         }
+        Activity.current().ifPresent(Activity::leaveOut);
     }
 
     private static void subscribe(StreamClient client, StreamMessage.FromClient message) {

@@ -1,0 +1,221 @@
+"""Simulated robots on the page: drawn, sent where one points, driven and flown by keys and sticks."""
+
+import math
+import os
+import secrets
+import subprocess
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect, sync_playwright
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.server import QUICK, Server
+from dronemap_e2e.simulator import SIMULATOR_JAR
+from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.waiting import wait_for
+
+SYSTEM_ID, FLYER_ID = 3107, 3108
+# The simulator's room: 8 m by 6 m around its origin, on a canvas of 600 pixels.
+PIXELS_A_METER = 75
+LEFT, BOTTOM = -4, -3
+CANVAS = 600
+QUIRKS = "repeats-twist,status-is-heartbeat,counts-each-kind,broken-lines"
+
+
+@dataclass(frozen=True)
+class Spot:
+    red: int
+    green: int
+    blue: int
+
+    @property
+    def dark(self) -> bool:
+        return max(self.red, self.green, self.blue) < 40
+
+    @property
+    def bright(self) -> bool:
+        return min(self.red, self.green, self.blue) > 220
+
+
+@pytest.fixture
+def page() -> Iterator[Page]:
+    with sync_playwright() as playwright:
+        browser: Browser = launch(playwright)
+        yield browser.new_page(viewport={"width": 1440, "height": 900})
+        browser.close()
+
+
+@pytest.fixture
+def station(server: Server, api: Api, page: Page) -> Station:
+    """An operator's."""
+    name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
+    made = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
+    assert made.status_code == 201, made.text
+    opened = Station(page, Pointer())
+    opened.sign_in(server.address, name, password, secrets.token_hex(10))
+    return opened
+
+
+@contextmanager
+def simulated(server: Server, log: Path, *options: str) -> Iterator[None]:
+    command = ["java", "-Xmx256m", QUICK, "-jar", str(SIMULATOR_JAR), "--roslink"]
+    address = f"udp://127.0.0.1:{server.robot_udp_port}"
+    with log.open("wb") as output:
+        process = subprocess.Popen(
+            [*command, "--connect", address, *options], stdout=output, stderr=subprocess.STDOUT
+        )
+    try:
+        yield
+    finally:
+        process.kill()
+        process.wait()
+
+
+def listed(api: Api, system_id: int, is_ready: Callable[[Json], object]) -> Json:
+    return wait_for(
+        f"robot {system_id} is listed and ready",
+        lambda: next((d for d in api.drones() if d["link"]["systemId"] == system_id and is_ready(d)), None),
+        60,
+    )
+
+
+@pytest.fixture
+def robot(server: Server, api: Api, tmp_path: Path) -> Iterator[Json]:
+    """With a key that the server issued, as a drone that it made for it."""
+    answer = api.call("POST", "/robot-keys", {"label": "Hall robot", "systemId": SYSTEM_ID})
+    assert answer.status_code == 201, answer.text
+    options = ("--sysid", str(SYSTEM_ID), "--key", answer.json()["key"], "--quirks", QUIRKS)
+    with simulated(server, tmp_path / "robot.log", *options):
+        yield listed(api, SYSTEM_ID, lambda d: (d["sensed"] or {}).get("scan"))
+
+
+def spot(page: Page, x: float, y: float) -> Spot:
+    """The pixel of the drawn map at a place of the room."""
+    column = (x - LEFT) * PIXELS_A_METER
+    row = CANVAS - (y - BOTTOM) * PIXELS_A_METER
+    red, green, blue, _ = page.locator("canvas[aria-label^='Map of']").evaluate(
+        "(canvas, [x, y]) => [...canvas.getContext('2d').getImageData(x, y, 1, 1).data]", [column, row]
+    )
+    return Spot(red, green, blue)
+
+
+def near(local: Json, x: float, y: float) -> bool:
+    return bool(abs(local["x"] - x) < 0.4 and abs(local["y"] - y) < 0.4)
+
+
+def picture(page: Page, name: str) -> None:
+    """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+    folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
+    if folder:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        page.screenshot(path=Path(folder) / f"{name}.png")
+
+
+def speed(api: Api, drone: str) -> float:
+    return float((api.drone(drone)["motion"] or {}).get("groundSpeed") or 0)
+
+
+def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
+    api: Api, robot: Json, page: Page, station: Station
+) -> None:
+    station.choose(robot["name"])
+    section = page.get_by_role("region", name="Own map")
+    section.get_by_role("button", name="Read its map").click()
+    expect(section).to_contain_text("8.0 m wide")
+
+    wait_for("the box in the room is drawn", lambda: spot(page, 2, 1).dark)
+    assert spot(page, 0, 2.95).dark, "the upper wall"
+    assert spot(page, 0, -1.5).bright
+    assert spot(page, 2, -1).bright, "no box where there is none, so y is upwards"
+    # The wall below it: what is met is drawn in red, on the black of the wall.
+    wait_for("what the range finder meets is drawn", lambda: spot(page, -2, -2.81).red > 120)
+    assert spot(page, -2, -2.81).green < 100
+    here = spot(page, -2, -1)
+    assert here.blue > here.red + 60, "the robot itself"
+    camera = section.get_by_role("img", name="What the camera")
+    wait_for("its picture is shown", lambda: camera.evaluate("image => image.naturalWidth") == 160)
+
+    canvas = section.locator("canvas")
+    box = canvas.bounding_box()
+    assert box
+    scale = box["width"] / 8
+    canvas.click(position={"x": 3 * scale, "y": box["height"] - 1 * box["height"] / 8})
+    section.get_by_role("button", name="Go there").click()
+    wait_for("it has gone there", lambda: near(api.drone(robot["id"])["local"], -1, -2), 60)
+    # One for the map, and one for the way.
+    expect(section.get_by_text("Done")).to_have_count(2)
+
+    steer = page.get_by_role("region", name="Steer", exact=True)
+    state = steer.get_by_role("status")
+    yaw = api.drone(robot["id"])["local"]["yaw"]
+    steer.get_by_role("application").focus()
+    page.keyboard.down("a")
+    expect(state).to_contain_text("You are steering: turning left")
+    wait_for("it turns to its left", lambda: turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
+    picture(page, "robot-steered-wide")
+    page.keyboard.up("a")
+    expect(state).to_have_text("Nobody steers from here")
+
+    before = api.drone(robot["id"])["local"]
+    stick = steer.locator("[data-stick=Drive]")
+    stick.scroll_into_view_if_needed()
+    box = stick.bounding_box()
+    assert box
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x, y + 60)
+    wait_for("it drives back", lambda: speed(api, robot["id"]) > 0.2)
+    page.mouse.up()
+    # It repeats what it heard last for ever, so it was told to stand.
+    wait_for("it stands", lambda: speed(api, robot["id"]) == 0)
+    after = api.drone(robot["id"])["local"]
+    ahead = math.radians(before["yaw"])
+    way = (after["x"] - before["x"]) * math.cos(ahead) + (after["y"] - before["y"]) * math.sin(ahead)
+    assert way < -0.05, (before, after)
+    page.set_viewport_size({"width": 390, "height": 844})
+    stick.scroll_into_view_if_needed()
+    picture(page, "robot-steered-narrow")
+
+
+def turned(before: float, after: float) -> float:
+    """Degrees to the left, which robots count upwards."""
+    return (after - before + 180) % 360 - 180
+
+
+def test_a_person_flies_a_drone_that_speaks_as_robots_do(
+    server: Server, api: Api, page: Page, station: Station, tmp_path: Path
+) -> None:
+    options = ("--kind", "drone", "--sysid", str(FLYER_ID), "--key", "a flyer")
+    with simulated(server, tmp_path / "flyer.log", *options):
+        drone = listed(api, FLYER_ID, lambda d: d["actions"]["arm"]["allowed"])
+        station.choose(drone["name"])
+        station.hold("Arm")
+        wait_for("it is armed", lambda: api.drone(drone["id"])["armed"])
+        page.get_by_label("Take-off altitude (m)").fill("5")
+        station.hold("Take off")
+        wait_for("it is up", lambda: height(api, drone["id"]) > 4.5, 60)
+
+        page.get_by_role("button", name="Steer By keys or sticks").click()
+        steer = page.get_by_role("region", name="Steer", exact=True)
+        before = api.drone(drone["id"])["local"]
+        steer.get_by_role("application").focus()
+        page.keyboard.down("w")
+        wait_for("it flies ahead", lambda: api.drone(drone["id"])["local"]["x"] > before["x"] + 1)
+        picture(page, "drone-steered-wide")
+        page.keyboard.press("Escape")
+        page.keyboard.up("w")
+        wait_for("it stands in the air", lambda: speed(api, drone["id"]) == 0)
+        assert height(api, drone["id"]) > 4.5
+        expect(steer, "and Escape meant nothing else").to_be_visible()
+
+        station.press("Land")
+        wait_for("it is down", lambda: height(api, drone["id"]) < 0.1, 60)
+
+
+def height(api: Api, drone: str) -> float:
+    return float((api.drone(drone)["position"] or {}).get("altitudeAboveHome") or 0)
