@@ -167,6 +167,7 @@ class GateAcceptsTest {
                 null,
                 null,
                 new Home(home, GROUND),
+                null,
                 Payload.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),

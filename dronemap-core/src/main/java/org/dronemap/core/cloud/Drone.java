@@ -25,6 +25,7 @@ import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.OnBoard;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.Sensed;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
@@ -64,6 +65,7 @@ final class Drone {
     private @Nullable Battery battery;
     private @Nullable Gps gps;
     private @Nullable Home home;
+    private @Nullable ReturnHeight returnHeight;
     private Payload payload = Payload.UNKNOWN;
     private long version;
     private volatile DroneState state;
@@ -202,6 +204,8 @@ final class Drone {
             phase = e.phase();
         } else if (event instanceof DroneEvent.HomeHeard e) {
             home = e.home();
+        } else if (event instanceof DroneEvent.ReturnHeightSet e) {
+            returnHeight = e.height();
         } else if (event instanceof DroneEvent.PayloadHeard e) {
             payload = applied(e);
         } else if (event instanceof DroneEvent.OnBoardHeard e) {
@@ -292,6 +296,7 @@ final class Drone {
                 battery,
                 gps,
                 home,
+                returnHeight,
                 payload,
                 progress,
                 told,

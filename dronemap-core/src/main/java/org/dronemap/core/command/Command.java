@@ -391,8 +391,8 @@ public sealed interface Command {
         }
     }
 
-    /** About a frame of the vehicle's own, or for what drives in one. */
-    sealed interface OnOwnMap extends Command permits GoToLocal, EmergencyStop, ReadMap {}
+    /** What has a file of its own. */
+    sealed interface Apart extends Command permits GoToLocal, EmergencyStop, ReadMap, SetReturnHeight {}
 
     default Contention contention() {
         return Contention.of(needs());

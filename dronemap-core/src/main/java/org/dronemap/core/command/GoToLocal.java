@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param zMeters null for what stays on the ground
  */
 public record GoToLocal(
-        double xMeters, double yMeters, @Nullable Double zMeters) implements Command.OnOwnMap {
+        double xMeters, double yMeters, @Nullable Double zMeters) implements Command.Apart {
     private static final double FARTHEST_METERS = 100_000;
 
     public GoToLocal {

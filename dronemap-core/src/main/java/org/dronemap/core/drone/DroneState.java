@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param replay it comes from a recording: shown, never commanded
  * @param local where it is in a frame of its own; null where it has none
+ * @param returnHeight null: the cloud has not set it
  * @param readyToArm what the vehicle's own pre-arm checks say
  * @param messages newest last, at most {@link #MAX_MESSAGES}
  * @param version rises with every change of this drone
@@ -32,6 +33,7 @@ public record DroneState(
         @Nullable Battery battery,
         @Nullable Gps gps,
         @Nullable Home home,
+        @Nullable ReturnHeight returnHeight,
         Payload payload,
         MissionProgress mission,
         List<TextMessage> messages,

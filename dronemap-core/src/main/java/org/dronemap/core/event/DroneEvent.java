@@ -15,6 +15,7 @@ import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.RangeScan;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
@@ -50,6 +51,9 @@ public sealed interface DroneEvent {
     record GpsHeard(Gps gps) implements DroneEvent {}
 
     record HomeHeard(Home home) implements DroneEvent {}
+
+    /** The cloud has set it. */
+    record ReturnHeightSet(ReturnHeight height) implements DroneEvent {}
 
     /**
      * Index into the mission's items that it heads for, null when it heads for none; {@code phase} is null when the

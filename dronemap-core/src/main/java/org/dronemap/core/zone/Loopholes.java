@@ -3,6 +3,7 @@ package org.dronemap.core.zone;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Altitude;
 
@@ -12,7 +13,7 @@ final class Loopholes {
 
     /** A sentence with {@code words} for the bounds; empty when this opens none. */
     static Optional<String> whyNot(List<Bounds> bounds, String words, DroneState drone, Command command) {
-        if (command instanceof Command.SetParameters) {
+        if (command instanceof Command.SetParameters || command instanceof SetReturnHeight) {
             return Optional.of("Parameters say where a drone flies by itself, such as how high it comes home; within "
                     + words + " they cannot be written.");
         }

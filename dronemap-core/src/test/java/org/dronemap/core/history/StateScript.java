@@ -117,6 +117,7 @@ final class StateScript {
                 battery,
                 null,
                 null,
+                null,
                 Payload.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 told,

@@ -79,19 +79,18 @@ final class VirtualFixtures {
             return this;
         }
 
+        private LinkStatus link() {
+            DroneKey key = new DroneKey("10.9.8.7", 14601, 217);
+            return new LinkStatus(key, "udp", link, NOW, new LinkQuality(loss, loss, 20.0), List.of());
+        }
+
         DroneState state() {
             Geodetic stand = new Geodetic(FIRST.latitudeDegrees() - metersAway / 111_195, FIRST.longitudeDegrees());
             return new DroneState(
                     id,
                     "Copter " + id,
                     false,
-                    new LinkStatus(
-                            new DroneKey("10.9.8.7", 14601, 217),
-                            "udp",
-                            link,
-                            NOW,
-                            new LinkQuality(loss, loss, 20.0),
-                            List.of()),
+                    link(),
                     new Identification(kind, "ArduPilot", "ArduCopter", "4.5.6", "cafe01"),
                     Standing.UNPROVED,
                     new Capabilities(
@@ -113,6 +112,7 @@ final class VirtualFixtures {
                     new Battery(percent, null, null),
                     null,
                     new Home(stand, 450),
+                    null,
                     Payload.UNKNOWN,
                     mission,
                     List.of(),

@@ -92,6 +92,7 @@ final class ZoneFixtures {
                 null,
                 null,
                 new Home(HOME, 450),
+                null,
                 Payload.UNKNOWN,
                 mission,
                 List.of(),

@@ -102,6 +102,7 @@ final class ZoneTrial {
                 null,
                 null,
                 new Home(home, 450),
+                null,
                 some.payload(),
                 some.mission(),
                 List.of(),

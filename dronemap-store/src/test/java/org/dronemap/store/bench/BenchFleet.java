@@ -65,6 +65,7 @@ final class BenchFleet {
                 new Battery(100 - (int) (round / 600) % 100, 12.6 - wave, 14.5),
                 new Gps(GpsFix.THREE_D, 14, 0.8),
                 null,
+                null,
                 Payload.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),

@@ -13,8 +13,8 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * A record: each component under its name, in their order; no more and no less. Only lists may be missing, and are empty then: so
- * what was written before a record had them can be read still.
+ * A record: each component under its name, in their order; no more and no less. Only lists and what may be null may be
+ * missing, and are empty or null then: so what was written before a record had them can be read still.
  */
 final class RecordForm implements Form {
     private final Class<?> type;
@@ -105,6 +105,9 @@ final class RecordForm implements Form {
         JsonNode part = node.get(member.name());
         if (part == null && member.form() instanceof SequenceForm list) {
             return list.read(JsonNodeFactory.instance.arrayNode());
+        }
+        if (part == null && member.nullable()) {
+            return null;
         }
         if (part == null || (part.isNull() && !member.nullable())) {
             throw new IllegalArgumentException(at(member) + " is missing");

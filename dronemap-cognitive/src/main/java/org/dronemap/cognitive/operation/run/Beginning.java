@@ -59,13 +59,16 @@ final class Beginning {
                 order.plan().tours().stream().collect(Collectors.toMap(Tour::drone, Function.identity()));
         Map<String, Task> tasks =
                 order.problem().waypoints().stream().collect(Collectors.toMap(Waypoint::id, Waypoint::task));
+        ReturnHeights heights = ReturnHeights.of(order.problem(), order.plan());
         List<RunDrone> drones = new ArrayList<>();
         for (Craft craft : order.problem().crafts()) {
             RunOrder.Member member = members.get(craft.id());
             if (member == null) {
                 throw new IllegalArgumentException("the drone " + craft.id() + " is no member of the run");
             }
-            RunDrone joining = RunDrone.joining(new RunDrone.Kin(craft, member.name(), member.kind()), order.at());
+            Double height = heights.of(craft, member.kind(), drones.size());
+            RunDrone joining =
+                    RunDrone.joining(new RunDrone.Kin(craft, member.name(), member.kind(), height), order.at());
             Tour tour = tours.get(craft.id());
             drones.add(
                     tour == null || tour.stops().isEmpty()

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /** When nothing will happen any more. */
 final class Closing {
@@ -33,7 +34,7 @@ final class Closing {
     }
 
     private static boolean isAtRest(RunDrone drone) {
-        return drone.stage().isAtRest() && drone.next() == null;
+        return drone.stage().isAtRest() && drone.next() == null && drone.errand() == null;
     }
 
     private static String words(Draft draft) {
@@ -58,6 +59,7 @@ final class Closing {
         if (doubles > 0) {
             parts.add(Words.count(doubles, "visit") + " too many, by drones out of contact.");
         }
+        draft.drones().stream().map(Homeward::left).filter(Objects::nonNull).forEach(parts::add);
         return String.join(" ", parts);
     }
 }

@@ -6,7 +6,9 @@ final class Crew {
 
     static void wish(Draft draft, RunInput.Wish wish) {
         if (wish instanceof RunInput.JoinDrone join) {
-            RunDrone drone = RunDrone.joining(new RunDrone.Kin(join.craft(), join.name(), join.kind()), draft.now());
+            Double height = ReturnHeights.above(draft).of(join.craft(), join.kind(), 0);
+            RunDrone drone =
+                    RunDrone.joining(new RunDrone.Kin(join.craft(), join.name(), join.kind(), height), draft.now());
             draft.put(drone);
             draft.cause(Trigger.JOINED, drone.id(), join.by() + " let " + join.name() + " join.");
         } else if (wish instanceof RunInput.ResumeDrone resume) {

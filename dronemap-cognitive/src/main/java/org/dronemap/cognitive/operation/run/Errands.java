@@ -23,6 +23,8 @@ final class Errands {
         }
         if (input.outcome() instanceof Outcome.Succeeded) {
             succeeded(draft, drone.on(null), errand);
+        } else if (errand.kind() == Errand.Kind.HEIGHT) {
+            Homeward.failed(draft, drone.on(null), reason(input.outcome()));
         } else if (errand.kind() == Errand.Kind.DODGE) {
             // Another step is looked for, from where it is then.
             draft.put(drone.tried(
@@ -46,6 +48,7 @@ final class Errands {
                                 : Steps.onBoard(drone, next)
                                         .to(inFlight ? DroneStage.CONTINUING : DroneStage.READY, draft.now()));
             }
+            case HEIGHT -> Homeward.succeeded(draft, drone);
             case START -> draft.put(drone.to(DroneStage.FLYING, draft.now()));
             default -> draft.put(drone);
         }

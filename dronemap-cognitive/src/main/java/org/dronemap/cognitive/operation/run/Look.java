@@ -6,6 +6,7 @@ import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.ReturnHeight;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  * @param canGoTo whether it goes to a place that it is told
  * @param payload what it says of camera, servos and sensors; nothing where no task is to be seen to
  * @param canReturn whether it knows a way home of its own, else it is told to land
+ * @param returnHeight null: the cloud has not set it
  */
 public record Look(
         DroneId drone,
@@ -43,6 +45,7 @@ public record Look(
         @Nullable Integer batteryPercent,
         boolean canGoTo,
         boolean canReturn,
+        @Nullable ReturnHeight returnHeight,
         Progress progress,
         Payload payload) {
     /**

@@ -6,6 +6,7 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
@@ -38,10 +39,19 @@ public record RunDrone(
      * What does not change of it.
      *
      * @param craft as planned with first; where it is when something is planned anew is looked at then
+     * @param returnMeters how high over its home it flies home, in a layer of its own; null: as the vehicle is set
      */
-    public record Kin(Craft craft, String name, VehicleKind kind) {
+    public record Kin(
+            Craft craft,
+            String name,
+            VehicleKind kind,
+            @Nullable Double returnMeters) {
         Kin with(Craft other) {
-            return new Kin(other, name, kind);
+            return new Kin(other, name, kind, returnMeters);
+        }
+
+        Kin withoutLayer() {
+            return new Kin(craft, name, kind, null);
         }
     }
 
@@ -58,6 +68,8 @@ public record RunDrone(
             ARM,
             START,
             HOLD,
+            /** Sets how high it flies home, or puts that back. */
+            HEIGHT,
             /** Out of another drone's way. */
             DODGE,
             HOME,
@@ -81,6 +93,7 @@ public record RunDrone(
      * @param yields for which drone it waits
      * @param told what was said of its present mission already
      * @param joulesPerPercent what a hundredth of its battery holds; null: not known
+     * @param homeward how high it flies home for the run, and what has to be put back; null: as it is set
      */
     public record Signs(
             boolean held,
@@ -90,43 +103,48 @@ public record RunDrone(
             @Nullable Silence silence,
             @Nullable DroneId yields,
             List<Trigger> told,
-            @Nullable Double joulesPerPercent) {
-        static final Signs NONE = new Signs(false, false, null, null, null, null, List.of(), null);
+            @Nullable Double joulesPerPercent,
+            @Nullable ReturnHeight homeward) {
+        static final Signs NONE = new Signs(false, false, null, null, null, null, List.of(), null, null);
 
         public Signs {
             told = List.copyOf(told);
         }
 
         Signs held(boolean now) {
-            return new Signs(now, begun, falling, astray, silence, yields, told, joulesPerPercent);
+            return new Signs(now, begun, falling, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
         Signs begun(boolean now) {
-            return new Signs(held, now, falling, astray, silence, yields, told, joulesPerPercent);
+            return new Signs(held, now, falling, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
         Signs falling(@Nullable Instant from) {
-            return new Signs(held, begun, from, astray, silence, yields, told, joulesPerPercent);
+            return new Signs(held, begun, from, astray, silence, yields, told, joulesPerPercent, homeward);
         }
 
         Signs astray(@Nullable Instant from) {
-            return new Signs(held, begun, falling, from, silence, yields, told, joulesPerPercent);
+            return new Signs(held, begun, falling, from, silence, yields, told, joulesPerPercent, homeward);
         }
 
         Signs silent(@Nullable Silence what) {
-            return new Signs(held, begun, falling, astray, what, yields, told, joulesPerPercent);
+            return new Signs(held, begun, falling, astray, what, yields, told, joulesPerPercent, homeward);
         }
 
         Signs yields(@Nullable DroneId other) {
-            return new Signs(held, begun, falling, astray, silence, other, told, joulesPerPercent);
+            return new Signs(held, begun, falling, astray, silence, other, told, joulesPerPercent, homeward);
         }
 
         Signs told(List<Trigger> all) {
-            return new Signs(held, begun, falling, astray, silence, yields, all, joulesPerPercent);
+            return new Signs(held, begun, falling, astray, silence, yields, all, joulesPerPercent, homeward);
         }
 
         Signs joulesPerPercent(double joules) {
-            return new Signs(held, begun, falling, astray, silence, yields, told, joules);
+            return new Signs(held, begun, falling, astray, silence, yields, told, joules, homeward);
+        }
+
+        Signs homeward(@Nullable ReturnHeight now) {
+            return new Signs(held, begun, falling, astray, silence, yields, told, joulesPerPercent, now);
         }
     }
 
@@ -172,6 +190,10 @@ public record RunDrone(
     RunDrone to(DroneStage step, Instant now) {
         Signs seen = step == DroneStage.FLYING ? signs.begun(true) : signs;
         return new RunDrone(kin, step, now, orders, sortie, passed, next, null, Tries.NONE, note, seen);
+    }
+
+    RunDrone with(Kin other) {
+        return new RunDrone(other, stage, since, orders, sortie, passed, next, errand, tries, note, signs);
     }
 
     RunDrone noted(@Nullable String why) {

@@ -61,6 +61,7 @@ final class Sights {
                 battery == null ? null : battery.percent(),
                 can.commands().contains(Capability.GO_TO),
                 can.commands().contains(Capability.RETURN_TO_LAUNCH),
+                state.returnHeight(),
                 progress(drone, state),
                 payload(drone.sortie(), state));
     }

@@ -42,16 +42,19 @@ final class Steps {
 
     private static void onTheGround(Draft draft, RunDrone drone, Look look) {
         switch (drone.stage()) {
-            case LANDED, READY -> ready(draft, drone);
+            case LANDED, READY -> ready(draft, drone, look);
             case UPLOADING -> upload(draft, drone, look);
             case ARMING -> arm(draft, drone, look);
             default -> start(draft, drone, look);
         }
     }
 
-    private static void ready(Draft draft, RunDrone drone) {
+    private static void ready(Draft draft, RunDrone drone, Look look) {
         Sortie sortie = drone.sortie();
-        if (drone.next() != null) {
+        boolean done = drone.stage() == DroneStage.LANDED && drone.next() == null && look.isDisarmed();
+        if (done && Homeward.putBack(draft, drone)) {
+            return;
+        } else if (drone.next() != null) {
             draft.put(drone.to(DroneStage.UPLOADING, draft.now()));
         } else if (drone.stage() == DroneStage.READY && sortie != null && mayRise(draft, drone, sortie)) {
             draft.put(drone.to(DroneStage.ARMING, draft.now()));
@@ -87,7 +90,7 @@ final class Steps {
         } else if (look.isArmed()) {
             // One that disarms itself again and again is not armed for ever.
             draft.put(drone.to(DroneStage.STARTING, draft.now()).tried(drone.tries()));
-        } else if (drone.signs().yields() != null) {
+        } else if (drone.signs().yields() != null || Homeward.set(draft, drone)) {
             return;
         } else if (look.ordersMode() != null) {
             draft.give(drone, Errand.Kind.MODE, new Command.SetMode(look.ordersMode()));
@@ -201,11 +204,17 @@ final class Steps {
         }
     }
 
-    private static void comeHome(Draft draft, RunDrone drone, Look look) {
-        if (look.isDisarmed() && !draft.stopping() && Silences.cameHome(drone, look)) {
+    private static void downAtHome(Draft draft, RunDrone drone, Look look) {
+        if (!draft.stopping() && Silences.cameHome(drone, look)) {
             Silences.takesPartAgain(draft, drone);
-        } else if (look.isDisarmed()) {
+        } else if (!Homeward.putBack(draft, drone)) {
             draft.put(drone.to(draft.stopping() ? DroneStage.LANDED : DroneStage.LEFT, draft.now()));
+        }
+    }
+
+    private static void comeHome(Draft draft, RunDrone drone, Look look) {
+        if (look.isDisarmed()) {
+            downAtHome(draft, drone, look);
         } else if (look.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
             draft.say(Trigger.LATE, drone.id(), drone.name() + " is stuck on its way home.");
             draft.put(drone.noted("It is stuck on its way home.").to(DroneStage.LEFT, draft.now()));

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Speeds;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.MissionItem;
@@ -13,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 /** Where drones in the air will be in the next seconds, as far as that is known. */
 final class Tracks {
     static final double STRIDE_SECONDS = 0.5;
-    /** Vehicles climb to this before they fly home, in m over it. */
+    /** Vehicles that were told no other height climb to this before they fly home, in m over it. */
     private static final double RETURN_METERS = 15;
     /** From when it was heard last until its fail-safe acts. */
     private static final double UNTIL_HOMEWARD_SECONDS = 6;
@@ -175,7 +176,8 @@ final class Tracks {
     private Track homeward(RunDrone drone, At from, double ago) {
         Place home = drone.craft().finish().place();
         Walk walk = new Walk(drone.craft().performance().speeds(), from, ago);
-        double height = Math.max(from.high(), home.altitudeAmslMeters() + RETURN_METERS);
+        ReturnHeight set = drone.signs().homeward();
+        double height = Math.max(from.high(), home.altitudeAmslMeters() + (set == null ? RETURN_METERS : set.meters()));
         boolean there = from.spot().distanceMeters(at(home).spot()) < 2;
         if (!there) {
             walk.to(new At(from.spot(), height));

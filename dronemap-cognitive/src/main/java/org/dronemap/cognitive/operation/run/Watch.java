@@ -61,6 +61,7 @@ final class Watch {
         if (!signs.equals(drone.signs())) {
             draft.put(drone.with(signs));
         }
+        Homeward.learn(draft, draft.drone(drone.id()), look);
     }
 
     private static boolean isTaken(Draft draft, RunDrone drone, Look look) {

@@ -8,6 +8,7 @@ import org.dronemap.cognitive.Scenes;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,8 @@ class GuardTest {
 
     private static TestFleet flying() {
         TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        // All fly home at one height.
+        fleet.loses = give -> give.command() instanceof SetReturnHeight;
         fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
         return fleet;
     }

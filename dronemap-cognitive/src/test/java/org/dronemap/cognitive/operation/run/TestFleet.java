@@ -218,6 +218,7 @@ final class TestFleet {
                 s.battery(),
                 s.gps(),
                 s.home(),
+                s.returnHeight(),
                 s.payload(),
                 s.mission(),
                 s.messages(),

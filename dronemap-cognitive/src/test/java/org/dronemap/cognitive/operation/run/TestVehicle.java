@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import org.dronemap.cognitive.Scenes;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;
@@ -31,6 +32,7 @@ import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
@@ -97,6 +99,12 @@ final class TestVehicle {
     final TreeSet<Integer> reached = new TreeSet<>();
     boolean complete;
     private double held;
+    /** Over its home; as ArduCopter is delivered. */
+    double returnMeters = 15;
+
+    @Nullable
+    ReturnHeight returning;
+
     double stillFor;
     /** Places that it came to by its missions, with the moment. */
     final List<MissionItem.Waypoint> visits = new ArrayList<>();
@@ -178,8 +186,10 @@ final class TestVehicle {
     private void comeHome(double seconds) {
         if (Math.hypot(east - homeEast, north - homeNorth) < 0.5) {
             land(seconds);
+        } else if (altitude < GROUND + returnMeters - 0.3) {
+            altitude = Math.min(GROUND + returnMeters, altitude + 2 * seconds);
         } else {
-            to(homeEast, homeNorth, Math.max(altitude, GROUND + 15), seconds);
+            to(homeEast, homeNorth, altitude, seconds);
         }
     }
 
@@ -282,6 +292,10 @@ final class TestVehicle {
             items = upload.mission().items();
             reached.clear();
             complete = false;
+        } else if (command instanceof SetReturnHeight set) {
+            double meters = set.atLeast() ? Math.max(returnMeters, set.meters()) : set.meters();
+            returning = new ReturnHeight(meters, returnMeters);
+            returnMeters = meters;
         } else if (command instanceof Command.Arm || command instanceof Command.Disarm) {
             return motors(command instanceof Command.Arm);
         } else if (command instanceof Command.StartMission start) {
@@ -341,6 +355,7 @@ final class TestVehicle {
                 new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),
                 null,
                 new Home(Scenes.point(homeEast, homeNorth), GROUND),
+                returning,
                 payload(now),
                 untold > 0
                         ? MissionProgress.UNKNOWN

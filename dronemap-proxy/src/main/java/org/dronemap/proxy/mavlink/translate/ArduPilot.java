@@ -8,6 +8,7 @@ import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
@@ -46,6 +47,9 @@ final class ArduPilot implements Autopilot {
     private static final int ACTIVE = 4;
     private static final int HOME_ITEMS = 1;
     private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
+
+    /** In cm. */
+    private static final ReturnHeights.Setting RETURN_HEIGHT = new ReturnHeights.Setting("RTL_ALT", 100, false);
 
     private final VehicleKind kind;
     private final ModeTable table;
@@ -201,6 +205,9 @@ final class ArduPilot implements Autopilot {
         }
         if (command instanceof Command.SetRelay relay) {
             return Maneuvers.relay(cockpit, relay);
+        }
+        if (command instanceof SetReturnHeight height) {
+            return ReturnHeights.set(cockpit, height, kind, RETURN_HEIGHT);
         }
         Exchange common = CommonPlans.plan(command, cockpit);
         return common != null ? common : planMission(command, cockpit);

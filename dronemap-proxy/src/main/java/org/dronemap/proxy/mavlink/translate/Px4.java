@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -50,6 +51,8 @@ final class Px4 implements Autopilot {
             Map.entry("LAND", Steering.SAFETY));
     private static final String NO_HOME =
             "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
+
+    private static final ReturnHeights.Setting RETURN_HEIGHT = new ReturnHeights.Setting("RTL_RETURN_ALT", 1, true);
 
     private final VehicleKind kind;
 
@@ -170,6 +173,9 @@ final class Px4 implements Autopilot {
         }
         if (command instanceof Command.GoTo goTo) {
             return goTo(cockpit, goTo);
+        }
+        if (command instanceof SetReturnHeight height) {
+            return ReturnHeights.set(cockpit, height, kind, RETURN_HEIGHT);
         }
         Exchange common = CommonPlans.plan(command, cockpit);
         return common != null ? common : planMission(command, cockpit);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
@@ -19,6 +20,7 @@ final class PlanBench {
     final Wire wire = new Wire();
     final VehicleStatus status;
     final List<String> progress = new ArrayList<>();
+    final List<DroneEvent> news = new ArrayList<>();
     private final Autopilot autopilot;
     private final Cockpit cockpit;
 
@@ -37,7 +39,7 @@ final class PlanBench {
                 new ParameterTable(autopilot, event -> {}),
                 wire.target(),
                 observer,
-                event -> {},
+                news::add,
                 this::missionRead,
                 sentence -> {});
     }

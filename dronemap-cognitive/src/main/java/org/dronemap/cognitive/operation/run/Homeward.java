@@ -1,0 +1,93 @@
+package org.dronemap.cognitive.operation.run;
+
+import java.time.Duration;
+import java.util.Locale;
+import org.dronemap.cognitive.operation.run.RunDrone.Errand;
+import org.dronemap.core.command.SetReturnHeight;
+import org.dronemap.core.drone.ReturnHeight;
+import org.jspecify.annotations.Nullable;
+
+/** How high a drone flies home: in its layer while it may fly for the run, as its owner had set it before and afterwards. */
+final class Homeward {
+    private static final double SAME_METERS = 0.5;
+    private static final int MOST_TRIES = 3;
+    private static final Duration BETWEEN_TRIES = Duration.ofSeconds(1);
+
+    private Homeward() {}
+
+    /** What was set for the run shows while it is about to be armed. */
+    static void learn(Draft draft, RunDrone drone, Look look) {
+        ReturnHeight set = look.returnHeight();
+        Double layer = drone.kin().returnMeters();
+        if (set == null || layer == null || drone.stage() != DroneStage.ARMING || drone.errand() != null) {
+            return;
+        }
+        if (drone.signs().homeward() == null && set.meters() > layer - SAME_METERS) {
+            draft.put(drone.with(drone.signs().homeward(set)));
+        }
+    }
+
+    /** False: nothing is to be set. */
+    static boolean set(Draft draft, RunDrone drone) {
+        Double layer = drone.kin().returnMeters();
+        if (layer == null || drone.signs().homeward() != null) {
+            return false;
+        }
+        draft.give(drone, Errand.Kind.HEIGHT, new SetReturnHeight(layer, true));
+        return true;
+    }
+
+    /** On the ground, when it has nothing to fly. True: that takes a moment. */
+    static boolean putBack(Draft draft, RunDrone drone) {
+        ReturnHeight set = drone.signs().homeward();
+        if (set == null) {
+            return false;
+        }
+        if (Math.abs(set.meters() - set.beforeMeters()) < SAME_METERS) {
+            draft.put(drone.with(drone.signs().homeward(null)));
+            return false;
+        }
+        draft.give(drone, Errand.Kind.HEIGHT, new SetReturnHeight(set.beforeMeters(), false));
+        return true;
+    }
+
+    static void succeeded(Draft draft, RunDrone drone) {
+        boolean back = drone.signs().homeward() != null;
+        draft.put(back ? drone.with(drone.signs().homeward(null)) : drone);
+    }
+
+    /** It flies all the same: others look out for it then. */
+    static void failed(Draft draft, RunDrone drone, String why) {
+        int failed = drone.tries().failed() + 1;
+        if (failed < MOST_TRIES) {
+            draft.put(drone.tried(new RunDrone.Tries(failed, draft.now().plus(BETWEEN_TRIES))));
+            return;
+        }
+        ReturnHeight set = drone.signs().homeward();
+        draft.put(
+                set == null
+                        ? drone.with(drone.kin().withoutLayer())
+                        : drone.with(drone.signs().homeward(null)));
+        draft.say(
+                Trigger.COMMAND_FAILED,
+                drone.id(),
+                set == null
+                        ? drone.name() + " could not be told how high to fly home: " + why + "; it flies as it is set."
+                        : left(drone, set) + " That could not be put back: " + why + ".");
+    }
+
+    /** What is left behind at the end, as a sentence; null: nothing. */
+    static @Nullable String left(RunDrone drone) {
+        ReturnHeight set = drone.signs().homeward();
+        return set == null || Math.abs(set.meters() - set.beforeMeters()) < SAME_METERS ? null : left(drone, set);
+    }
+
+    private static String left(RunDrone drone, ReturnHeight set) {
+        return String.format(
+                Locale.ROOT,
+                "%s still flies home at %.0f m; %.0f m was set before.",
+                drone.name(),
+                set.meters(),
+                set.beforeMeters());
+    }
+}

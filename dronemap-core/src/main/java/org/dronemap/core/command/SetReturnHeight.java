@@ -1,0 +1,27 @@
+package org.dronemap.core.command;
+
+import java.util.Locale;
+import org.dronemap.core.drone.Capability;
+
+/**
+ * How high over its home a vehicle flies home, whoever or whatever makes it.
+ *
+ * @param atLeast what is set higher stays: there may be something to fly over
+ */
+public record SetReturnHeight(double meters, boolean atLeast) implements Command.Apart {
+    public SetReturnHeight {
+        if (!(meters >= 0 && meters <= 500)) {
+            throw new IllegalArgumentException("a return height must be 0 to 500 m: " + meters);
+        }
+    }
+
+    @Override
+    public Capability needs() {
+        return Capability.SET_PARAMETERS;
+    }
+
+    @Override
+    public String summary() {
+        return String.format(Locale.ROOT, "fly home at %.0f m%s", meters, atLeast ? " at least" : "");
+    }
+}
