@@ -50,6 +50,7 @@ final class Guard {
     /** As a share of the least distance. */
     private static final double LEAVING = 0.02;
 
+    private static final Duration LONGEST_UNANSWERED = Duration.ofMillis(1_500);
     private static final Duration UNTIL_OVER = Duration.ofSeconds(5);
 
     private final Draft draft;
@@ -203,13 +204,21 @@ final class Guard {
         }
         return look != null
                 && (drone.stage() == DroneStage.HOLDING || drone.stage() == DroneStage.RETURNING)
-                && drone.errand() == null
-                && !isBusy(drone)
+                && isFree(drone)
                 && look.isLive()
                 && look.takenBy() == null
                 && look.waits()
                 && look.canGoTo()
                 && look.airborne();
+    }
+
+    /** Nothing is under way to it; or the step that it was told should show by now, and another one is looked for. */
+    private boolean isFree(RunDrone drone) {
+        Errand errand = drone.errand();
+        return errand == null
+                ? !isBusy(drone)
+                : errand.kind() == Errand.Kind.DODGE
+                        && Duration.between(errand.at(), draft.now()).compareTo(LONGEST_UNANSWERED) > 0;
     }
 
     private boolean meet(List<Track> some, List<Track> others) {

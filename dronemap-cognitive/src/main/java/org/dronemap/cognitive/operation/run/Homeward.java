@@ -15,14 +15,14 @@ final class Homeward {
 
     private Homeward() {}
 
-    /** What was set for the run shows while it is about to be armed. */
+    /** What was set before shows once it was told its layer. */
     static void learn(Draft draft, RunDrone drone, Look look) {
         ReturnHeight set = look.returnHeight();
-        Double layer = drone.kin().returnMeters();
-        if (set == null || layer == null || drone.stage() != DroneStage.ARMING || drone.errand() != null) {
+        ReturnHeight asked = drone.signs().homeward();
+        if (set == null || asked == null || drone.stage() != DroneStage.ARMING) {
             return;
         }
-        if (drone.signs().homeward() == null && set.meters() > layer - SAME_METERS) {
+        if (asked.meters() == asked.beforeMeters() && set.meters() > asked.meters() - SAME_METERS) {
             draft.put(drone.with(drone.signs().homeward(set)));
         }
     }
@@ -52,8 +52,9 @@ final class Homeward {
     }
 
     static void succeeded(Draft draft, RunDrone drone) {
-        boolean back = drone.signs().homeward() != null;
-        draft.put(back ? drone.with(drone.signs().homeward(null)) : drone);
+        Double layer = drone.kin().returnMeters();
+        ReturnHeight told = layer == null || drone.signs().homeward() != null ? null : new ReturnHeight(layer, layer);
+        draft.put(drone.with(drone.signs().homeward(told)));
     }
 
     /** It flies all the same: others look out for it then. */

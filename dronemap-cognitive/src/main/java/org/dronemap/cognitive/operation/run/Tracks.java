@@ -18,8 +18,17 @@ final class Tracks {
     private static final double RETURN_METERS = 15;
     /** From when it was heard last until its fail-safe acts. */
     private static final double UNTIL_HOMEWARD_SECONDS = 6;
-    /** What it may be behind, as a share of the time since. */
-    private static final double SLOWER = 0.1;
+    /** Beyond that an order may not have arrived. */
+    private static final Duration UNTIL_OBEYED = Duration.ofMillis(1_500);
+
+    /** What it may be ahead, as a share of the time since: it may climb and sink quicker than planned with. */
+    private static final double FASTER = 0.1;
+    /** What it may be behind. */
+    private static final double SLOWER = 0.2;
+    /** Between two places where it may be by now: others have no room between them. */
+    private static final double STEP_METERS = 12;
+
+    private static final double MOST_STEPS = 40;
 
     private final LocalPlane plane;
     private final int strides;
@@ -100,17 +109,44 @@ final class Tracks {
         if (place == null || look == null || !look.airborne()) {
             return List.of();
         }
+        boolean late = isLate(draft, drone);
         return switch (drone.stage()) {
-            case STARTING, FLYING, CONTINUING -> List.of(mission(drone, place, 0));
-            case HOLDING ->
-                List.of(
-                        look.isOnMission()
-                                ? mission(drone, place, 0).stopping(Guard.STRIDES_TO_STAND)
-                                : new Track(standing(place)));
-            case RETURNING -> List.of(look.waits() ? new Track(standing(place)) : homeward(drone, place));
+            case STARTING, FLYING -> List.of(mission(drone, place, 0));
+            case CONTINUING ->
+                late && look.waits()
+                        ? List.of(mission(drone, place, 0), new Track(standing(place)))
+                        : List.of(mission(drone, place, 0));
+            case HOLDING -> holding(drone, look, place, late);
+            case RETURNING -> returning(drone, look, place);
             case CRASHED -> Condition.isSeenToFly(drone, look) ? byItself(drone, look, place) : List.of();
             default -> byItself(drone, look, place);
         };
+    }
+
+    /** Its order should have shown by now: it may be lost. */
+    private static boolean isLate(Draft draft, RunDrone drone) {
+        RunDrone.Errand errand = drone.errand();
+        return errand == null
+                ? drone.tries().failed() > 0
+                : Duration.between(errand.at(), draft.now()).compareTo(UNTIL_OBEYED) > 0;
+    }
+
+    private List<Track> holding(RunDrone drone, Look look, Place place, boolean late) {
+        if (!look.isOnMission()) {
+            return List.of(new Track(standing(place)));
+        }
+        Track flies = mission(drone, place, 0);
+        Track stops = flies.stopping(Guard.STRIDES_TO_STAND);
+        return late ? List.of(stops, flies) : List.of(stops);
+    }
+
+    private List<Track> returning(RunDrone drone, Look look, Place place) {
+        if (!look.waits()) {
+            return List.of(homeward(drone, place));
+        }
+        boolean called = drone.errand() != null && drone.errand().kind() == RunDrone.Errand.Kind.HOME;
+        Track stands = new Track(standing(place));
+        return called ? List.of(stands, homeward(drone, place)) : List.of(stands);
     }
 
     private List<Track> byItself(RunDrone drone, Look look, Place place) {
@@ -125,12 +161,16 @@ final class Tracks {
         At missing = mission(drone, from, Math.min(gone, UNTIL_HOMEWARD_SECONDS))
                 .places()
                 .get(0);
-        return List.of(
-                mission(drone, from, gone),
-                mission(drone, from, gone * (1 - SLOWER)),
-                mission(drone, from, gone * (1 - 2 * SLOWER)),
-                homeward(drone, at(from), gone),
-                homeward(drone, missing, Math.max(0, gone - UNTIL_HOMEWARD_SECONDS)));
+        List<Track> ways = new ArrayList<>();
+        double doubt =
+                gone * (FASTER + SLOWER) * drone.craft().performance().speeds().cruise();
+        int steps = (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(doubt / STEP_METERS)));
+        for (int step = 0; step <= steps; step++) {
+            ways.add(mission(drone, from, gone * (1 + FASTER - (FASTER + SLOWER) * step / steps)));
+        }
+        ways.add(homeward(drone, at(from), gone));
+        ways.add(homeward(drone, missing, Math.max(0, gone - UNTIL_HOMEWARD_SECONDS)));
+        return ways;
     }
 
     /** It comes to stand first, and goes there then. */
