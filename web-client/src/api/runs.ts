@@ -102,7 +102,7 @@ export interface MissionRun {
   owner: string;
   beganAt: string;
   endedAt: string | null;
-  state: 'running' | 'stopping' | 'over';
+  state: 'running' | 'paused' | 'stopping' | 'over';
   end: string | null;
   mode: RunMode;
   onCloudLoss: CloudLoss;
@@ -196,6 +196,14 @@ export class RunCalls {
 
   answer(id: string, proposal: number, accept: boolean): Promise<MissionRun> {
     return this.#call('POST', path(id, 'answers', String(proposal)), { accept });
+  }
+
+  pause(id: string): Promise<MissionRun> {
+    return this.#call('POST', path(id, 'pause'));
+  }
+
+  goOn(id: string): Promise<MissionRun> {
+    return this.#call('POST', path(id, 'continue'));
   }
 
   stop(id: string): Promise<MissionRun> {

@@ -38,6 +38,7 @@ describe('a mission run in words', () => {
     };
     expect(stateWords(aRun())).toBe('Under way');
     expect(stateWords(aRun({ proposal }))).toBe('Waits for your answer');
+    expect(stateWords(aRun({ state: 'paused' }))).toBe('Paused: drones hold where they are');
     expect(stateWords(aRun({ state: 'stopping' }))).toBe('Ending: its drones return');
     expect(stateWords(aRun({ state: 'over', end: 'The run is over: all 3 waypoints visited.' }))).toBe(
       'The run is over: all 3 waypoints visited.',

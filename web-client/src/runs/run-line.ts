@@ -105,6 +105,8 @@ const TRIGGERS: Record<string, string> = {
   betterPlan: 'Better plan',
   answered: 'Answered',
   restarted: 'Server started anew',
+  paused: 'Paused',
+  wentOn: 'Went on',
   stopped: 'Ended by hand',
   ended: 'Over',
 };
@@ -117,6 +119,8 @@ export function stateWords(run: MissionRun): string {
   switch (run.state) {
     case 'running':
       return run.proposal === null ? 'Under way' : 'Waits for your answer';
+    case 'paused':
+      return 'Paused: drones hold where they are';
     case 'stopping':
       return 'Ending: its drones return';
     default:

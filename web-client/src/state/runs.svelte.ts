@@ -45,7 +45,7 @@ export class Runs {
       return;
     }
     this.#all = new Map(this.#all).set(run.id, run);
-    if (run.id === this.shownId && run.state !== 'running') {
+    if (run.id === this.shownId && run.state !== 'running' && run.state !== 'paused') {
       this.lay();
     }
   }
@@ -157,6 +157,14 @@ export class Runs {
 
   async answer(proposal: number, accept: boolean): Promise<void> {
     await this.#wish((id) => this.#calls.answer(id, proposal, accept));
+  }
+
+  async pause(): Promise<void> {
+    await this.#wish((id) => this.#calls.pause(id));
+  }
+
+  async goOn(): Promise<void> {
+    await this.#wish((id) => this.#calls.goOn(id));
   }
 
   async stop(): Promise<void> {

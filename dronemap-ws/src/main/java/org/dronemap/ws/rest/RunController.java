@@ -138,6 +138,23 @@ public class RunController {
         return runs.answer(current.principal(), id, proposal, request);
     }
 
+    @PostMapping("/{id}/pause")
+    @Operation(
+            summary = "Pause a mission run (operator)",
+            description = "Its drones in the air hold where they are, those on the ground stay there; who is on its way"
+                    + " home, or has nothing left to visit, comes down. 409 when it is paused already.")
+    public RunView pause(@PathVariable String id) {
+        return runs.pause(current.principal(), id);
+    }
+
+    @PostMapping("/{id}/continue")
+    @Operation(
+            summary = "Let a paused mission run go on (operator)",
+            description = "All go on where they stopped. 409 when it is not paused.")
+    public RunView goOn(@PathVariable String id) {
+        return runs.goOn(current.principal(), id);
+    }
+
     @PostMapping("/{id}/stop")
     @Operation(
             summary = "Stop a mission run (operator)",

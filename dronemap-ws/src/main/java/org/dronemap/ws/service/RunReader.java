@@ -173,6 +173,14 @@ final class RunReader {
         return new RunInput.Answer(at, by, Integer.parseInt(proposal), request.accept());
     }
 
+    RunInput paused() {
+        return new RunInput.Pause(at, by);
+    }
+
+    RunInput wentOn() {
+        return new RunInput.GoOn(at, by);
+    }
+
     RunInput stopped() {
         return new RunInput.Stop(at, by);
     }

@@ -205,6 +205,17 @@ public final class RunService {
         return wish(principal, id, run -> reader(principal).answered(proposal, request));
     }
 
+    /** Its drones wait where they are. */
+    public RunView pause(Principal principal, String id) {
+        Roles.require(principal, Role.OPERATOR);
+        return wish(principal, id, run -> reader(principal).paused());
+    }
+
+    public RunView goOn(Principal principal, String id) {
+        Roles.require(principal, Role.OPERATOR);
+        return wish(principal, id, run -> reader(principal).wentOn());
+    }
+
     public RunView stop(Principal principal, String id) {
         Roles.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> reader(principal).stopped());

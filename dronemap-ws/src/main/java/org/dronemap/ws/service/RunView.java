@@ -19,7 +19,8 @@ public record RunView(
         @Schema(description = "null: it is under way") @Nullable
         Instant endedAt,
 
-        @Schema(description = "running, stopping or over") String state,
+        @Schema(description = "running, paused, stopping or over")
+        String state,
 
         @Schema(description = "How it ended") @Nullable String end,
 

@@ -33,7 +33,7 @@ public final class RunViews {
                 saved.owner(),
                 millis(saved.beganAt()),
                 millisOrNull(saved.endedAt()),
-                state.isOver() ? "over" : state.stopping() ? "stopping" : "running",
+                stateWord(state),
                 state.end(),
                 WireNames.camel(state.setting().mode()),
                 state.setting().onCloudLoss() == CloudLoss.CONTINUE ? "continue" : "rtl",
@@ -43,6 +43,13 @@ public final class RunViews {
                 proposal == null ? null : proposal(proposal),
                 state.explanations().stream().map(RunViews::explanation).toList(),
                 saved.last());
+    }
+
+    private static String stateWord(RunState state) {
+        if (state.isOver()) {
+            return "over";
+        }
+        return state.stopping() ? "stopping" : state.clock().pausedSince() != null ? "paused" : "running";
     }
 
     private static RunView.CountsView counts(RunState state) {

@@ -39,6 +39,12 @@ public final class RunDeeds extends Deeds {
             return deed("POST", run.path("/drones/" + run.copter().id() + "/give-up"), "");
         });
         can("POST /api/v1/runs/{id}/answers/{proposal}", this::answer);
+        can("POST /api/v1/runs/{id}/pause", () -> deed("POST", started().path("/pause"), ""));
+        can("POST /api/v1/runs/{id}/continue", () -> {
+            Started run = started();
+            root.http().post("/api/v1/" + run.path("/pause"), "");
+            return deed("POST", run.path("/continue"), "");
+        });
         can("POST /api/v1/runs/{id}/stop", () -> deed("POST", started().path("/stop"), ""));
     }
 

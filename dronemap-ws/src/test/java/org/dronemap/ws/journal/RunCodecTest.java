@@ -130,6 +130,8 @@ class RunCodecTest {
                         "ResumeDrone",
                         "GiveUpDrone",
                         "Answer",
+                        "Pause",
+                        "GoOn",
                         "Stop");
         assertThat(records(Outcome.class))
                 .extracting(Class::getSimpleName)

@@ -85,9 +85,7 @@ final class Applying {
         if (!request.better() && misses < MOST_MISSES) {
             draft.causes().addAll(0, request.causes());
         }
-        RunState.Clock clock = draft.clock();
-        draft.clock(new RunState.Clock(
-                clock.begun(), clock.launched(), draft.now().plus(BETWEEN_TRIES), clock.hearsAfter()));
+        draft.clock(draft.clock().asking(draft.now().plus(BETWEEN_TRIES)));
     }
 
     /** Something happened meanwhile. */

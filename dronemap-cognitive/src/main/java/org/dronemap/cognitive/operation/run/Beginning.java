@@ -22,7 +22,7 @@ final class Beginning {
         List<RunDrone> drones = drones(order);
         return new RunState(
                 order.id(),
-                new RunState.Clock(order.at(), false, null, null),
+                new RunState.Clock(order.at(), false, null, null, null),
                 Setting.of(order),
                 targets(order),
                 drones,

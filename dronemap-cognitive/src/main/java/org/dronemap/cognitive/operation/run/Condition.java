@@ -183,7 +183,12 @@ final class Condition {
         }
         Double left = remaining(drone, look);
         double reserve = drone.craft().supply().reserveJoules();
-        if (left != null && left - Legs.joulesToGo(sortie, drone.passed(), place) < TOUCHED * reserve) {
+        if (left != null && left - Pausing.joulesHome(drone, place) < TOUCHED * reserve) {
+            // No plan could be made for it that brings it home.
+            String words = "The battery of " + drone.name() + " (" + look.batteryPercent()
+                    + " %) lasts for its way home at most; it is called home.";
+            Faults.callHome(draft, drone, Trigger.LOW_BATTERY, words);
+        } else if (left != null && left - Legs.joulesToGo(sortie, drone.passed(), place) < TOUCHED * reserve) {
             once(
                     draft,
                     drone,

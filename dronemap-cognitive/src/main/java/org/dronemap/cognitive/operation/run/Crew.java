@@ -38,6 +38,7 @@ final class Crew {
 
     private static void stop(Draft draft, String by) {
         draft.stop();
+        draft.clock(draft.clock().paused(null));
         draft.request(null);
         draft.proposal(null);
         draft.causes().clear();

@@ -95,6 +95,14 @@ final class Draft {
         return causes;
     }
 
+    boolean plansNothing() {
+        return stopping || isPaused();
+    }
+
+    boolean isPaused() {
+        return clock.pausedSince() != null;
+    }
+
     boolean stopping() {
         return stopping;
     }

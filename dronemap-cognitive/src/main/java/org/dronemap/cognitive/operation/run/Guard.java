@@ -86,6 +86,7 @@ final class Guard {
         draft.drones().stream().filter(drone -> isAboutToGoOn(drone)).forEach(guard::maySetOff);
         draft.drones().stream()
                 .filter(drone -> drone.signs().yields() != null && !waitsToRise(draft, drone))
+                .filter(drone -> !(draft.isPaused() && drone.stage() == DroneStage.HOLDING))
                 .forEach(guard::mayGoOn);
     }
 

@@ -9,6 +9,7 @@ final class Launch {
     /** Once all have their missions the plan's clock begins. */
     static void prepare(Draft draft) {
         boolean waits = draft.clock().launched()
+                || draft.isPaused()
                 || draft.request() != null
                 || !draft.causes().isEmpty()
                 || draft.drones().stream().anyMatch(drone -> drone.stage() == DroneStage.UPLOADING);
@@ -16,8 +17,7 @@ final class Launch {
             return;
         }
         Instant now = draft.now();
-        draft.clock(new RunState.Clock(
-                now, true, draft.clock().asksAfter(), draft.clock().hearsAfter()));
+        draft.clock(draft.clock().launched(now));
         for (RunDrone drone : draft.drones()) {
             Sortie sortie = drone.sortie();
             if (drone.stage() == DroneStage.READY && sortie != null) {

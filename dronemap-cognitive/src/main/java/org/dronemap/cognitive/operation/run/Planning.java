@@ -31,7 +31,7 @@ final class Planning {
     static void ask(Draft draft, List<Look> looks) {
         Instant after = draft.clock().asksAfter();
         boolean waits = draft.request() != null
-                || draft.stopping()
+                || draft.plansNothing()
                 || (after != null && draft.now().isBefore(after))
                 || draft.drones().stream().anyMatch(drone -> isComing(draft, drone));
         if (draft.causes().isEmpty() || waits) {

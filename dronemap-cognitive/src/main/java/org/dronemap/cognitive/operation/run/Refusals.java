@@ -26,6 +26,9 @@ final class Refusals {
         if (state.stopping()) {
             return Optional.of("The mission run is being stopped.");
         }
+        if (input instanceof RunInput.Pause || input instanceof RunInput.GoOn) {
+            return ofPause(state.clock().pausedSince() != null, input instanceof RunInput.Pause);
+        }
         if (input instanceof RunInput.Answer answer) {
             return state.proposal() != null && state.proposal().number() == answer.proposal()
                     ? Optional.empty()
@@ -36,6 +39,12 @@ final class Refusals {
                         || input instanceof RunInput.GiveUpDrone
                 ? ofDrone(state, input)
                 : ofWaypoint(state, input);
+    }
+
+    private static Optional<String> ofPause(boolean paused, boolean pauses) {
+        return paused == pauses
+                ? Optional.of(paused ? "The mission run is paused already." : "The mission run is not paused.")
+                : Optional.empty();
     }
 
     private static Optional<String> ofDrone(RunState state, RunInput input) {

@@ -70,6 +70,12 @@ public sealed interface RunInput {
 
     record Answer(Instant at, String by, int proposal, boolean accepted) implements Wish {}
 
+    /** All wait where they are. */
+    record Pause(Instant at, String by) implements Wish {}
+
+    /** All go on after a pause. */
+    record GoOn(Instant at, String by) implements Wish {}
+
     /** All come home. */
     record Stop(Instant at, String by) implements Wish {}
 }

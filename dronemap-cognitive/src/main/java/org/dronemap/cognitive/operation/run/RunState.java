@@ -40,12 +40,30 @@ public record RunState(
      * @param launched the first drone was started, or may have been
      * @param asksAfter no plan is asked for before
      * @param hearsAfter no drone counts as lost before
+     * @param pausedSince all wait where they are; null: they go on
      */
     public record Clock(
             Instant begun,
             boolean launched,
             @Nullable Instant asksAfter,
-            @Nullable Instant hearsAfter) {}
+            @Nullable Instant hearsAfter,
+            @Nullable Instant pausedSince) {
+        Clock launched(Instant at) {
+            return new Clock(at, true, asksAfter, hearsAfter, pausedSince);
+        }
+
+        Clock asking(Instant after) {
+            return new Clock(begun, launched, after, hearsAfter, pausedSince);
+        }
+
+        Clock hearing(Instant after) {
+            return new Clock(begun, launched, asksAfter, after, pausedSince);
+        }
+
+        Clock paused(@Nullable Instant since) {
+            return new Clock(begun, launched, asksAfter, hearsAfter, since);
+        }
+    }
 
     /**
      * How many there were.

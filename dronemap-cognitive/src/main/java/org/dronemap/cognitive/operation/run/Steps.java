@@ -23,6 +23,9 @@ final class Steps {
         if (!controlled || drone.errand() != null || waits(draft, drone) || Absence.isUnclear(drone)) {
             return;
         }
+        if (draft.isPaused() && Pausing.stays(draft, drone, look)) {
+            return;
+        }
         switch (drone.stage()) {
             case LANDED, READY, UPLOADING, ARMING, STARTING -> onTheGround(draft, drone, look);
             case FLYING -> fly(draft, drone, look);
@@ -130,7 +133,7 @@ final class Steps {
         }
     }
 
-    private static void pause(Draft draft, RunDrone drone) {
+    static void pause(Draft draft, RunDrone drone) {
         draft.give(drone, Errand.Kind.HOLD, new Command.PauseMission());
     }
 
@@ -204,6 +207,13 @@ final class Steps {
         }
     }
 
+    /** How long it stood before it was called does not count. */
+    private static boolean isStuck(Draft draft, RunDrone drone, Look look) {
+        Duration called = Duration.between(drone.since(), draft.now());
+        return look.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0
+                && called.compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0;
+    }
+
     private static void downAtHome(Draft draft, RunDrone drone, Look look) {
         if (!draft.stopping() && Silences.cameHome(drone, look)) {
             Silences.takesPartAgain(draft, drone);
@@ -215,7 +225,7 @@ final class Steps {
     private static void comeHome(Draft draft, RunDrone drone, Look look) {
         if (look.isDisarmed()) {
             downAtHome(draft, drone, look);
-        } else if (look.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
+        } else if (isStuck(draft, drone, look)) {
             draft.say(Trigger.LATE, drone.id(), drone.name() + " is stuck on its way home.");
             draft.put(drone.noted("It is stuck on its way home.").to(DroneStage.LEFT, draft.now()));
         } else if (!look.comesDown() && drone.signs().yields() == null) {

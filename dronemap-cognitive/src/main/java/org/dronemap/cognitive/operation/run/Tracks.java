@@ -106,7 +106,7 @@ final class Tracks {
             return corridor(drone, silence.place(), gone);
         }
         Place place = look == null ? null : look.place();
-        if (place == null || look == null || !look.airborne()) {
+        if (place == null || look == null || !look.airborne() || isDownSomewhere(drone, look)) {
             return List.of();
         }
         boolean late = isLate(draft, drone);
@@ -121,6 +121,11 @@ final class Tracks {
             case CRASHED -> Condition.isSeenToFly(drone, look) ? byItself(drone, look, place) : List.of();
             default -> byItself(drone, look, place);
         };
+    }
+
+    /** Where it was heard last, in the air, is not where it is. */
+    private static boolean isDownSomewhere(RunDrone drone, Look look) {
+        return drone.stage() == DroneStage.GONE && !look.isLive();
     }
 
     /** Its order should have shown by now: it may be lost. */

@@ -31,6 +31,8 @@ public enum Trigger {
     BETTER_PLAN,
     ANSWERED,
     RESTARTED,
+    PAUSED,
+    WENT_ON,
     STOPPED,
     ENDED
 }

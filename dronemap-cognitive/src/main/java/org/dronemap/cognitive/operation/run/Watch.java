@@ -165,9 +165,7 @@ final class Watch {
             }
         }
         Absence.begin(draft);
-        RunState.Clock clock = draft.clock();
-        draft.clock(new RunState.Clock(
-                clock.begun(), clock.launched(), clock.asksAfter(), draft.now().plus(grace)));
+        draft.clock(draft.clock().hearing(draft.now().plus(grace)));
         Request open = draft.request();
         if (open != null) {
             draft.causes().addAll(0, open.causes());

@@ -27,6 +27,8 @@ final class Wishes {
                     add.by() + " added " + add.barrier().words() + ", which drones keep to from now on.");
         } else if (wish instanceof RunInput.Answer answer) {
             answer(draft, answer);
+        } else if (wish instanceof RunInput.Pause || wish instanceof RunInput.GoOn) {
+            Pausing.wish(draft, wish);
         } else {
             Crew.wish(draft, wish);
         }

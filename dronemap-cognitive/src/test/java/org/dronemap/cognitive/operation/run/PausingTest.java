@@ -1,0 +1,145 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.command.CloudLoss;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A run waits as a whole, and goes on as a whole. */
+class PausingTest {
+    private static TestFleet flying(long seed) {
+        TestFleet fleet = Runs.fleet(4, 24, seed, CloudLoss.RETURN_TO_LAUNCH);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        return fleet;
+    }
+
+    private static void pause(TestFleet fleet) {
+        fleet.wish(new RunInput.Pause(fleet.now, "Ann"));
+    }
+
+    private static void goOn(TestFleet fleet) {
+        fleet.wish(new RunInput.GoOn(fleet.now, "Ann"));
+    }
+
+    private static List<Double> places(TestFleet fleet) {
+        List<Double> places = new ArrayList<>();
+        fleet.vehicles
+                .values()
+                .forEach(vehicle -> places.addAll(List.of(vehicle.east, vehicle.north, vehicle.altitude)));
+        return places;
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6})
+    void allHoldWhereTheyAreAndVisitTheRestAfterwards(long seed) {
+        TestFleet fleet = flying(seed);
+        pause(fleet);
+        fleet.fly(40);
+        List<Double> held = places(fleet);
+        fleet.fly(300);
+
+        assertThat(places(fleet)).as("%s", fleet.said).isEqualTo(held);
+        goOn(fleet);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+    }
+
+    @Test
+    void nobodyIsArmedWhileItIsPaused() {
+        TestFleet fleet = Runs.fleet(4, 24, 1);
+        fleet.fly(1);
+        pause(fleet);
+        fleet.fly(120);
+
+        assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.armed);
+        goOn(fleet);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {2, 3, 4, 6, 9, 12})
+    void whoeverWasAboutToSetOffIsApartFromTheOthersAfterwardsToo(double seconds) {
+        TestFleet fleet = Runs.fleet(4, 24, 2);
+        fleet.fly(seconds);
+        pause(fleet);
+        fleet.fly(60);
+        goOn(fleet);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+    }
+
+    @Test
+    void aRestartDoesNotEndThePause() {
+        TestFleet fleet = flying(1);
+        pause(fleet);
+        fleet.fly(10);
+        fleet.restart(3);
+        fleet.fly(60);
+
+        assertThat(fleet.state.clock().pausedSince()).isNotNull();
+        assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.mode.equals("AUTO"));
+        goOn(fleet);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+    }
+
+    @Test
+    void whatALostDroneLeavesIsSharedOutAfterThePause() {
+        TestFleet fleet = flying(1);
+        pause(fleet);
+        fleet.fly(5);
+        fleet.vehicle(1).falling = true;
+        fleet.fly(30);
+
+        assertThat(fleet.state.request()).isNull();
+        assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.mode.equals("AUTO") && !vehicle.fallen);
+        goOn(fleet);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+    }
+
+    @Test
+    void whoseBatteryDoesNotLastForWaitingComesHome() {
+        TestFleet fleet = Runs.limited(3, 12, 1);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        pause(fleet);
+        fleet.vehicle(1).drain = 60;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.RETURNING, 900);
+
+        fleet.flyUntil(() -> !fleet.vehicle(1).armed, 600);
+        assertThat(fleet.vehicle(1).joules).isPositive();
+        goOn(fleet);
+        fleet.flyToTheEnd();
+    }
+
+    @Test
+    void aPausedRunCanBeStopped() {
+        TestFleet fleet = flying(1);
+        pause(fleet);
+        fleet.fly(10);
+        fleet.wish(new RunInput.Stop(fleet.now, "Ann"));
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.armed);
+    }
+
+    @Test
+    void refusesToPauseTwiceAndToGoOnUnpaused() {
+        TestFleet fleet = flying(1);
+        MissionRun run = fleet.run;
+
+        assertThat(run.refusal(fleet.state, new RunInput.GoOn(fleet.now, "Ann")))
+                .contains("The mission run is not paused.");
+        pause(fleet);
+        assertThat(run.refusal(fleet.state, new RunInput.Pause(fleet.now, "Ann")))
+                .contains("The mission run is paused already.");
+    }
+}
