@@ -155,7 +155,6 @@ public final class TestCloud implements AutoCloseable {
         }
     }
 
-    /** How many commands have no outcome yet. */
     /** Nothing is under way, and whatever was steered by sticks was held when nobody did so any more. */
     public boolean isSettled() {
         return commandsUnderWay() == 0 && count("Hold", "hold") >= count("Steer", "steer by sticks");
@@ -165,10 +164,12 @@ public final class TestCloud implements AutoCloseable {
         return commands.records.values().stream()
                 .filter(record -> record.type().equals(type)
                         && record.summary().equals(summary)
-                        && (record.by().equals("dronemap") || type.equals("Steer")))
+                        // Who was not let to the helm has no epoch, and leaves nothing to hold.
+                        && (record.by().equals("dronemap") || (type.equals("Steer") && record.epoch() != null)))
                 .count();
     }
 
+    /** How many commands have no outcome yet. */
     public long commandsUnderWay() {
         return commands.records.values().stream()
                 .filter(record -> record.outcome() == null)

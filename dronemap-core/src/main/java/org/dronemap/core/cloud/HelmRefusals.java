@@ -2,6 +2,7 @@ package org.dronemap.core.cloud;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.regex.Pattern;
 
 /**
  * Which refusals to steer are news: who goes on trying says the same up to fifty times a second. Holds the newest few; owned by
@@ -10,14 +11,17 @@ import java.util.Map;
 final class HelmRefusals {
     static final long AGAIN_NANOS = 10_000_000_000L;
     private static final int MOST = 32;
+    private static final Pattern NUMBERS = Pattern.compile("[-0-9.]+");
 
     private final Map<Refusal, Long> said = new LinkedHashMap<>();
 
-    private record Refusal(String by, String face, String why) {}
+    private record Refusal(String by, String face, String kind) {}
 
     /** True at first, and when ten seconds have gone by since it was true for the same. */
     boolean isNews(CommandGate.Source source, String why, long nowNanos) {
-        Refusal refusal = new Refusal(source.principal().name(), source.face(), why);
+        // The same with other numbers, such as metres to a zone, is the same.
+        String kind = NUMBERS.matcher(why).replaceAll("#");
+        Refusal refusal = new Refusal(source.principal().name(), source.face(), kind);
         Long last = said.get(refusal);
         if (last != null && nowNanos - last < AGAIN_NANOS) {
             return false;

@@ -23,11 +23,18 @@ class HelmRefusalsTest {
     }
 
     @Test
+    void areNoNewsWithOtherNumbers() {
+        assertThat(refusals.isNews(EVE, "a zone after 11.5 m", 0)).isTrue();
+        assertThat(refusals.isNews(EVE, "a zone after 7.2 m", 1)).isFalse();
+    }
+
+    @Test
     void areForgottenOldestFirstWhenThereAreMany() {
         for (int reason = 0; reason < 100; reason++) {
-            assertThat(refusals.isNews(EVE, "reason " + reason, reason)).isTrue();
+            assertThat(refusals.isNews(EVE, "reason " + "x".repeat(reason), reason))
+                    .isTrue();
         }
-        assertThat(refusals.isNews(EVE, "reason 99", 100)).isFalse();
-        assertThat(refusals.isNews(EVE, "reason 0", 100)).isTrue();
+        assertThat(refusals.isNews(EVE, "reason " + "x".repeat(99), 100)).isFalse();
+        assertThat(refusals.isNews(EVE, "reason ", 100)).isTrue();
     }
 }

@@ -69,9 +69,23 @@ final class CommandCounter {
                     new Command.SetMode(CommandWords.modeName(context, mode.baseMode(), mode.customMode())));
             number = SetMode.ID;
         }
+        if (wish instanceof Wish.Order order && isForAnother(asked, command) && !isPayload(order.command())) {
+            wish = new Wish.Denied(
+                    "This is for component " + command.targetComponent() + "; send it to the autopilot.");
+        }
         boolean again =
                 frame.messageId() == CommandLong.ID && CommandLong.decode(frame).confirmation() > 0;
         grant(asked, number, wish, again, now);
+    }
+
+    private static boolean isForAnother(Asked asked, CommandInt command) {
+        return command.targetComponent() != 0
+                && command.targetComponent() != asked.vehicle().component();
+    }
+
+    /** Cameras and switches are components of their own for many programs; here all is the vehicle's. */
+    private static boolean isPayload(Command command) {
+        return command instanceof Command.TakePicture || command instanceof Command.SetRelay;
     }
 
     /** MISSION_ITEM that is no part of a mission: where to go now, as autopilots take it in GUIDED. */

@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
@@ -46,6 +47,8 @@ final class OutletClient {
     private int setpoints;
     private int lastText;
     /** When it was told what; of a few sentences. */
+    private static final Pattern NUMBERS = Pattern.compile("[-0-9.]+");
+
     private final Map<String, Long> toldNanos = new HashMap<>();
 
     private long lastHeardNanos;
@@ -257,10 +260,13 @@ final class OutletClient {
 
     /** True at most once in so long for each sentence. */
     boolean mayBeTold(String sentence, long nowNanos, long everyNanos) {
-        Long before = toldNanos.get(sentence);
+        // The same with other numbers is the same.
+        String kind = NUMBERS.matcher(sentence).replaceAll("#");
+        Long before = toldNanos.get(kind);
         boolean due = before == null || nowNanos - before > everyNanos;
         if (due) {
-            toldNanos.put(sentence, nowNanos);
+            toldNanos.values().removeIf(then -> nowNanos - then > everyNanos);
+            toldNanos.put(kind, nowNanos);
         }
         return due;
     }

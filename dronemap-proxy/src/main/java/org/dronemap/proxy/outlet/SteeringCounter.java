@@ -28,8 +28,6 @@ final class SteeringCounter {
             ManualControl.ID, RcChannelsOverride.ID, SetPositionTargetLocalNed.ID, SetPositionTargetGlobalInt.ID);
 
     private static final long BETWEEN_SENTENCES_NANOS = 10_000_000_000L;
-    /** Places that come slower than that are gone to one by one. */
-    private static final long STREAM_NANOS = 1_000_000_000L;
 
     private final CloudManager cloud;
     private final Orders orders;
@@ -38,8 +36,8 @@ final class SteeringCounter {
     /** A client at a drone. */
     private record Seat(String client, DroneId drone) {}
 
-    /** What it said last there: a place that is gone to, or leads. */
-    private record Hand(Principal principal, Setpoint.@Nullable Track place, long nanos, boolean leads) {}
+    /** In whose name it says what places there, and whether it is at the helm. */
+    private record Hand(Principal principal, PlaceWatch places, boolean leads) {}
 
     SteeringCounter(CloudManager cloud, Orders orders) {
         this.cloud = cloud;
@@ -56,6 +54,11 @@ final class SteeringCounter {
             explain(asked, "This is a port to look only; to steer, sign.", now);
             return;
         }
+        int component = SteeringWords.component(asked.frame());
+        if (component != 0 && component != asked.vehicle().component()) {
+            explain(asked, "This is for component " + component + "; only the autopilot is steered.", now);
+            return;
+        }
         Seat seat = new Seat(asked.client().id(), asked.drone());
         SteeringWords.Wish wish =
                 SteeringWords.of(asked.frame(), state.identification().kind());
@@ -64,30 +67,33 @@ final class SteeringCounter {
         } else if (wish instanceof SteeringWords.Wish.LetGo) {
             letGo(seat, hands.remove(seat));
         } else if (wish instanceof SteeringWords.Wish.Steer steer) {
-            hands.put(seat, new Hand(principal, null, now, true));
+            hands.put(seat, new Hand(principal, places(seat), true));
+            steer.remark().ifPresent(sentence -> explain(asked, sentence, now));
             steer(asked, principal, steer.setpoint(), now);
         } else if (wish instanceof SteeringWords.Wish.Place place) {
-            place(asked, new Hand(principal, place.track(), now, false), now);
+            place(asked, principal, place.track(), now);
         }
     }
 
-    /** A place that is said once is gone to; places that follow on each other lead. */
-    private void place(Asked asked, Hand said, long now) {
+    private void place(Asked asked, Principal principal, Setpoint.Track track, long now) {
         Seat seat = new Seat(asked.client().id(), asked.drone());
+        PlaceWatch places = places(seat);
+        switch (places.heard(track, now)) {
+            case GO_TO -> {
+                hands.put(seat, new Hand(principal, places, false));
+                goTo(asked, principal, track);
+            }
+            case SAID_AGAIN -> {}
+            case LEADS -> {
+                hands.put(seat, new Hand(principal, places, true));
+                steer(asked, principal, track, now);
+            }
+        }
+    }
+
+    private PlaceWatch places(Seat seat) {
         Hand before = hands.get(seat);
-        Setpoint.Track track = said.place();
-        if (track == null) {
-            return;
-        }
-        if (before == null || before.place() == null || now - before.nanos() >= STREAM_NANOS) {
-            hands.put(seat, said);
-            goTo(asked, said.principal(), track);
-        } else if (!before.leads() && track.equals(before.place())) {
-            hands.put(seat, said);
-        } else {
-            hands.put(seat, new Hand(said.principal(), track, now, true));
-            steer(asked, said.principal(), track, now);
-        }
+        return before == null ? new PlaceWatch() : before.places();
     }
 
     private void goTo(Asked asked, Principal principal, Setpoint.Track track) {

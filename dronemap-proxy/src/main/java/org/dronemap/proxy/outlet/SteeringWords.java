@@ -1,5 +1,8 @@
 package org.dronemap.proxy.outlet;
 
+import java.util.Optional;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.drone.VehicleKind;
@@ -24,17 +27,26 @@ final class SteeringWords {
     private static final double E7 = 1e7;
     private static final double STICK_END = 1000;
     private static final double STICK_HALF = 500;
+    private static final int STICK_UNSAID = Short.MAX_VALUE;
     private static final int PULSE_MIDDLE = 1500;
     private static final double PULSE_HALF = 500;
     private static final int PULSE_UNSAID = 0xFFFF;
     private static final int PULSE_SHORTEST = 800;
     private static final int PULSE_LONGEST = 2200;
 
+    private static final String ONLY_FOUR =
+            "Only the channels 1 to 4 pass the cloud; the others do nothing: modes and switches are commands.";
+
     private SteeringWords() {}
 
     /** What a client wants with the helm. */
     sealed interface Wish {
-        record Steer(Setpoint setpoint) implements Wish {}
+        /** The remark says what else was said, and is left out. */
+        record Steer(Setpoint setpoint, Optional<String> remark) implements Wish {
+            Steer(Setpoint setpoint) {
+                this(setpoint, Optional.empty());
+            }
+        }
 
         /** To be at a place, said alone: as a command when it is said once. */
         record Place(Setpoint.Track track) implements Wish {}
@@ -59,18 +71,36 @@ final class SteeringWords {
         }
     }
 
+    /** Of the system that it is for; 0: of all. */
+    static int component(Frame frame) {
+        return switch (frame.messageId()) {
+            case RcChannelsOverride.ID -> RcChannelsOverride.decode(frame).targetComponent();
+            case SetPositionTargetLocalNed.ID ->
+                SetPositionTargetLocalNed.decode(frame).targetComponent();
+            case SetPositionTargetGlobalInt.ID ->
+                SetPositionTargetGlobalInt.decode(frame).targetComponent();
+            default -> 0;
+        };
+    }
+
     private static Wish sticks(ManualControl said, VehicleKind kind) {
-        if (said.buttons() != 0 || said.buttons2() != 0) {
-            return new Wish.Denied("Buttons of joysticks do not pass the cloud; only sticks do.");
-        }
+        boolean pressed = said.buttons() != 0 || said.buttons2() != 0;
         Setpoint sticks = drives(kind)
-                ? new Setpoint.Sticks(said.z() / STICK_END, 0, 0, said.y() / STICK_END)
+                ? new Setpoint.Sticks(stick(said.z()), 0, 0, stick(said.y()))
                 : new Setpoint.Sticks(
-                        said.x() / STICK_END,
-                        said.y() / STICK_END,
-                        (said.z() - STICK_HALF) / STICK_HALF,
-                        said.r() / STICK_END);
-        return new Wish.Steer(sticks);
+                        stick(said.x()),
+                        stick(said.y()),
+                        said.z() == STICK_UNSAID ? 0 : (said.z() - STICK_HALF) / STICK_HALF,
+                        stick(said.r()));
+        return new Wish.Steer(
+                sticks,
+                pressed
+                        ? Optional.of("Buttons of joysticks do nothing through the cloud; only sticks do.")
+                        : Optional.empty());
+    }
+
+    private static double stick(int value) {
+        return value == STICK_UNSAID ? 0 : value / STICK_END;
     }
 
     /** The first four channels as radios come: roll, pitch (backwards is more), throttle, yaw. */
@@ -86,9 +116,6 @@ final class SteeringWords {
                         "A channel is " + PULSE_SHORTEST + " to " + PULSE_LONGEST + " us, not " + pulse + ".");
             }
         }
-        if (isSwitched(said)) {
-            return new Wish.Denied("Only the channels 1 to 4 pass the cloud; modes and switches are commands.");
-        }
         if (released + unsaid == sticks.length) {
             return released > 0 ? new Wish.LetGo() : new Wish.Nothing();
         }
@@ -97,17 +124,27 @@ final class SteeringWords {
         return new Wish.Steer(
                 drives(kind)
                         ? new Setpoint.Sticks(third, 0, 0, first)
-                        : new Setpoint.Sticks(0.0 - share(sticks[1]), first, third, share(sticks[3])));
+                        : new Setpoint.Sticks(0.0 - share(sticks[1]), first, third, share(sticks[3])),
+                isSwitched(said) ? Optional.of(ONLY_FOUR) : Optional.empty());
     }
 
     private static boolean isSwitched(RcChannelsOverride said) {
-        int[] switches = {said.chan5Raw(), said.chan6Raw(), said.chan7Raw(), said.chan8Raw()};
-        for (int pulse : switches) {
-            if (pulse != 0 && pulse != PULSE_UNSAID) {
-                return true;
-            }
-        }
-        return false;
+        IntPredicate isUnsaid = pulse -> pulse == 0 || pulse == PULSE_UNSAID;
+        boolean firstEight = IntStream.of(said.chan5Raw(), said.chan6Raw(), said.chan7Raw(), said.chan8Raw())
+                .allMatch(isUnsaid);
+        boolean others = IntStream.of(
+                        said.chan9Raw(),
+                        said.chan10Raw(),
+                        said.chan11Raw(),
+                        said.chan12Raw(),
+                        said.chan13Raw(),
+                        said.chan14Raw(),
+                        said.chan15Raw(),
+                        said.chan16Raw(),
+                        said.chan17Raw(),
+                        said.chan18Raw())
+                .allMatch(isUnsaid);
+        return !(firstEight && others);
     }
 
     private static double share(int pulse) {
@@ -126,7 +163,10 @@ final class SteeringWords {
         boolean onlySpeeds = (said.typeMask() & POSITION) == POSITION && (said.typeMask() & SPEED) == 0;
         if (frame == null || !onlySpeeds || accelerates(said.typeMask())) {
             return new Wish.Denied(
-                    "Of local targets only speeds pass the cloud; places are SET_POSITION_TARGET_GLOBAL_INT.");
+                    frame == null
+                            ? "Speeds are counted in frame 1, 7, 8, 9 or 12, not in " + said.coordinateFrame() + "."
+                            : "Of local targets only speeds pass the cloud, alone (type_mask 0xDC7, 0x9C7 or 0x5C7);"
+                                    + " places are SET_POSITION_TARGET_GLOBAL_INT.");
         }
         return new Wish.Steer(new Setpoint.Velocity(
                 frame, said.vx(), said.vy(), said.vz(), facing(said.typeMask(), said.yaw(), said.yawRate())));

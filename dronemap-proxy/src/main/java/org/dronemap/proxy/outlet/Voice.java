@@ -14,13 +14,21 @@ record Voice(OutletClient client, DroneId drone, VehicleTap vehicle) {
         client.say(new Letter.ForVehicle(drone, vehicle.component(), message));
     }
 
-    /** Says a sentence, in as many parts as that takes. */
-    void explain(String sentence) {
+    /** Says a sentence, in as many parts as that takes; many programs show ASCII alone. */
+    void explain(String written) {
+        String sentence = plain(written);
         int parts = Math.min(MOST_CHUNKS, (sentence.length() + CHUNK - 1) / CHUNK);
         int number = parts > 1 ? client.nextText() : 0;
         for (int part = 0; part < parts; part++) {
             String text = sentence.substring(part * CHUNK, Math.min(sentence.length(), (part + 1) * CHUNK));
             say(new Statustext(WARNING, text, number, part));
         }
+    }
+
+    private static String plain(String written) {
+        return written.replaceAll("[\u201c\u201d]", "\"")
+                .replaceAll("[\u2018\u2019]", "'")
+                .replaceAll("[\u2010-\u2015\u2212]", "-")
+                .replace("\u2026", "...");
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
@@ -12,6 +13,8 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.ManualControl;
+import org.dronemap.mavlink.message.RcChannelsOverride;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.junit.jupiter.api.Test;
@@ -43,6 +46,20 @@ class SteeringWordsTest {
                         Frame.VEHICLE, 1, 2, 0, new Facing.Heading(Math.toDegrees((float) (Math.PI / 2))))));
         assertThat(wish(new SetPositionTargetLocalNed(0, 1, 1, 1, 0xDF8, 5, 5, -5, 0, 0, 0, 0, 0, 0, 0, 0)))
                 .isInstanceOf(SteeringWords.Wish.Denied.class);
+    }
+
+    @Test
+    void buttonsAndChannelsThatDoNothingKeepNoStickFromSteering() {
+        assertThat(wish(new ManualControl(1, 500, Short.MAX_VALUE, 500, 0, 4, 0, 0, 0, 0)))
+                .isEqualTo(new SteeringWords.Wish.Steer(
+                        new Setpoint.Sticks(0.5, 0, 0, 0),
+                        Optional.of("Buttons of joysticks do nothing through the cloud; only sticks do.")));
+        assertThat(wish(new RcChannelsOverride(
+                        1, 1, 1500, 1250, 1500, 1500, 1900, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)))
+                .isInstanceOfSatisfying(SteeringWords.Wish.Steer.class, steer -> {
+                    assertThat(steer.setpoint()).isEqualTo(new Setpoint.Sticks(0.5, 0, 0, 0));
+                    assertThat(steer.remark()).isPresent();
+                });
     }
 
     private static SetPositionTargetGlobalInt global(int frame, int mask) {
