@@ -1,8 +1,6 @@
 """A Dronemap server of the test's own: fresh data, free ports, killed at the end."""
 
-import fcntl
 import os
-import shutil
 import signal
 import socket
 import subprocess
@@ -11,6 +9,7 @@ from typing import Any
 
 import requests
 
+from . import prepared
 from .ports import free_port
 from .waiting import wait_for
 
@@ -20,29 +19,14 @@ QUICK = "-XX:TieredStopAtLevel=1"
 SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 
 
-def unpacked() -> Path:
-    """The server with its libraries beside it, which starts in half the time; made anew of each new jar."""
-    assert SERVER_JAR.exists(), f"{SERVER_JAR} is missing: build first (./dronemap test does)"
-    folder = SERVER_JAR.parent / "unpacked"
-    # Builds that repeat themselves give it the same time of change.
-    stamp, made = folder / "made-of", str(SERVER_JAR.stat().st_ctime_ns)
-    with (SERVER_JAR.parent / "unpacked.lock").open("w") as lock:
-        # Several processes test at once.
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not stamp.exists() or stamp.read_text() != made:
-            shutil.rmtree(folder, ignore_errors=True)
-            unpack = ["-Djarmode=tools", "-jar", str(SERVER_JAR), "extract", "--destination", str(folder)]
-            subprocess.run(["java", *unpack], check=True, stdout=subprocess.DEVNULL)
-            stamp.write_text(made)
-    return folder / SERVER_JAR.name
-
-
 class Server:
     """One server process; it may be killed and started again over the same data."""
 
-    def __init__(self, data: Path, as_shipped: bool = False, **settings: str) -> None:
-        """`as_shipped`: for tests that measure it."""
+    def __init__(self, data: Path, as_shipped: bool = False, begun: bool = True, **settings: str) -> None:
+        """`as_shipped`: for tests that measure it; `begun`: where no folder is yet, it is a copy of what
+        a first start leaves, which is quicker than another."""
         self.data = data
+        self._begun = begun and "DRONEMAP_DATABASE_URL" not in settings
         self._options = [] if as_shipped else [QUICK]
         self.http_port = free_port()
         self.stream_port = free_port()
@@ -71,6 +55,9 @@ class Server:
         return self._process.pid
 
     def start(self) -> None:
+        jar = prepared.unpacked(SERVER_JAR)
+        if self._begun and not self.data.exists():
+            prepared.begun(SERVER_JAR, self.data, _first_start)
         self.data.mkdir(parents=True, exist_ok=True)
         # A developer's own settings, above all a database, are nothing for tests.
         inherited = {name: value for name, value in os.environ.items() if not name.startswith("DRONEMAP_")}
@@ -93,7 +80,7 @@ class Server:
         }
         with (self.data / "server.log").open("ab") as log:
             self._process = subprocess.Popen(
-                ["java", "-Xmx384m", *self._options, "-jar", str(unpacked())],
+                ["java", "-Xmx384m", *self._options, "-jar", str(jar)],
                 env=environment | self._settings,
                 stdout=log,
                 stderr=subprocess.STDOUT,
@@ -136,3 +123,10 @@ class Server:
 
     def _tail(self) -> str:
         return (self.data / "server.log").read_text(errors="replace")[-2000:]
+
+
+def _first_start(data: Path) -> None:
+    server = Server(data, begun=False)
+    server.start()
+    server.stop()
+    (data / "server.log").unlink()

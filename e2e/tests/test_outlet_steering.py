@@ -122,3 +122,41 @@ def test_who_is_disabled_while_steering_steers_no_more_and_has_no_control(
     assert api.drone(drone)["control"]["holder"] is None
     assert api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
     wait_for("it is down", partial(landed, api, drone), 60)
+
+
+PLACE_ONLY = 0xDF8
+
+
+def test_a_place_said_over_and_over_leads_until_somebody_takes_over(
+    server: Server, api: Api, copters: list[Copter], attach: Attach
+) -> None:
+    drone = copters[1].id
+    pilot = granted(server, api, "operator", [drone])
+    supervisor = granted(server, api, "supervisor", [drone])
+    ground = attach(pilot)
+    (number,) = ground.wait_vehicles(1)
+    # Whoever landed it before has no more use for it.
+    api.call("DELETE", f"/drones/{drone}/control")
+    assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
+    assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
+    assert ground.command(number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
+    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
+    home = api.drone(drone)["home"]
+    north = round((home["latitude"] + 0.02) * 1e7), round(home["longitude"] * 1e7)
+
+    def towards() -> None:
+        target = (0, number, 1, mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT, PLACE_ONLY)
+        ground.say("set_position_target_global_int", *target, *north, 15, 0, 0, 0, 0, 0, 0, 0, 0)
+
+    def leads() -> bool:
+        told = api.get(f"/drones/{drone}/commands")["commands"]
+        return any(c["summary"] == "lead it by a place" and not c["outcome"] for c in told)
+
+    with said_on(towards):
+        wait_for("it is led", leads)
+        wait_for("it flies there", lambda: speed(ground, number) > 3)
+        taken = supervisor.api.call("POST", f"/drones/{drone}/control/take-over", {"reason": "a helicopter"})
+        assert taken.ok, taken.text
+        wait_for("it stands whatever is said", lambda: speed(ground, number) < 0.5)
+    assert supervisor.api.call("POST", f"/drones/{drone}/commands", {"type": "land"}).ok
+    wait_for("it is down", partial(landed, api, drone), 60)

@@ -49,12 +49,16 @@ def test_a_rover_is_shown_on_its_own_map_and_stops_when_told_to(
     assert not shown["actions"]["takeOff"]["allowed"]
     allowed(api, flyer.system_id, "arm")
 
-    # Whoever calls in is told to stand still first, three times.
-    wait_for("it was told to stand", lambda: len(rover.orders) >= 3)
-    rover.speed = 0.4
-    moving = wait_for(
-        "it is seen to move", lambda: (d := api.drone(drone["id"]))["motion"]["groundSpeed"] > 0.3 and d
-    )
+    # Whoever calls in is told to stand still first, until it reports that it does.
+    wait_for("it was told to stand", lambda: len(rover.orders) >= 6)
+
+    def driven() -> Json | None:
+        """By somebody beside it, who drives on whatever it is told."""
+        rover.speed = 0.4
+        now = api.drone(drone["id"])
+        return now if now["motion"]["groundSpeed"] > 0.3 else None
+
+    moving = wait_for("it is seen to move", driven)
     assert moving["local"]["x"] >= 0
     api.do(drone["id"], type="hold")
 
