@@ -192,12 +192,15 @@ def test_stays_closed_to_the_network_until_the_first_password_is_changed(
 
 
 def test_a_killed_server_leaves_nothing_that_hinders_the_next_start(built: Checkout) -> None:
+    begun = time.monotonic()
     assert built.run("up").returncode == 0
+    first = time.monotonic() - begun
     os.kill(pid_of(built, "server"), signal.SIGKILL)
     started = time.monotonic()
     again = built.run("up")
     assert again.returncode == 0, again.stderr
-    assert time.monotonic() - started < SECOND_UP_SECONDS
+    # A busy machine starts nothing in half a minute; what hinders would show beside the first start on it.
+    assert time.monotonic() - started < max(SECOND_UP_SECONDS, first)
     os.kill(pid_of(built, "server"), signal.SIGKILL)
     assert built.run("down").returncode == 0
     assert descendants(built.data) == set()
