@@ -14,7 +14,7 @@ from dronemap_e2e.ground import Attach, Ground, granted
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
 
-ACCEPTED = 0
+ACCEPTED, DENIED = 0, 2
 GUIDED, LOITER = 4, 5
 SPEEDS_ONLY = 0xDC7
 
@@ -124,7 +124,7 @@ def test_who_is_disabled_while_steering_steers_no_more_and_has_no_control(
     wait_for("it is down", partial(landed, api, drone), 60)
 
 
-PLACE_ONLY = 0xDF8
+PLACE_ONLY, GIMBAL = 0xDF8, 154
 
 
 def test_a_place_said_over_and_over_leads_until_somebody_takes_over(
@@ -141,6 +141,12 @@ def test_a_place_said_over_and_over_leads_until_somebody_takes_over(
     assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
     assert ground.command(number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
     wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
+    gimbal = (0, number, GIMBAL, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
+    ground.say("set_position_target_local_ned", *gimbal, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0)
+    wait_for("a gimbal is not steered", lambda: f"component {GIMBAL}" in "".join(ground.texts().split("\n")))
+    ground.say("command_long", number, GIMBAL, mavlink.MAV_CMD_NAV_LAND, 0, *([0.0] * 7))
+    wait_for("nor landed", lambda: [m.result for m in ground.heard("COMMAND_ACK", number)][-1] == DENIED)
+    assert turns(api, drone)[0]["outcome"]["result"] == "superseded", "the one of the test before"
     home = api.drone(drone)["home"]
     north = round((home["latitude"] + 0.02) * 1e7), round(home["longitude"] * 1e7)
 
