@@ -60,6 +60,9 @@ class Ground:
         self.link: Any = mavutil.mavlink_connection(
             address, source_system=system_id, source_component=190, dialect="ardupilotmega"
         )
+        if address.startswith("udpout:"):
+            # Vehicles and servers of other tests may still speak to whoever had this port before.
+            self.link.port.connect(self.link.destination_addr)
         if passphrase is not None:
             key = hashlib.sha256(passphrase.encode()).digest()
             self.link.setup_signing(key, sign_outgoing=True, allow_unsigned_callback=lambda *_: False)

@@ -179,7 +179,8 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     # It repeats what it heard last for ever, so it was told to stand.
     wait_for("it stands", lambda: speed(api, robot["id"]) == 0)
     page.set_viewport_size({"width": 390, "height": 844})
-    stick.scroll_into_view_if_needed()
+    # The panel is made anew for a phone; this waits for the new one.
+    stick.hover()
     picture(page, "robot-steered-narrow")
 
 
