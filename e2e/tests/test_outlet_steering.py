@@ -51,6 +51,18 @@ def turns(api: Api, drone: str) -> list[dict[str, Any]]:
     return [entry for entry in entries(api, drone) if entry["outcome"]["result"] != "refused"]
 
 
+def take_off(api: Api, ground: Ground, number: int, drone: str) -> None:
+    assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
+    assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
+    assert ground.command(number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
+    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
+
+
+def northward(ground: Ground, number: int, component: int = 1) -> None:
+    target = (0, number, component, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
+    ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
+
+
 def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
     server: Server, api: Api, copters: list[Copter], attach: Attach
 ) -> None:
@@ -58,16 +70,9 @@ def test_speeds_and_sticks_steer_a_drone_and_it_stands_when_they_stop(
     pilot = granted(server, api, "operator", [drone])
     ground = attach(pilot)
     (number,) = ground.wait_vehicles(1)
-    assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
-    assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
-    assert ground.command(number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
-    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
+    take_off(api, ground, number, drone)
 
-    def northward() -> None:
-        target = (0, number, 1, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
-        ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
-
-    with said_on(northward):
+    with said_on(partial(northward, ground, number)):
         wait_for("it is steered by speeds", lambda: speed(ground, number) > 3)
     wait_for("it stands without another word", lambda: speed(ground, number) < 0.5, 20)
     (turn,) = turns(api, drone)
@@ -104,16 +109,9 @@ def test_who_is_disabled_while_steering_steers_no_more_and_has_no_control(
     pilot = granted(server, api, "operator", [drone])
     ground = attach(pilot)
     (number,) = ground.wait_vehicles(1)
-    assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
-    assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
-    assert ground.command(number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
-    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
+    take_off(api, ground, number, drone)
 
-    def northward() -> None:
-        target = (0, number, 1, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
-        ground.say("set_position_target_local_ned", *target, *(0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0))
-
-    with said_on(northward):
+    with said_on(partial(northward, ground, number)):
         wait_for("it is steered", lambda: speed(ground, number) > 3)
         assert api.call("PATCH", f"/users/{pilot.name}", {"state": "disabled"}).ok
         wait_for("it stands", lambda: (api.drone(drone)["motion"]["groundSpeed"] or 0) < 0.5)
@@ -137,12 +135,8 @@ def test_a_place_said_over_and_over_leads_until_somebody_takes_over(
     (number,) = ground.wait_vehicles(1)
     # Whoever landed it before has no more use for it.
     api.call("DELETE", f"/drones/{drone}/control")
-    assert ground.command(number, mavlink.MAV_CMD_DO_SET_MODE, 1, GUIDED) == ACCEPTED
-    assert ground.command(number, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1) == ACCEPTED
-    assert ground.command(number, mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, 15) == ACCEPTED
-    wait_for("it is up", lambda: (api.drone(drone)["position"]["altitudeAboveHome"] or 0) > 14, 60)
-    gimbal = (0, number, GIMBAL, mavlink.MAV_FRAME_LOCAL_NED, SPEEDS_ONLY)
-    ground.say("set_position_target_local_ned", *gimbal, 0, 0, 0, 4, 0, 0, 0, 0, 0, 0, 0)
+    take_off(api, ground, number, drone)
+    northward(ground, number, GIMBAL)
     wait_for("a gimbal is not steered", lambda: f"component {GIMBAL}" in "".join(ground.texts().split("\n")))
     ground.say("command_long", number, GIMBAL, mavlink.MAV_CMD_NAV_LAND, 0, *([0.0] * 7))
     wait_for("nor landed", lambda: [m.result for m in ground.heard("COMMAND_ACK", number)][-1] == DENIED)
