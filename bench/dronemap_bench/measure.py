@@ -168,7 +168,8 @@ def _clients(
         return None
     ports = ["--port", str(server.outlet_udp_port), "--tcp-port", str(server.outlet_tcp_port)]
     keys = ["--passphrases", ",".join(passphrases)]
-    return programs.start("attach", *ports, *keys, *_between(*when), *c.clients.arguments())
+    # Ground stations run elsewhere: their own work on this machine must not pass for the server's.
+    return programs.start("attach", *ports, *keys, *_between(*when), *c.clients.arguments(), niceness=10)
 
 
 def _live(server: Server) -> int:

@@ -128,8 +128,8 @@ class Programs:
         self._all = [program for program in running if program is not None]
         self._own: list[Load] = []
 
-    def start(self, *arguments: str) -> "Load":
-        program = Load(*arguments)
+    def start(self, *arguments: str, niceness: int = 0) -> "Load":
+        program = Load(*arguments, niceness=niceness)
         self._all.append(program)
         self._own.append(program)
         return program
@@ -145,9 +145,19 @@ class Programs:
 class Load:
     """One of the load programs; its result is the line of JSON that it prints at its end."""
 
-    def __init__(self, *arguments: str) -> None:
+    def __init__(self, *arguments: str, niceness: int = 0) -> None:
         self._process = subprocess.Popen(
-            ["java", "-Xmx512m", "-cp", str(LOAD_JAR), "org.dronemap.sim.load.Load", *arguments],
+            [
+                "nice",
+                "-n",
+                str(niceness),
+                "java",
+                "-Xmx512m",
+                "-cp",
+                str(LOAD_JAR),
+                "org.dronemap.sim.load.Load",
+                *arguments,
+            ],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,

@@ -215,6 +215,12 @@ def beyond(place: Json, track: Track) -> float:
     )
 
 
+def remotest(run: Json, flown: dict[str, Track]) -> Json:
+    """The waypoint ahead from which all are farthest: a barrier round it surprises nobody in it."""
+    ahead = [by_id(run)[one] for drone in run["drones"] for one in drone["next"]]
+    return max(ahead, key=lambda one: min(beyond(one, track[-1:]) for track in flown.values()))
+
+
 def test_a_new_zone_a_joining_drone_and_a_waypoint_out_of_reach(
     api: Api, tap: Tap, drones: list[Json]
 ) -> None:
@@ -230,8 +236,9 @@ def test_a_new_zone_a_joining_drone_and_a_waypoint_out_of_reach(
     far = done(api, "POST", f"{run}/waypoints", {"waypoints": [place(home, OUT_OF_REACH_METRES, 0)]})[
         "waypoints"
     ][-1]
+    everybody = [*drones, joining]
+    fenced = remotest(api.get(run), tracks(tap, everybody, FIRST_SYSTEM_ID))
     begin = len(tap.heard("GLOBAL_POSITION_INT", up=True))
-    fenced = by_id(api.get(run))[next(d["next"] for d in api.get(run)["drones"] if d["next"])[-1]]
     zone = {
         "type": "Feature",
         "geometry": {"type": "Point", "coordinates": [fenced["longitude"], fenced["latitude"]]},
@@ -258,7 +265,6 @@ def test_a_new_zone_a_joining_drone_and_a_waypoint_out_of_reach(
     served = [one for one in over["waypoints"] if one["id"] not in left_out]
     assert {one["state"] for one in served} == {"visited"}, words
     assert joining["id"] in {one["visits"][0]["drone"] for one in served}, "\n".join(words)
-    everybody = [*drones, joining]
     since = tracks(tap, everybody, FIRST_SYSTEM_ID, begin)
     assert min(beyond(fenced, track) for track in since.values() if track) > FENCE_METRES
     flown = tracks(tap, everybody, FIRST_SYSTEM_ID)

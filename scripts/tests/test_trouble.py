@@ -218,7 +218,7 @@ def test_says_that_the_network_is_missing_for_the_servers_libraries(
     assert "no network" in outcome.stderr
 
 
-def test_an_interrupted_build_ends_cleanly_and_goes_on_when_run_again(checkout: Checkout) -> None:
+def interrupted_build(checkout: Checkout) -> None:
     # In a session of its own, where the interrupt key reaches the whole foreground group.
     with subprocess.Popen(
         [checkout.path / "dronemap", "build"],
@@ -238,6 +238,17 @@ def test_an_interrupted_build_ends_cleanly_and_goes_on_when_run_again(checkout: 
     assert "run the same command again" in said
     assert processes_of(checkout.path) == []
 
+
+def test_an_interrupted_build_ends_cleanly_and_says_how_to_go_on(checkout: Checkout) -> None:
+    interrupted_build(checkout)
+    assert not (checkout.path / ".tools/app/dronemap.jar").exists()
+
+
+@pytest.mark.soak
+def test_an_interrupted_build_goes_on_when_run_again_and_then_has_nothing_left_to_do(
+    checkout: Checkout,
+) -> None:
+    interrupted_build(checkout)
     again = checkout.run("build", seconds=600)
     assert again.returncode == 0, again.stderr
     assert (checkout.path / ".tools/app/dronemap.jar").exists()
