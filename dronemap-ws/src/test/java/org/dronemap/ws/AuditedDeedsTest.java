@@ -57,6 +57,8 @@ class AuditedDeedsTest extends DeedTrial {
             Map.entry("addRunWaypoint", "POST /api/v1/runs/{id}/waypoints"),
             Map.entry("resumeRunDrone", "POST /api/v1/runs/{id}/drones/{drone}/resume"),
             Map.entry("answerRun", "POST /api/v1/runs/{id}/answers/{proposal}"),
+            Map.entry("pauseRun", "POST /api/v1/runs/{id}/pause"),
+            Map.entry("continueRun", "POST /api/v1/runs/{id}/continue"),
             Map.entry("stopRun", "POST /api/v1/runs/{id}/stop"),
             Map.entry("createVirtualDrone", "POST /api/v1/virtual-drones"),
             Map.entry("startVirtualDrone", "POST /api/v1/virtual-drones/{id}/start"),

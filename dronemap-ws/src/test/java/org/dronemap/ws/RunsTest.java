@@ -247,6 +247,10 @@ class RunsTest {
         assertThatThrownBy(() -> soap.answerRun(started.getRunId(), null, true)).hasMessageContaining("proposal");
         assertThatThrownBy(() -> soap.resumeRunDrone(started.getRunId(), "nobody"))
                 .hasMessageContaining("There is no drone");
+        assertThat(soap.pauseRun(started.getRunId()).getState()).isEqualTo("paused");
+        assertThatThrownBy(() -> soap.pauseRun(started.getRunId())).hasMessageContaining("paused already");
+        assertThat(soap.continueRun(started.getRunId()).getState()).isEqualTo("running");
+        assertThatThrownBy(() -> soap.continueRun(started.getRunId())).hasMessageContaining("is not paused");
         assertThat(soap.stopRun(started.getRunId()).getRunId()).isEqualTo(started.getRunId());
     }
 

@@ -1,10 +1,10 @@
 package org.dronemap.ws.soap;
 
+import static org.dronemap.ws.soap.Answering.answer;
+
 import jakarta.jws.WebService;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.Callable;
-import java.util.concurrent.CompletionException;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
@@ -16,11 +16,8 @@ import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.FlightSearch;
 import org.dronemap.ws.service.MissionItemView;
 import org.dronemap.ws.service.ParameterService;
-import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** The SOAP service over the use cases. Any thread; an action keeps its request's thread for up to 30 s. */
 @WebService(
@@ -29,7 +26,6 @@ import org.slf4j.LoggerFactory;
         endpointInterface = "org.dronemap.ws.soap.MAVLinkController",
         targetNamespace = Namespace.URI)
 public class ControllerService implements MAVLinkController {
-    private static final Logger LOG = LoggerFactory.getLogger(ControllerService.class);
     private static final Duration LONGEST_WAIT = Duration.ofSeconds(30);
 
     private final SoapCaller caller;
@@ -293,6 +289,16 @@ public class ControllerService implements MAVLinkController {
     }
 
     @Override
+    public SoapRun pauseRun(String runId) throws DronemapFault {
+        return answer(() -> runs.pause(runId));
+    }
+
+    @Override
+    public SoapRun continueRun(String runId) throws DronemapFault {
+        return answer(() -> runs.goOn(runId));
+    }
+
+    @Override
     public SoapRun stopRun(String runId) throws DronemapFault {
         return answer(() -> runs.stop(runId));
     }
@@ -380,19 +386,5 @@ public class ControllerService implements MAVLinkController {
                 return SoapOutcome.of(id, "refused", "gate", refused.sentence());
             }
         });
-    }
-
-    private static <T> T answer(Callable<T> work) throws DronemapFault {
-        try {
-            return work.call();
-        } catch (Rejection rejection) {
-            throw DronemapFault.of(Problem.of(rejection));
-        } catch (CompletionException e) {
-            LOG.error("A SOAP call failed while it waited", e);
-            throw DronemapFault.of(Problem.internal());
-        } catch (Exception e) {
-            LOG.error("A SOAP call failed", e);
-            throw DronemapFault.of(Problem.internal());
-        }
     }
 }

@@ -248,6 +248,16 @@ public interface MAVLinkController {
             @WebParam(name = "accept") @Nullable Boolean accept)
             throws DronemapFault;
 
+    /** Its drones wait where they are. */
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun pauseRun(@WebParam(name = RUN_ID) String runId) throws DronemapFault;
+
+    /** All go on where they stopped. */
+    @WebMethod
+    @WebResult(name = RUN)
+    SoapRun continueRun(@WebParam(name = RUN_ID) String runId) throws DronemapFault;
+
     /** All of its drones come home. */
     @WebMethod
     @WebResult(name = RUN)

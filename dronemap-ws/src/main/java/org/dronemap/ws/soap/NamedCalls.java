@@ -24,6 +24,8 @@ final class NamedCalls extends AbstractPhaseInterceptor<Message> {
             Map.entry("addRunWaypoint", MAVLinkController.RUN_ID),
             Map.entry("resumeRunDrone", MAVLinkController.RUN_ID),
             Map.entry("answerRun", MAVLinkController.RUN_ID),
+            Map.entry("pauseRun", MAVLinkController.RUN_ID),
+            Map.entry("continueRun", MAVLinkController.RUN_ID),
             Map.entry("stopRun", MAVLinkController.RUN_ID),
             Map.entry("createVirtualDrone", "name"),
             Map.entry("startVirtualDrone", MAVLinkController.VIRTUAL_ID),

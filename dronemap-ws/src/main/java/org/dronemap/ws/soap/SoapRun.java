@@ -8,7 +8,7 @@ import java.util.List;
 import org.dronemap.ws.service.RunView;
 import org.jspecify.annotations.Nullable;
 
-/** A mission run as it stands; {@code state}: running, stopping or over. */
+/** A mission run as it stands; {@code state}: running, paused, stopping or over. */
 @SuppressWarnings("UnusedVariable") // JAXB reads the fields
 @XmlAccessorType(XmlAccessType.FIELD)
 @XmlType(

@@ -44,6 +44,14 @@ public final class SoapRuns {
         return SoapRun.of(runs.answer(caller.principal(), id, number, new RunRequest.AnswerRequest(accept)));
     }
 
+    SoapRun pause(String id) {
+        return SoapRun.of(runs.pause(caller.principal(), id));
+    }
+
+    SoapRun goOn(String id) {
+        return SoapRun.of(runs.goOn(caller.principal(), id));
+    }
+
     SoapRun stop(String id) {
         return SoapRun.of(runs.stop(caller.principal(), id));
     }

@@ -81,7 +81,8 @@ public final class Faces {
         return switch (operation) {
             case "getCommand" -> "commandId";
             case "getPlan", "acceptPlan", "stopPlan", "cancelPlan", "startRun" -> "planId";
-            case "getRun", "addRunWaypoint", "resumeRunDrone", "answerRun", "stopRun" -> "runId";
+            case "getRun", "addRunWaypoint", "resumeRunDrone", "answerRun", "pauseRun", "continueRun", "stopRun" ->
+                "runId";
             case "getFlight" -> "flightId";
             case "createVirtualDrone" -> "name";
             case "getVirtualDrone",

@@ -5,7 +5,11 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Power;
+import org.dronemap.cognitive.problem.Speeds;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodesy;
 import org.jspecify.annotations.Nullable;
 
 /** Whether a drone in the air still flies, moves on, keeps to its path and can finish with its charge. */
@@ -183,12 +187,9 @@ final class Condition {
         }
         Double left = remaining(drone, look);
         double reserve = drone.craft().supply().reserveJoules();
-        if (left != null && left - Pausing.joulesHome(drone, place) < TOUCHED * reserve) {
-            // No plan could be made for it that brings it home.
-            String words = "The battery of " + drone.name() + " (" + look.batteryPercent()
-                    + " %) lasts for its way home at most; it is called home.";
-            Faults.callHome(draft, drone, Trigger.LOW_BATTERY, words);
-        } else if (left != null && left - Legs.joulesToGo(sortie, drone.passed(), place) < TOUCHED * reserve) {
+        // Else no plan could be made for it that brings it home.
+        boolean lasts = lasts(draft, drone, look);
+        if (lasts && left != null && left - Legs.joulesToGo(sortie, drone.passed(), place) < TOUCHED * reserve) {
             once(
                     draft,
                     drone,
@@ -196,6 +197,33 @@ final class Condition {
                     "The battery of " + drone.name() + " (" + look.batteryPercent()
                             + " %) does not last for its waypoints.");
         }
+    }
+
+    /** False: it has just been called home, while its charge lasts for that. */
+    static boolean lasts(Draft draft, RunDrone drone, Look look) {
+        Double left = remaining(drone, look);
+        Place place = look.place();
+        double least = TOUCHED * drone.craft().supply().reserveJoules();
+        if (left == null || place == null || left - joulesHome(drone, place) >= least) {
+            return true;
+        }
+        String words = "The battery of " + drone.name() + " (" + look.batteryPercent()
+                + " %) lasts for its way home at most; it is called home.";
+        Faults.callHome(draft, drone, Trigger.LOW_BATTERY, words);
+        return false;
+    }
+
+    /** Up to its layer, home and down. */
+    static double joulesHome(RunDrone drone, Place place) {
+        Speeds speeds = drone.craft().performance().speeds();
+        Power power = drone.craft().performance().power();
+        Place home = drone.craft().finish().place();
+        ReturnHeight set = drone.signs().homeward();
+        double above = place.altitudeAmslMeters() - home.altitudeAmslMeters();
+        double top = set == null ? above : Math.max(above, set.meters());
+        return (top - above) / speeds.climb() * power.climb()
+                + Geodesy.distanceMeters(place.point(), home.point()) / speeds.cruise() * power.cruise()
+                + top / speeds.descent() * power.hover();
     }
 
     /** In J, by what its battery tells; null: not known, or without a limit. */

@@ -3,18 +3,10 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Duration;
 import java.time.Instant;
 import org.dronemap.cognitive.operation.run.RunDrone.Errand;
-import org.dronemap.cognitive.problem.Place;
-import org.dronemap.cognitive.problem.Power;
-import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.drone.ReturnHeight;
-import org.dronemap.core.geo.Geodesy;
 
 /** All wait until somebody lets them go on: in the air they hold, on the ground they stay; who comes down comes down. */
 final class Pausing {
-    /** Of the reserve that must be left at home. */
-    private static final double TOUCHED = 0.6;
-
     private Pausing() {}
 
     static void wish(Draft draft, RunInput.Wish wish) {
@@ -91,38 +83,9 @@ final class Pausing {
     private static boolean holds(Draft draft, RunDrone drone, Look look) {
         if (look.isOnMission()) {
             Steps.pause(draft, drone.to(DroneStage.HOLDING, draft.now()));
-        } else if (mustGoHome(drone, look)) {
-            Faults.callHome(
-                    draft,
-                    drone,
-                    Trigger.LOW_BATTERY,
-                    "The battery of " + drone.name() + " (" + look.batteryPercent()
-                            + " %) does not last for waiting any longer; it is called home.");
         } else if (drone.stage() != DroneStage.HOLDING) {
             draft.put(drone.to(DroneStage.HOLDING, draft.now()));
         }
         return true;
-    }
-
-    private static boolean mustGoHome(RunDrone drone, Look look) {
-        Double left = Condition.remaining(drone, look);
-        Place place = look.place();
-        return left != null
-                && place != null
-                && left - joulesHome(drone, place)
-                        < TOUCHED * drone.craft().supply().reserveJoules();
-    }
-
-    /** Up to its layer, home and down. */
-    static double joulesHome(RunDrone drone, Place place) {
-        Speeds speeds = drone.craft().performance().speeds();
-        Power power = drone.craft().performance().power();
-        Place home = drone.craft().finish().place();
-        ReturnHeight set = drone.signs().homeward();
-        double above = place.altitudeAmslMeters() - home.altitudeAmslMeters();
-        double top = set == null ? above : Math.max(above, set.meters());
-        return (top - above) / speeds.climb() * power.climb()
-                + Geodesy.distanceMeters(place.point(), home.point()) / speeds.cruise() * power.cruise()
-                + top / speeds.descent() * power.hover();
     }
 }

@@ -112,7 +112,7 @@ final class Planning {
         Problem problem = new Problem(
                 open,
                 crafts,
-                setting.barriers(),
+                Obstacles.barriers(draft, looks, crafts),
                 setting.wind(),
                 setting.objective().leavingDrones(),
                 setting.rules());

@@ -14,6 +14,7 @@ final class Watch {
 
     static void look(Draft draft, Look look) {
         learn(draft, look);
+        Obstacles.look(draft, look);
         RunDrone drone = draft.drone(look.drone());
         if (drone.stage().compareTo(DroneStage.RETURNING) <= 0 && isTaken(draft, drone, look)) {
             suspend(draft, drone, look);
@@ -131,6 +132,8 @@ final class Watch {
             return;
         } else if (draft.drone(drone.id()).stage() == DroneStage.FLYING) {
             Condition.check(draft, draft.drone(drone.id()), look);
+        } else {
+            Condition.lasts(draft, draft.drone(drone.id()), look);
         }
     }
 

@@ -25,6 +25,14 @@ class PausingTest {
         fleet.wish(new RunInput.GoOn(fleet.now, "Ann"));
     }
 
+    /** All are apart all along, and every waypoint is visited. */
+    private static void goesOnToTheEnd(TestFleet fleet) {
+        goOn(fleet);
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+    }
+
     private static List<Double> places(TestFleet fleet) {
         List<Double> places = new ArrayList<>();
         fleet.vehicles
@@ -43,10 +51,7 @@ class PausingTest {
         fleet.fly(300);
 
         assertThat(places(fleet)).as("%s", fleet.said).isEqualTo(held);
-        goOn(fleet);
-        fleet.flyToTheEnd();
-        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
-        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+        goesOnToTheEnd(fleet);
     }
 
     @Test
@@ -57,9 +62,7 @@ class PausingTest {
         fleet.fly(120);
 
         assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.armed);
-        goOn(fleet);
-        fleet.flyToTheEnd();
-        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+        goesOnToTheEnd(fleet);
     }
 
     @ParameterizedTest
@@ -69,11 +72,7 @@ class PausingTest {
         fleet.fly(seconds);
         pause(fleet);
         fleet.fly(60);
-        goOn(fleet);
-        fleet.flyToTheEnd();
-
-        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
-        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+        goesOnToTheEnd(fleet);
     }
 
     @Test
@@ -86,9 +85,7 @@ class PausingTest {
 
         assertThat(fleet.state.clock().pausedSince()).isNotNull();
         assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.mode.equals("AUTO"));
-        goOn(fleet);
-        fleet.flyToTheEnd();
-        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+        goesOnToTheEnd(fleet);
     }
 
     @Test
@@ -101,9 +98,7 @@ class PausingTest {
 
         assertThat(fleet.state.request()).isNull();
         assertThat(fleet.vehicles.values()).noneMatch(vehicle -> vehicle.mode.equals("AUTO") && !vehicle.fallen);
-        goOn(fleet);
-        fleet.flyToTheEnd();
-        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(24);
+        goesOnToTheEnd(fleet);
     }
 
     @Test
