@@ -73,12 +73,27 @@ missing_packages() { # [for-tests]
     if compgen -G "$ROOT/php-*/composer.json" >/dev/null; then
         command -v phpunit >/dev/null || printf '%s\n' php-cli php-soap phpunit
     fi
+    missing_ros
 }
 
+# ROS 1, for the bridge's tests, where the system has it; elsewhere they are skipped. It is for the system's own Python.
+missing_ros() {
+    if [[ -x /usr/bin/roscore ]] && /usr/bin/python3 -c 'import rospy, nav_msgs.msg, sensor_msgs.msg' 2>/dev/null; then return; fi
+    if ! offers ros-core; then return; fi
+    printf '%s\n' ros-core python3-rospy python3-{actionlib,geometry,nav,sensor}-msgs
+}
+
+# As far as the package lists on this machine tell.
+offers() { [[ -n $(apt-cache madison "$1" 2>/dev/null) ]]; } # PACKAGE
+
 install_missing() { # [for-tests]
-    local missing
-    mapfile -t missing < <(missing_packages "${1:-}" | sort -u)
-    if ((${#missing[@]} > 0)); then install_packages "${missing[@]}"; fi
+    local missing round
+    # What the system offers may only be known after the first.
+    for round in 1 2; do
+        mapfile -t missing < <(missing_packages "${1:-}" | sort -u)
+        if ((${#missing[@]} == 0)); then break; fi
+        install_packages "${missing[@]}"
+    done
     find_java || fail "$EXIT_RIGHTS" "No JDK from 17 on was found. Install one and set JAVA_HOME to its folder."
     export JAVA_HOME=$JDK
     provide_node
@@ -107,9 +122,9 @@ install_packages() { # PACKAGE…
 }
 
 jdk_package() {
-    if [[ -n $(apt-cache madison openjdk-17-jdk-headless 2>/dev/null) ]]; then
+    if offers openjdk-17-jdk-headless; then
         echo openjdk-17-jdk-headless
-    elif [[ -n $(apt-cache madison default-jdk-headless 2>/dev/null) ]]; then
+    elif offers default-jdk-headless; then
         echo default-jdk-headless
     else
         echo no-jdk-known

@@ -164,7 +164,7 @@ final class RobotTelemetry {
 
     /** Null when nothing of it was measured: a robot without a battery sends zeros, or nothing. */
     private static @Nullable Battery battery(RobotMessage.Status status) {
-        Double volts = positive(status.batteryVoltage());
+        Double volts = volts(status.batteryVoltage());
         Double remaining = status.batteryRemaining();
         Integer percent = null;
         if (remaining != null && remaining <= MOST_PERCENT && (remaining > 0 || (remaining == 0 && volts != null))) {
@@ -173,11 +173,15 @@ final class RobotTelemetry {
         if (volts == null && percent == null) {
             return null;
         }
-        return new Battery(percent, volts != null && volts >= MILLIVOLTS_FROM ? volts / 1_000 : volts, null);
+        return new Battery(percent, volts, null);
     }
 
-    private static @Nullable Double positive(@Nullable Double value) {
-        return value == null || value <= 0 ? null : value;
+    /** Some bridges say millivolts. */
+    private static @Nullable Double volts(@Nullable Double said) {
+        if (said == null || said <= 0) {
+            return null;
+        }
+        return said >= MILLIVOLTS_FROM ? said / 1_000 : said;
     }
 
     private void motion(RobotMessage.Motion motion) {

@@ -93,6 +93,13 @@ class RobotTelemetryTest {
     }
 
     @Test
+    void tellsPerCentWhereABridgeKnowsNothingElse() {
+        robot(RobotType.TURTLEBOT).heard(new RobotMessage.Status(null, null, null, 83.0));
+
+        assertThat(news).containsExactly(new DroneEvent.BatteryHeard(new Battery(83, null, null)));
+    }
+
+    @Test
     void tellsNoPlaceWhereTheReceiverHasNone() {
         RobotTelemetry robot = robot(RobotType.GAPTER);
         robot.heard(new RobotMessage.Satellites(0, 0.0, 0.0, 0.0, null));

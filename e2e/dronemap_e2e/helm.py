@@ -1,0 +1,47 @@
+"""Whoever holds a stick."""
+
+import json
+import threading
+
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+
+from .server import Server
+
+
+class Helm:
+    """Steers as the page does, ten times a second; once cut, it says nothing and closes nothing."""
+
+    def __init__(self, server: Server, key: str, drone: str, forward: float = 0.4) -> None:
+        headers = {"Authorization": f"Bearer {key}"}
+        self._stream: ClientConnection = connect(server.stream_address, additional_headers=headers)
+        self._setpoint = json.dumps({"type": "steer", "drone": drone, "velocity": {"forward": forward}})
+        self._cut = threading.Event()
+        self._thread = threading.Thread(target=self._steer, daemon=True)
+        self._thread.start()
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self) -> None:
+        """Without a reader the stream is called too slow and closed."""
+        try:
+            for _ in self._stream:
+                pass
+        except (ConnectionClosed, OSError):
+            return
+
+    def _steer(self) -> None:
+        while not self._cut.wait(0.1):
+            self._stream.send(self._setpoint)
+
+    def cut(self) -> None:
+        self._cut.set()
+        self._thread.join()
+
+    def kill(self) -> None:
+        """As an operating system ends a program: its connection breaks without a word."""
+        self.cut()
+        self._stream.socket.close()
+
+    def close(self) -> None:
+        self.cut()
+        self._stream.close()

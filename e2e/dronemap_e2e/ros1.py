@@ -1,0 +1,104 @@
+"""ROS 1 of this machine, as Debian packages it: a core, a robot, and the bridge, each a process."""
+
+import json
+import signal
+import subprocess
+import threading
+from pathlib import Path
+from typing import IO, Any
+
+from .ports import free_port
+from .server import ROOT, Server
+
+Json = dict[str, Any]
+Process = subprocess.Popen[str]
+
+# Debian's packages are for Debian's own Python, whichever runs the tests.
+PYTHON = "/usr/bin/python3"
+CORE = "/usr/bin/roscore"
+NEEDED = "import rospy, actionlib_msgs.msg, geometry_msgs.msg, nav_msgs.msg, sensor_msgs.msg"
+END_SECONDS = 15
+
+
+def is_installed() -> bool:
+    return (
+        Path(CORE).exists()
+        and subprocess.run([PYTHON, "-c", NEEDED], capture_output=True, check=False).returncode == 0
+    )
+
+
+class Ros:
+    """A core of its own on the loopback interface, and what is started beside it."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._processes: list[Process] = []
+        port = free_port()
+        self._environment = {
+            "PATH": "/usr/bin:/bin",
+            "HOME": str(folder),
+            "LANG": "C.UTF-8",
+            "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
+            "ROS_IP": "127.0.0.1",
+            "ROS_HOME": str(folder),
+            "PYTHONPATH": str(ROOT / "ros-bridge"),
+        }
+        # Nodes wait for it by themselves.
+        self._start("core", CORE, "-p", str(port))
+
+    def machine(self, picture: Path) -> "Machine":
+        program = ROOT / "e2e" / "dronemap_e2e" / "ros1_machine.py"
+        return Machine(self._start("machine", str(program), str(picture), heard=True))
+
+    def bridge(self, server: Server, system_id: int, key: str) -> Process:
+        return self._start(
+            f"bridge-{system_id}",
+            *("-m", "roslink_bridge", "127.0.0.1", "--port", str(server.robot_udp_port), "--ros", "1"),
+            *("--system-id", str(system_id), "--key", key, "--name", "A robot of ROS"),
+        )
+
+    def _start(self, name: str, *arguments: str, heard: bool = False) -> Process:
+        with (self._folder / f"{name}.log").open("w") as log:
+            process = subprocess.Popen(
+                [PYTHON, *arguments],
+                env=self._environment,
+                stdout=subprocess.PIPE if heard else log,
+                stderr=log,
+                text=True,
+            )
+        self._processes.append(process)
+        return process
+
+    def stop(self) -> None:
+        """The core last; at this signal it ends its own children."""
+        for process in reversed(self._processes):
+            process.send_signal(signal.SIGINT)
+            try:
+                process.wait(END_SECONDS)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+
+class Machine:
+    """What the robot was told, in its own words."""
+
+    def __init__(self, process: Process) -> None:
+        self._heard: list[Json] = []
+        assert process.stdout
+        threading.Thread(target=self._listen, args=(process.stdout,), daemon=True).start()
+
+    def _listen(self, lines: IO[str]) -> None:
+        for line in lines:
+            # Between them stand rospy's own remarks.
+            if line.startswith("{"):
+                self._heard.append(json.loads(line))
+
+    def told(self, what: str) -> list[Json]:
+        return [one for one in list(self._heard) if one["what"] == what]
+
+    @property
+    def forward(self) -> float | None:
+        """m/s that it was told last; None before the first."""
+        speeds = self.told("cmd_vel")
+        return float(speeds[-1]["forward"]) if speeds else None
