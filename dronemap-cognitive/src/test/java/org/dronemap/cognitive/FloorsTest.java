@@ -56,9 +56,17 @@ class FloorsTest {
             .resideInAnyPackage(
                     "org.dronemap.cognitive..", "org.dronemap.core..", "java..", "org.jspecify..", "org.slf4j..");
 
+    private static final ArchRule FOLLOWING_LEANS_ON_GEOMETRY = classes()
+            .that()
+            .resideInAPackage(ROOM + "follow..")
+            .should()
+            .onlyDependOnClassesThat()
+            .resideInAnyPackage(ROOM + "follow..", "org.dronemap.core.geo..", "java..", "org.jspecify..");
+
     @Test
     void usesOnlyTheRoomsBelow() {
         FLOORS.check(PLANNING);
+        FOLLOWING_LEANS_ON_GEOMETRY.check(PLANNING);
         CORE_ONLY.check(PLANNING);
     }
 
@@ -68,6 +76,6 @@ class FloorsTest {
                 .map(type -> type.getPackageName().replace(ROOM, ""))
                 .distinct()
                 .toList();
-        assertThat(rooms).contains("problem", "plan", "cost", "operation.run");
+        assertThat(rooms).contains("problem", "plan", "cost", "follow", "operation.run");
     }
 }

@@ -3,15 +3,20 @@ package org.dronemap.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.dronemap.mavlink.message.ManualControl;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.physics.Body;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.Position;
 import org.junit.jupiter.api.Test;
 
-/** An ArduCopter that is steered by speeds in GUIDED, and by a ground station's sticks in LOITER. */
+/** An ArduCopter that is steered by speeds and led by places in GUIDED, and by a ground station's sticks in LOITER. */
 class SteeredCopterTest {
     private static final int LOITER = 5;
     private static final int NORTH_FRAME = 1;
     private static final int NOSE_FRAME = 8;
+    private static final int RELATIVE_FRAME = 6;
+    private static final int PLACE_AND_SPEED = 0xDC0;
     private static final int SPEEDS = 0xDC7;
     private static final int SPEEDS_AND_TURN = 0x5C7;
 
@@ -74,6 +79,41 @@ class SteeredCopterTest {
         double north = body.position().north();
         bench.run(5);
         assertThat(body.position().north()).isBetween(north - 1, north + 1);
+    }
+
+    @Test
+    void keepsUpWithAPlaceThatMovesAndStaysWhereItWasThreeSecondsAfterTheLast() {
+        double north = body.position().north();
+        for (int second = 0; second < 20; second++) {
+            lead(north + 4 * second, 4);
+            bench.run(1);
+        }
+        assertThat(body.position().north()).isBetween(north + 79, north + 81);
+        bench.run(12);
+        assertThat(body.groundSpeed()).isLessThan(0.3);
+        assertThat(body.position().north()).isBetween(north + 87, north + 89);
+    }
+
+    private void lead(double north, float speed) {
+        LocalFrame home = bench.vehicle.craft().home();
+        Position place = new Position(north, body.position().east(), 20);
+        bench.send(new SetPositionTargetGlobalInt(
+                0,
+                1,
+                1,
+                RELATIVE_FRAME,
+                PLACE_AND_SPEED,
+                (int) Math.round(home.latitudeOf(place) * 1e7),
+                (int) Math.round(home.longitudeOf(place) * 1e7),
+                20,
+                speed,
+                0,
+                0,
+                0,
+                0,
+                0,
+                0,
+                0));
     }
 
     private void drive(int frame, int mask, float forward, float right, float turn) {

@@ -30,21 +30,9 @@ public final class Body {
 
     public void step(Setpoint setpoint, Wind wind, double seconds) {
         if (setpoint instanceof Setpoint.Reach reach) {
-            double distance =
-                    Math.hypot(reach.target().north() - north, reach.target().east() - east);
-            double speed = Math.min(reach.horizontalSpeed(), approach(distance, airframe.horizontalDeceleration()));
-            double share = distance > 1e-9 ? speed / distance : 0;
-            double rise = reach.target().up() - up;
-            double vertical = approach(Math.abs(rise), airframe.verticalAcceleration());
-            double wantedUp =
-                    rise > 0 ? Math.min(vertical, reach.climbSpeed()) : -Math.min(vertical, reach.sinkSpeed());
-            powered(
-                    (reach.target().north() - north) * share,
-                    (reach.target().east() - east) * share,
-                    wantedUp,
-                    wind,
-                    seconds);
-            turn(reach.yaw(), seconds);
+            reach(reach, 0, 0, 0, wind, seconds);
+        } else if (setpoint instanceof Setpoint.Chase chase) {
+            reach(chase.place(), chase.north(), chase.east(), chase.up(), wind, seconds);
         } else if (setpoint instanceof Setpoint.Velocity velocity) {
             powered(velocity.north(), velocity.east(), velocity.up(), wind, seconds);
             turn(velocity.yaw(), seconds);
@@ -52,6 +40,25 @@ public final class Body {
             unpowered(seconds);
         }
         meetGround();
+    }
+
+    /** Comes up to a place that moves with that velocity. */
+    private void reach(
+            Setpoint.Reach reach, double movingNorth, double movingEast, double movingUp, Wind wind, double seconds) {
+        double distance =
+                Math.hypot(reach.target().north() - north, reach.target().east() - east);
+        double speed = Math.min(reach.horizontalSpeed(), approach(distance, airframe.horizontalDeceleration()));
+        double share = distance > 1e-9 ? speed / distance : 0;
+        double rise = reach.target().up() - up;
+        double vertical = approach(Math.abs(rise), airframe.verticalAcceleration());
+        double wantedUp = rise > 0 ? Math.min(vertical, reach.climbSpeed()) : -Math.min(vertical, reach.sinkSpeed());
+        powered(
+                movingNorth + (reach.target().north() - north) * share,
+                movingEast + (reach.target().east() - east) * share,
+                movingUp + wantedUp,
+                wind,
+                seconds);
+        turn(reach.yaw(), seconds);
     }
 
     /** Speed from which a constant deceleration still stops in time; soft close to the target. */

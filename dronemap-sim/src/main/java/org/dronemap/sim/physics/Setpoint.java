@@ -15,4 +15,7 @@ public sealed interface Setpoint {
 
     /** Fly with a velocity in m/s. */
     record Velocity(double north, double east, double up, double yaw) implements Setpoint {}
+
+    /** Be at a place that moves with a velocity in m/s, and come up to it with the speeds of {@code place}. */
+    record Chase(Reach place, double north, double east, double up) implements Setpoint {}
 }

@@ -14,6 +14,7 @@ import org.dronemap.sim.flight.Manoeuvre;
 import org.dronemap.sim.flight.MissionFlight;
 import org.dronemap.sim.flight.MissionItem;
 import org.dronemap.sim.flight.Parameters;
+import org.dronemap.sim.flight.Pursuit;
 import org.dronemap.sim.flight.ReturnHome;
 import org.dronemap.sim.flight.TakeOff;
 import org.dronemap.sim.physics.Position;
@@ -181,12 +182,21 @@ final class CopterFlight {
     }
 
     void goTo(Position target, double yaw) {
+        steerByPosition();
+        manoeuvre = new GoTo(target, cruise, yaw);
+    }
+
+    /** Follows a place that moves. */
+    void pursue(Pursuit.Moving place, double yaw) {
+        steerByPosition();
+        manoeuvre = new Pursuit(place, cruise, yaw);
+    }
+
+    /** It begins with the speeds of the parameters: what was asked for during the take-off is lost. */
+    private void steerByPosition() {
         if (manoeuvre instanceof TakeOff) {
-            // Steering by position begins with the speeds of the parameters: what was asked for during the take-off is
-            // lost.
             readSpeeds();
         }
-        manoeuvre = new GoTo(target, cruise, yaw);
     }
 
     void follow(Manoeuvre other) {

@@ -8,6 +8,7 @@ import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Cruise;
 import org.dronemap.sim.flight.Drive;
 import org.dronemap.sim.flight.GoTo;
+import org.dronemap.sim.flight.Pursuit;
 import org.dronemap.sim.flight.Severity;
 import org.dronemap.sim.flight.TurnOnSpot;
 import org.dronemap.sim.personality.Cmd;
@@ -212,7 +213,12 @@ final class CopterOrders {
         if ((target.typeMask() & IGNORE_POSITION) == 0) {
             boolean amsl = target.coordinateFrame() == 0 || target.coordinateFrame() == 5;
             double above = amsl ? target.alt() - craft.home().altitudeAmsl() : target.alt();
-            goTo(craft.locate(target.latInt() / 1e7, target.lonInt() / 1e7, above), yaw);
+            Position place = craft.locate(target.latInt() / 1e7, target.lonInt() / 1e7, above);
+            if ((target.typeMask() & IGNORE_VELOCITY) == 0) {
+                flight.pursue(new Pursuit.Moving(place, target.vx(), target.vy(), -target.vz()), yaw);
+            } else {
+                goTo(place, yaw);
+            }
         } else if ((target.typeMask() & IGNORE_VELOCITY) == 0) {
             drive(new Drive.Wanted(false, target.vx(), target.vy(), -target.vz(), yaw, 0));
         }

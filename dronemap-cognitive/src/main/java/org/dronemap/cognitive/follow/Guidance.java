@@ -1,0 +1,185 @@
+package org.dronemap.cognitive.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Leads one drone beside its target. A carrot runs ahead of the drone as the drone itself could fly: it begins where the drone
+ * is, keeps to speeds and fences, and comes up to where the drone has to be when it hears of it; the drone is told to be where
+ * the carrot is, and to move with it. Owned by one thread.
+ */
+public final class Guidance {
+    /** So long after the newest fix came the drone goes on; then it holds. */
+    public static final Duration PATIENCE = Duration.ofSeconds(2);
+    /** Whoever hears nothing more goes on as it was told for so long, and then stands. */
+    private static final double DEAF_SECONDS = 3;
+
+    private static final double ACCELERATION = 2.3;
+    private static final double BRAKING = 1.3;
+    private static final double GAIN = 1.2;
+    private static final double CLIMB = 2;
+    private static final double SINK = 1.2;
+    private static final double LEASH_METERS = 8;
+    private static final double LOW_METERS = 1;
+    private static final double LONGEST_STEP = 1;
+    private static final double NANOS = 1e9;
+
+    private final LocalPlane plane;
+    private final Stance stance;
+    private @Nullable Carrot carrot;
+    private @Nullable Instant before;
+    private double heading;
+
+    /** How much time passes, and what is to be kept to meanwhile. */
+    private record Step(double seconds, Limits limits, Room room) {}
+
+    /** Where the drone shall be, in metres of the plane, and how it shall move, in m/s. */
+    private record Carrot(Spot spot, double eastward, double northward, double up, double upward) {}
+
+    /** {@code target}: whoever is followed; its filter may be told of fixes meanwhile. */
+    public Guidance(Followed target) {
+        plane = target.plane();
+        stance = new Stance(target);
+    }
+
+    /** Begins anew from where the drone is, as when somebody else flew it meanwhile. */
+    public void letGo() {
+        carrot = null;
+        before = null;
+    }
+
+    /**
+     * Where the drone shall be.
+     *
+     * @param heard when the newest fix of the target came; null: none did
+     */
+    public Aim lead(
+            Instant now, StandOff standOff, Limits limits, Room room, Whereabouts drone, @Nullable Instant heard) {
+        double seconds = before == null ? 0 : Math.min(LONGEST_STEP, seconds(before, now));
+        before = now;
+        Instant there = now.plusNanos((long) (limits.downlinkSeconds() * NANOS));
+        Carrot from = leashed(carrot == null ? begun(drone) : carrot, drone, there);
+        Stance.Wanted wanted = stance.at(there, standOff, seconds);
+        Step step = new Step(seconds, limits, room);
+        Carrot next;
+        Aim.Doing doing;
+        if (wanted == null || heard == null || Duration.between(heard, now).compareTo(PATIENCE) > 0) {
+            doing = Aim.Doing.HOLDING;
+            next = moved(from, 0, 0, step);
+        } else if (drone.altitudeAmslMeters() < limits.lowestAmslMeters() - LOW_METERS) {
+            doing = Aim.Doing.CLIMBING;
+            next = moved(from, 0, 0, step);
+        } else {
+            Spot free = room.nearest(wanted.spot());
+            double share = room.clearShare(from.spot(), free);
+            boolean fenced = share < 1 || free.distanceMeters(wanted.spot()) > LOW_METERS;
+            doing = fenced ? Aim.Doing.FENCED : Aim.Doing.FOLLOWING;
+            next = chase(from, wanted, at(from.spot(), free, share), fenced, step);
+        }
+        next = levelled(next, standOff, seconds, limits);
+        carrot = next;
+        look(wanted, next);
+        return aim(next, doing);
+    }
+
+    private Aim aim(Carrot next, Aim.Doing doing) {
+        return new Aim(
+                plane.place(next.spot()), next.up(), next.eastward(), next.northward(), next.upward(), heading, doing);
+    }
+
+    private Carrot begun(Whereabouts drone) {
+        return new Carrot(
+                plane.spot(drone.point()), drone.eastward(), drone.northward(), drone.altitudeAmslMeters(), 0);
+    }
+
+    /** The drone may be blown away, or be slower than it should: then the carrot waits for it. */
+    private Carrot leashed(Carrot from, Whereabouts drone, Instant there) {
+        double late = Math.max(0, Math.min(2, seconds(drone.at(), there)));
+        Spot last = plane.spot(drone.point());
+        Spot expected =
+                new Spot(last.eastMeters() + drone.eastward() * late, last.northMeters() + drone.northward() * late);
+        double apart = expected.distanceMeters(from.spot());
+        return apart <= LEASH_METERS
+                ? from
+                : new Carrot(
+                        at(expected, from.spot(), LEASH_METERS / apart),
+                        from.eastward(),
+                        from.northward(),
+                        from.up(),
+                        from.upward());
+    }
+
+    private static Spot at(Spot from, Spot to, double share) {
+        return new Spot(
+                from.eastMeters() + (to.eastMeters() - from.eastMeters()) * share,
+                from.northMeters() + (to.northMeters() - from.northMeters()) * share);
+    }
+
+    private static Carrot chase(Carrot from, Stance.Wanted wanted, Spot to, boolean fenced, Step step) {
+        double share = fenced ? 0 : 1;
+        // Where it comes by going along with the target: the rest is to be made up.
+        double east = to.eastMeters() - from.spot().eastMeters() - wanted.eastward() * share * step.seconds();
+        double north = to.northMeters() - from.spot().northMeters() - wanted.northward() * share * step.seconds();
+        double apart = Math.hypot(east, north);
+        double closing = apart == 0 ? 0 : approach(apart) / apart;
+        return moved(
+                from, wanted.eastward() * share + east * closing, wanted.northward() * share + north * closing, step);
+    }
+
+    /** The speed from which it still stops in time. */
+    private static double approach(double meters) {
+        double linear = BRAKING / (GAIN * GAIN);
+        return meters <= linear ? meters * GAIN : Math.sqrt(2 * BRAKING * (meters - linear / 2));
+    }
+
+    /** Towards these speeds, as fast as may be. */
+    private static Carrot moved(Carrot from, double eastward, double northward, Step step) {
+        double faster =
+                Math.max(1, Math.hypot(eastward, northward) / step.limits().speed());
+        double moreEast = eastward / faster - from.eastward();
+        double moreNorth = northward / faster - from.northward();
+        double change = Math.hypot(moreEast, moreNorth);
+        double share = change == 0 ? 0 : Math.min(1, ACCELERATION * step.seconds() / change);
+        double east = from.eastward() + moreEast * share;
+        double north = from.northward() + moreNorth * share;
+        // Whoever hears no more must not come past a fence.
+        Spot deaf = new Spot(
+                from.spot().eastMeters() + east * DEAF_SECONDS, from.spot().northMeters() + north * DEAF_SECONDS);
+        double free = step.room().clearShare(from.spot(), deaf);
+        return new Carrot(
+                new Spot(
+                        from.spot().eastMeters() + east * free * step.seconds(),
+                        from.spot().northMeters() + north * free * step.seconds()),
+                east * free,
+                north * free,
+                from.up(),
+                from.upward());
+    }
+
+    private static Carrot levelled(Carrot from, StandOff standOff, double seconds, Limits limits) {
+        double wanted = Math.max(
+                limits.lowestAmslMeters(), Math.min(limits.highestAmslMeters(), standOff.altitudeAmslMeters()));
+        double rise = wanted - from.up();
+        double upward = seconds == 0 ? 0 : Math.max(-SINK, Math.min(CLIMB, rise / Math.max(1, seconds)));
+        return new Carrot(from.spot(), from.eastward(), from.northward(), from.up() + upward * seconds, upward);
+    }
+
+    private void look(Stance.@Nullable Wanted wanted, Carrot now) {
+        if (wanted == null) {
+            return;
+        }
+        double east = wanted.target().eastMeters() - now.spot().eastMeters();
+        double north = wanted.target().northMeters() - now.spot().northMeters();
+        // Right above it there is nowhere to turn to.
+        if (Math.hypot(east, north) > LOW_METERS) {
+            heading = (Math.toDegrees(Math.atan2(east, north)) + 360) % 360;
+        }
+    }
+
+    private static double seconds(Instant from, Instant to) {
+        return Duration.between(from, to).toNanos() / NANOS;
+    }
+}

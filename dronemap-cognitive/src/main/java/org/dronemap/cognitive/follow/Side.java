@@ -1,0 +1,31 @@
+package org.dronemap.cognitive.follow;
+
+/** On which side of its target a drone stays. */
+public sealed interface Side {
+    /** Where the target comes from. */
+    record Behind() implements Side {}
+
+    /** Where the target goes. */
+    record Ahead() implements Side {}
+
+    /** Always in the same direction, degrees clockwise from north. */
+    record Fixed(double bearingDegrees) implements Side {
+        public Fixed {
+            if (!(Math.abs(bearingDegrees) <= 360)) {
+                throw new IllegalArgumentException("a bearing is -360 to 360 degrees: " + bearingDegrees);
+            }
+        }
+    }
+
+    /** Round and round, degrees a second clockwise seen from above; negative: the other way. */
+    record Orbit(double degreesPerSecond) implements Side {
+        private static final double FASTEST = 30;
+
+        public Orbit {
+            if (!(Math.abs(degreesPerSecond) <= FASTEST) || degreesPerSecond == 0) {
+                throw new IllegalArgumentException(
+                        "an orbit turns 30 degrees a second at most, and not 0: " + degreesPerSecond);
+            }
+        }
+    }
+}

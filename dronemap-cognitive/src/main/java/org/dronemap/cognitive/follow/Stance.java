@@ -1,0 +1,74 @@
+package org.dronemap.cognitive.follow;
+
+import java.time.Instant;
+import org.dronemap.core.geo.Spot;
+import org.jspecify.annotations.Nullable;
+
+/** Where a drone has to be beside a target that moves. Owned by its {@link Guidance}. */
+final class Stance {
+    /** A course that is slower than this is none. */
+    private static final double WALKS = 0.6;
+    /** Round its target it flies no faster, m/s. */
+    private static final double SWING = 2.5;
+
+    private static final double SWING_GAIN = 0.8;
+
+    private final Followed filter;
+    /** Radians clockwise from north, from the target to the drone; NaN: not begun. */
+    private double bearing = Double.NaN;
+
+    /** Where the target and the drone have to be, and how the drone has to move, in m/s. */
+    record Wanted(Spot target, Spot spot, double eastward, double northward) {}
+
+    Stance(Followed filter) {
+        this.filter = filter;
+    }
+
+    /** {@code seconds}: since it was asked before. */
+    @Nullable
+    Wanted at(Instant time, StandOff standOff, double seconds) {
+        Motion target = filter.at(time);
+        if (target == null) {
+            return null;
+        }
+        double swing = swing(standOff, target);
+        bearing += swing * seconds;
+        double distance = standOff.distanceMeters();
+        double east = distance * Math.sin(bearing);
+        double north = distance * Math.cos(bearing);
+        return new Wanted(
+                target.spot(),
+                new Spot(target.east() + east, target.north() + north),
+                target.eastward() + north * swing,
+                target.northward() - east * swing);
+    }
+
+    /** Radians a second, clockwise. */
+    private double swing(StandOff standOff, Motion target) {
+        Side side = standOff.side();
+        if (side instanceof Side.Orbit orbit) {
+            if (Double.isNaN(bearing)) {
+                bearing = 0;
+            }
+            return Math.toRadians(orbit.degreesPerSecond());
+        }
+        double wanted = wanted(side, target);
+        if (Double.isNaN(bearing)) {
+            bearing = wanted;
+        }
+        double off = Math.IEEEremainder(wanted - bearing, 2 * Math.PI);
+        double most = SWING / Math.max(1, standOff.distanceMeters());
+        return Math.max(-most, Math.min(most, off * SWING_GAIN));
+    }
+
+    private double wanted(Side side, Motion target) {
+        if (side instanceof Side.Fixed fixed) {
+            return Math.toRadians(fixed.bearingDegrees());
+        }
+        if (target.speed() < WALKS) {
+            return Double.isNaN(bearing) ? 0 : bearing;
+        }
+        double course = Math.atan2(target.eastward(), target.northward());
+        return side instanceof Side.Ahead ? course : course + Math.PI;
+    }
+}

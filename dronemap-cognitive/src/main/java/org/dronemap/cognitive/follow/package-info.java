@@ -1,0 +1,5 @@
+/** Following something that moves: where it is and will be, and where a drone has to be because of that. */
+@NullMarked
+package org.dronemap.cognitive.follow;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,136 @@
+package org.dronemap.cognitive.follow;
+
+import java.nio.ByteBuffer;
+import java.time.Instant;
+import java.util.Map;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.mavlink.FrameReader;
+import org.dronemap.mavlink.FrameWriter;
+import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.Navigation;
+import org.dronemap.sim.personality.AutopilotKind;
+import org.dronemap.sim.personality.SimulatedVehicle;
+import org.dronemap.sim.personality.VehicleSettings;
+import org.dronemap.sim.personality.arducopter.ArduCopter;
+import org.dronemap.sim.physics.Battery;
+import org.dronemap.sim.physics.Body;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.Wind;
+
+/** A simulated ArduCopter in the air, told by real frames where to be, on a clock that the trial turns. */
+final class SimDrone {
+    static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
+    static final double HOME_AMSL = 488;
+
+    private static final int POSITION_AND_VELOCITY = 0x9C0;
+    private static final int POSITION_ONLY = 0xDF8;
+    private static final int ARM = 400;
+    private static final int TAKE_OFF = 22;
+    private static final int SET_MODE = 176;
+    private static final int GUIDED = 4;
+
+    private final LocalFrame frame = new LocalFrame(HOME.latitudeDegrees(), HOME.longitudeDegrees(), HOME_AMSL);
+    private final Craft craft;
+    private final SimulatedVehicle vehicle;
+    private final FrameReader toVehicle = new FrameReader();
+    private final FrameWriter ground = new FrameWriter(255, 190, 2);
+    private long millis;
+    private final long zero;
+
+    /** In the air over its home at that height, in a wind of so many m/s. */
+    SimDrone(double meters, double wind, long seed) {
+        craft = new Craft(frame, new Battery(50_000), new Wind(wind, seed % 7, seed), new Navigation(3_000));
+        vehicle = new SimulatedVehicle(
+                new VehicleSettings(1, 1, 2, -1, 1500, 0, true, 0, Map.of("WPNAV_SPEED", 1_500.0)),
+                new AutopilotKind("arducopter", "", ArduCopter::new),
+                craft,
+                bytes -> {});
+        live(6);
+        send(new CommandLong(1, 1, SET_MODE, 0, 1, GUIDED, 0, 0, 0, 0, 0));
+        send(new CommandLong(1, 1, ARM, 0, 1, 0, 0, 0, 0, 0, 0));
+        send(new CommandLong(1, 1, TAKE_OFF, 0, 0, 0, 0, 0, 0, 0, (float) meters));
+        live(25);
+        zero = millis;
+    }
+
+    void live(double seconds) {
+        long until = millis + Math.round(seconds * 1_000);
+        while (millis < until) {
+            if (millis % 1_000 < 20) {
+                send(new Heartbeat(6, 8, 0, 0, 4, 3));
+            }
+            millis += Math.min(20, until - millis);
+            vehicle.advance(millis);
+        }
+    }
+
+    private void send(Message message) {
+        toVehicle.read(ByteBuffer.wrap(ground.frame(message)), vehicle::receive);
+    }
+
+    /** What a cloud says to an ArduCopter that it leads. */
+    void hear(Aim aim) {
+        send(target(aim, POSITION_AND_VELOCITY));
+    }
+
+    /** The same without how the place moves. */
+    void hearPlace(Aim aim) {
+        send(target(aim, POSITION_ONLY));
+    }
+
+    private static SetPositionTargetGlobalInt target(Aim aim, int mask) {
+        return new SetPositionTargetGlobalInt(
+                0,
+                1,
+                1,
+                5,
+                mask,
+                (int) Math.round(aim.point().latitudeDegrees() * 1e7),
+                (int) Math.round(aim.point().longitudeDegrees() * 1e7),
+                (float) aim.altitudeAmslMeters(),
+                (float) aim.northward(),
+                (float) aim.eastward(),
+                (float) -aim.upward(),
+                0,
+                0,
+                0,
+                (float) Math.toRadians(aim.headingDegrees()),
+                0);
+    }
+
+    /** Metres north and east of home, really. */
+    Position position() {
+        return craft.body().position();
+    }
+
+    double yawDegrees() {
+        return Math.toDegrees(craft.body().yaw());
+    }
+
+    Whereabouts whereabouts(Instant at) {
+        Body body = craft.body();
+        Position here = body.position();
+        return new Whereabouts(
+                at,
+                new Geodetic(frame.latitudeOf(here), frame.longitudeOf(here)),
+                frame.altitudeOf(here),
+                body.velocityEast(),
+                body.velocityNorth());
+    }
+
+    /** Where a place so many metres east and north of home is. */
+    Geodetic place(double east, double north) {
+        Position there = new Position(north, east, 0);
+        return new Geodetic(frame.latitudeOf(there), frame.longitudeOf(there));
+    }
+
+    /** Since it was in the air. */
+    double seconds() {
+        return (millis - zero) / 1_000.0;
+    }
+}

@@ -1,0 +1,217 @@
+package org.dronemap.cognitive.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.sim.physics.Position;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One drone follows one person, on a clock that this turns: a phone takes fixes, a network brings them, guidance says where
+ * the drone shall be, a network brings that to a simulated ArduCopter. What is measured is measured against the truth.
+ */
+public final class Trial {
+    private static final Instant ZERO = Instant.parse("2026-05-01T12:00:00Z");
+    /** The phone's clock goes before the cloud's. */
+    private static final Duration PHONE_AHEAD = Duration.ofMillis(2_700);
+
+    private static final int SAMPLE_MILLIS = 50;
+    private static final int SETPOINT_MILLIS = 100;
+    private static final int TELEMETRY_MILLIS = 200;
+    private static final int FIX_MILLIS = 1_000;
+    private static final double REPORTED_ACCURACY = 5;
+
+    /** What stands between the phone's fixes and the drone. */
+    public enum Way {
+        /** The target's motion is foretold. */
+        FORESEEN,
+        /** The place of the newest fix is where the target is taken to be. */
+        LAST_FIX,
+        /** As the paper's: each fix is sent to the drone as a place to go to. */
+        FORWARDED
+    }
+
+    /** {@code settled}: nothing is counted before, in seconds. */
+    public record Setup(
+            Way way, StandOff standOff, boolean noise, Wire.Quality link, double wind, long seed, double settled) {
+        public Setup with(Way other) {
+            return new Setup(other, standOff, noise, link, wind, seed, settled);
+        }
+    }
+
+    /** Metres, one a sample; {@code reported}: from the place that the newest report asks for. */
+    public record Result(List<Double> error, List<Double> reported, List<Double> noise) {
+        public double mean() {
+            return mean(error);
+        }
+
+        public static double mean(List<Double> values) {
+            return values.stream().mapToDouble(Double::doubleValue).average().orElse(Double.NaN);
+        }
+
+        /** Which share of the samples is no larger: 0.95. */
+        public double quantile(double share) {
+            double[] sorted =
+                    error.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+            return sorted[(int) Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+        }
+    }
+
+    private record Report(Instant sent, Geodetic point, double east, double north) {}
+
+    private record Said(Aim aim, boolean forwarded) {}
+
+    private final Walk walk;
+    private final Setup setup;
+    private final SimDrone drone;
+    private final Wire<Report> up;
+    private final Wire<Said> down;
+    private final Wire<Whereabouts> telemetry;
+    private final PhoneNoise phone;
+    private final PhoneClock clock = new PhoneClock();
+    private final TargetFilter filter = new TargetFilter(SimDrone.HOME);
+    private final LastReport last = new LastReport(SimDrone.HOME);
+    private final Guidance guidance;
+    private final Limits limits;
+    private final Room room;
+    private Whereabouts seen;
+    private @Nullable Instant heard;
+    private @Nullable Report newest;
+    private double[] off = {0, 0};
+
+    private Trial(Walk walk, Setup setup, Room room) {
+        this.walk = walk;
+        this.setup = setup;
+        this.room = room;
+        drone = new SimDrone(setup.standOff().altitudeAmslMeters() - SimDrone.HOME_AMSL, setup.wind(), setup.seed());
+        up = new Wire<>(setup.link(), setup.seed() + 1);
+        down = new Wire<>(setup.link(), setup.seed() + 2);
+        telemetry = new Wire<>(setup.link(), setup.seed() + 3);
+        phone = new PhoneNoise(setup.seed() + 4, setup.noise());
+        guidance = new Guidance(setup.way() == Way.FORESEEN ? filter : last);
+        double downlink = setup.way() == Way.FORESEEN ? setup.link().seconds() : 0;
+        limits = new Limits(15, SimDrone.HOME_AMSL + 5, SimDrone.HOME_AMSL + 120, downlink);
+        seen = drone.whereabouts(ZERO);
+    }
+
+    public static Result fly(Walk walk, Setup setup) {
+        return fly(walk, setup, Room.EVERYWHERE, Track.NONE);
+    }
+
+    /** Hears of each sample. */
+    interface Track {
+        Track NONE = (seconds, drone, wanted) -> {};
+
+        void sample(double seconds, Position drone, Walk.Point target);
+    }
+
+    static Result fly(Walk walk, Setup setup, Room room, Track track) {
+        return new Trial(walk, setup, room).fly(track);
+    }
+
+    private Result fly(Track track) {
+        Result result = new Result(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
+        for (int millis = 0; millis < walk.seconds() * 1_000; millis += SAMPLE_MILLIS) {
+            double now = millis / 1_000.0;
+            if (millis % FIX_MILLIS == 0) {
+                takeFix(now);
+            }
+            up.deliver(now, report -> hear(report, at(now)));
+            telemetry.deliver(now, there -> seen = there.at().isAfter(seen.at()) ? there : seen);
+            if (millis % SETPOINT_MILLIS == 0) {
+                say(now);
+            }
+            down.deliver(now, this::told);
+            track.sample(now, drone.position(), walk.at(now));
+            if (now >= setup.settled()) {
+                measure(now, result);
+            }
+            drone.live(SAMPLE_MILLIS / 1_000.0);
+            if (millis % TELEMETRY_MILLIS == 0) {
+                telemetry.send(now, drone.whereabouts(at(now)));
+            }
+        }
+        return result;
+    }
+
+    private static Instant at(double seconds) {
+        return ZERO.plusNanos(Math.round(seconds * 1e9));
+    }
+
+    private void takeFix(double now) {
+        off = phone.next(FIX_MILLIS / 1_000.0);
+        if (walk.isAsleep(now)) {
+            return;
+        }
+        Walk.Point truth = walk.at(now);
+        double east = truth.east() + off[0];
+        double north = truth.north() + off[1];
+        up.send(now, new Report(at(now).plus(PHONE_AHEAD), drone.place(east, north), east, north));
+    }
+
+    private void hear(Report report, Instant now) {
+        clock.heard(
+                report.sent(), now, Duration.ofMillis(Math.round(setup.link().seconds() * 2_000)));
+        PhoneFix fix = new PhoneFix(clock.toCloud(report.sent()), report.point(), REPORTED_ACCURACY);
+        filter.take(fix);
+        if (newest == null || report.sent().isAfter(newest.sent())) {
+            newest = report;
+            last.take(fix);
+            heard = now;
+            if (setup.way() == Way.FORWARDED) {
+                forward(report, now);
+            }
+        }
+    }
+
+    private void forward(Report report, Instant now) {
+        double[] beside = beside();
+        Aim aim = new Aim(
+                drone.place(report.east() + beside[0], report.north() + beside[1]),
+                setup.standOff().altitudeAmslMeters(),
+                0,
+                0,
+                0,
+                0,
+                Aim.Doing.FOLLOWING);
+        down.send(Duration.between(ZERO, now).toNanos() / 1e9, new Said(aim, true));
+    }
+
+    private void say(double now) {
+        if (setup.way() != Way.FORWARDED) {
+            Aim aim = guidance.lead(at(now), setup.standOff(), limits, room, seen, heard);
+            down.send(now, new Said(aim, false));
+        }
+    }
+
+    private void told(Said said) {
+        if (said.forwarded()) {
+            drone.hearPlace(said.aim());
+        } else {
+            drone.hear(said.aim());
+        }
+    }
+
+    /** East and north of the target, on the side that does not change. */
+    private double[] beside() {
+        double bearing = Math.toRadians(((Side.Fixed) setup.standOff().side()).bearingDegrees());
+        double meters = setup.standOff().distanceMeters();
+        return new double[] {meters * Math.sin(bearing), meters * Math.cos(bearing)};
+    }
+
+    private void measure(double now, Result result) {
+        double[] beside = beside();
+        Position here = drone.position();
+        Walk.Point truth = walk.at(now);
+        double east = here.east() - beside[0];
+        double north = here.north() - beside[1];
+        result.error().add(Math.hypot(east - truth.east(), north - truth.north()));
+        Report report = newest;
+        if (report != null) {
+            result.reported().add(Math.hypot(east - report.east(), north - report.north()));
+        }
+        result.noise().add(Math.hypot(off[0], off[1]));
+    }
+}

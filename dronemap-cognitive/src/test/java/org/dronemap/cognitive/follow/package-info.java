@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.cognitive.follow;
+
+import org.jspecify.annotations.NullMarked;
