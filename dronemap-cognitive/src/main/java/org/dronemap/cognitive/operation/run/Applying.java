@@ -9,6 +9,8 @@ import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.replan.Replanned;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
 
 /** What becomes of a plan that was asked for. */
 final class Applying {
@@ -84,8 +86,22 @@ final class Applying {
         }
         if (!request.better() && misses < MOST_MISSES) {
             draft.causes().addAll(0, request.causes());
+            request.causes().stream()
+                    .filter(cause -> misses > 1 && cause.trigger() == Trigger.LOW_BATTERY)
+                    .forEach(cause -> callHome(draft, cause.drone()));
         }
         draft.clock(draft.clock().asking(draft.now().plus(BETWEEN_TRIES)));
+    }
+
+    /** Nothing better can be planned for one whose charge gives in. */
+    private static void callHome(Draft draft, @Nullable DroneId low) {
+        if (low != null
+                && draft.drone(low).stage().takesOrders()
+                && draft.drone(low).stage().mayFly()) {
+            RunDrone drone = draft.drone(low);
+            String words = "No plan brings " + drone.name() + " home with its charge; it is called home.";
+            Faults.callHome(draft, drone, Trigger.LOW_BATTERY, words);
+        }
     }
 
     /** Something happened meanwhile. */

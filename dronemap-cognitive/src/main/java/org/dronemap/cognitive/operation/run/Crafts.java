@@ -16,6 +16,8 @@ final class Crafts {
     private static final double UNTIL_ON_BOARD_SECONDS = 2;
 
     private static final double LOW_METERS = 3;
+    /** What its way home may take of what the straight one does, as it waits for others and goes round fences. */
+    private static final double HOMEWARD = 1.2;
 
     private Crafts() {}
 
@@ -82,6 +84,16 @@ final class Crafts {
                 : Math.max(
                         0, Duration.between(draft.clock().begun(), draft.now()).toMillis() / 1_000.0);
         double drawn = flown * drone.craft().performance().power().cruise();
-        return new Supply(told == null ? Math.max(0, first.remainingJoules() - drawn) : told, first.reserveJoules());
+        double left = told == null ? Math.max(0, first.remainingJoules() - drawn) : told;
+        return new Supply(left, reserve(drone, look, left));
+    }
+
+    /** Who is past its reserve in the air is planned home: a plan that leaves nothing else would be none. */
+    private static double reserve(RunDrone drone, Look look, double left) {
+        double reserve = drone.craft().supply().reserveJoules();
+        Place place = look.place();
+        return look.airborne() && place != null
+                ? Math.max(0, Math.min(reserve, left - HOMEWARD * Condition.joulesHome(drone, place)))
+                : reserve;
     }
 }

@@ -28,7 +28,8 @@ final class Freshness {
         }
         boolean heads = drone.stage() == DroneStage.FLYING && !drone.orders().isEmpty();
         DroneId then = heads ? whose.get(drone.orders().get(0)) : null;
-        return then == null || then.equals(drone.id());
+        // One that is sent home does not come to what it flies to.
+        return then == null || then.equals(drone.id()) || !whose.containsValue(drone.id());
     }
 
     /** Not done yet, or done by whom it is for. */

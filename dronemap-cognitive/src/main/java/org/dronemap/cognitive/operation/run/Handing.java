@@ -1,8 +1,12 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
+import java.util.Optional;
+import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Start;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
@@ -59,6 +63,25 @@ final class Handing {
         }
         draft.put(drone.getting(next));
         return true;
+    }
+
+    /** Without what it visited since that was planned, while it was brought to stand there; empty: nothing. */
+    static Optional<Sortie> left(Draft draft, RunDrone drone, Sortie next, Place place) {
+        List<Stop> stops = next.tour().stops();
+        int done = 0;
+        while (done < stops.size() && draft.target(stops.get(done).waypoint()).isVisitedBy(drone.id())) {
+            done++;
+        }
+        if (done == 0) {
+            return Optional.empty();
+        }
+        Tour rest = new Tour(
+                drone.id(),
+                stops.subList(done, stops.size()),
+                next.tour().last(),
+                next.tour().usedJoules());
+        RunDrone.Kin kin = drone.kin().with(drone.craft().with(Start.inFlight(place)));
+        return Optional.of(TaskReports.sparing(draft, Sortie.of(next.number(), kin, rest, next.zero(), draft::task)));
     }
 
     /** From that item on, with the same still to be done at the same waypoints. */

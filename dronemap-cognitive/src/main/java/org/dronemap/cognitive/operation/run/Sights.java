@@ -99,11 +99,12 @@ final class Sights {
         MissionProgress mission = state.mission();
         int passed =
                 mission.reached().stream().mapToInt(index -> index + 1).max().orElse(0);
-        if (mission.current() != null && mission.phase() != MissionPhase.COMPLETE && isBegun(state)) {
+        Boolean carries = carries(drone.sortie(), mission);
+        if (mission.current() != null && mission.phase() != MissionPhase.COMPLETE && isBegun(state, drone, carries)) {
             passed = Math.max(passed, mission.current());
         }
         return new Look.Progress(
-                carries(drone.sortie(), mission),
+                carries,
                 carries(drone.next(), mission),
                 mission.items() != null && (mission.current() != null || mission.phase() != null),
                 passed,
@@ -111,8 +112,9 @@ final class Sights {
     }
 
     /** A mission that was brought to it and not started yet keeps the place where it was in the one before. */
-    private static boolean isBegun(DroneState state) {
-        return !state.mission().reached().isEmpty()
+    private static boolean isBegun(DroneState state, RunDrone drone, @Nullable Boolean carries) {
+        return (Boolean.TRUE.equals(carries) && drone.signs().begun())
+                || !state.mission().reached().isEmpty()
                 || state.capabilities().steering(state.mode()).equals(Optional.of(Steering.MISSION));
     }
 

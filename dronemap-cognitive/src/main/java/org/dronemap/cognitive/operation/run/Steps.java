@@ -3,7 +3,9 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.cognitive.operation.run.RunDrone.Errand;
+import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.command.Command;
 
 /** What one drone does next for the orders that it has. What is already so is never commanded. */
@@ -187,6 +189,8 @@ final class Steps {
             draft.put(drone.to(DroneStage.HOLDING, draft.now()));
         } else if (TaskReports.spare(draft, drone, next) || TaskReports.mayTellYet(draft, drone, look)) {
             return;
+        } else if (leavesOutWhatIsDone(draft, drone, next, look)) {
+            return;
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
             draft.put(onBoard(drone, next).to(DroneStage.CONTINUING, draft.now()));
         } else if (!Transfer.isFree(draft, drone, next)) {
@@ -195,6 +199,13 @@ final class Steps {
         } else {
             draft.give(drone, Errand.Kind.UPLOAD, new Command.UploadMission(next.mission()));
         }
+    }
+
+    private static boolean leavesOutWhatIsDone(Draft draft, RunDrone drone, Sortie next, Look look) {
+        Place place = look.place();
+        Optional<Sortie> left = place == null ? Optional.empty() : Handing.left(draft, drone, next, place);
+        left.ifPresent(sortie -> draft.put(drone.getting(sortie)));
+        return left.isPresent();
     }
 
     private static void goOn(Draft draft, RunDrone drone, Look look) {

@@ -114,6 +114,11 @@ public record Target(
         return new Target(other, state, drone, visits, leftOut ? null : reason, false, List.of());
     }
 
+    boolean isVisitedBy(DroneId by) {
+        return state == State.VISITED
+                && visits.stream().anyMatch(visit -> visit.drone().equals(by));
+    }
+
     /** Whoever it is: the same drone does not count twice. */
     Target visited(DroneId by, Instant at) {
         if (visits.stream().anyMatch(visit -> visit.drone().equals(by))) {

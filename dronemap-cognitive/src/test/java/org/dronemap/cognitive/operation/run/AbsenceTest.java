@@ -56,6 +56,21 @@ class AbsenceTest {
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
     }
 
+    /** What they said in the last moment was not written down, or heard by nobody. */
+    @ParameterizedTest
+    @ValueSource(ints = {12, 40, 90})
+    void visitNothingTwiceThatTheyVisitedWhileTheServerWasAwayBeforeTheyCameHome(int seconds) {
+        TestFleet fleet = Runs.fleet(3, 60, 1, CloudLoss.RETURN_TO_LAUNCH);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        int before = fleet.visits.size();
+        fleet.restart(seconds);
+        assertThat(fleet.visits.size()).isGreaterThan(before);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(60);
+        assertThat(fleet.visits.values()).as("%s", fleet.said).allMatch(by -> by.size() == 1);
+    }
+
     @Test
     void sendsDronesOutAgainThatFlewToTheirEndWhileTheyWereNotHeard() {
         TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);

@@ -1,0 +1,32 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A battery gives in, near the reserve that is to be left at home, above and below. */
+class LowBatteryTest {
+    @ParameterizedTest
+    @ValueSource(doubles = {0.15, 0.17, 0.18, 0.19, 0.2, 0.21, 0.22, 0.24, 0.26, 0.3})
+    void whatItLeavesIsOnBoardOfOthersAtOnceAndItComesHome(double share) {
+        TestFleet fleet = Runs.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestVehicle weak = fleet.vehicle(1);
+
+        weak.joules = share * weak.fullJoules;
+        int replans = fleet.state.counts().replans();
+        fleet.flyUntil(() -> fleet.state.counts().replans() > replans, 3);
+        fleet.flyUntil(
+                () -> fleet.state.drones().stream()
+                        .filter(drone -> !drone.id().equals(weak.id))
+                        .allMatch(drone -> drone.next() == null),
+                5);
+
+        assertThat(fleet.said).noneMatch(words -> words.contains("There is no plan"));
+        fleet.flyToTheEnd();
+        assertThat(weak.joules).as("%s", fleet.said).isPositive();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
+        assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+    }
+}
