@@ -110,42 +110,58 @@ final class Belief {
     }
 
     private double squared(double east, double north, double meters) {
-        double a = spread[0][0] + meters * meters;
-        double b = spread[0][1];
-        double c = spread[1][1] + meters * meters;
+        return squared(0, east, north, meters);
+    }
+
+    /** {@code first}: the first of the two that something is known of now. */
+    private double squared(int first, double east, double north, double sigma) {
+        double a = spread[first][first] + sigma * sigma;
+        double b = spread[first][first + 1];
+        double c = spread[first + 1][first + 1] + sigma * sigma;
         return (c * east * east - 2 * b * east * north + a * north * north) / (a * c - b * b);
     }
 
     /** Takes a place into account; returns how likely it was. */
     double learn(double east, double north, double meters) {
-        double a = spread[0][0] + meters * meters;
-        double b = spread[0][1];
-        double c = spread[1][1] + meters * meters;
+        return learn(0, east, north, meters);
+    }
+
+    /** The same for a velocity in m/s. */
+    double learnSpeed(double eastward, double northward, double metersPerSecond) {
+        return learn(2, eastward, northward, metersPerSecond);
+    }
+
+    private double learn(int first, double one, double other, double sigma) {
+        double a = spread[first][first] + sigma * sigma;
+        double b = spread[first][first + 1];
+        double c = spread[first + 1][first + 1] + sigma * sigma;
         double size = a * c - b * b;
-        double offEast = east - mean[0];
-        double offNorth = north - mean[1];
-        double likelihood = Math.exp(-squared(offEast, offNorth, meters) / 2) / (2 * Math.PI * Math.sqrt(size));
-        double[][] gain = new double[SIZE][2];
-        for (int i = 0; i < SIZE; i++) {
-            gain[i][0] = (spread[i][0] * c - spread[i][1] * b) / size;
-            gain[i][1] = (spread[i][1] * a - spread[i][0] * b) / size;
-        }
+        double offOne = one - mean[first];
+        double offOther = other - mean[first + 1];
+        double likelihood = Math.exp(-squared(first, offOne, offOther, sigma) / 2) / (2 * Math.PI * Math.sqrt(size));
         double[][] before = spread;
         double[][] after = new double[SIZE][SIZE];
         for (int i = 0; i < SIZE; i++) {
-            mean[i] += gain[i][0] * offEast + gain[i][1] * offNorth;
+            double gainOne = (before[i][first] * c - before[i][first + 1] * b) / size;
+            double gainOther = (before[i][first + 1] * a - before[i][first] * b) / size;
+            mean[i] += gainOne * offOne + gainOther * offOther;
             for (int j = 0; j < SIZE; j++) {
-                after[i][j] = before[i][j] - gain[i][0] * before[0][j] - gain[i][1] * before[1][j];
+                after[i][j] = before[i][j] - gainOne * before[first][j] - gainOther * before[first + 1][j];
             }
         }
+        spread = evened(after);
+        return likelihood;
+    }
+
+    /** What rounding has made of it would grow. */
+    private static double[][] evened(double[][] matrix) {
         for (int i = 0; i < SIZE; i++) {
             for (int j = 0; j < i; j++) {
-                after[i][j] = (after[i][j] + after[j][i]) / 2;
-                after[j][i] = after[i][j];
+                matrix[i][j] = (matrix[i][j] + matrix[j][i]) / 2;
+                matrix[j][i] = matrix[i][j];
             }
         }
-        spread = after;
-        return likelihood;
+        return matrix;
     }
 
     private static double[][] product(double[][] one, double[][] other) {

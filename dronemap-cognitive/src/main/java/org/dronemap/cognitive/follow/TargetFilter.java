@@ -3,6 +3,7 @@ package org.dronemap.cognitive.follow;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
@@ -28,6 +29,9 @@ public final class TargetFilter implements Followed {
     private static final double FAR_OFF_SIGMAS = 6;
     private static final int BELIEVED_AFTER = 3;
     private static final double LEAST_METERS = 0.4;
+    /** Of a speed that a receiver measured, m/s. */
+    private static final double SPEED_ACCURACY = 0.5;
+
     private static final double LIKELY_SPEED = 3;
     private static final Duration FORGOTTEN = Duration.ofSeconds(20);
     /** Nobody goes on as before for longer. */
@@ -50,7 +54,7 @@ public final class TargetFilter implements Followed {
      */
     record Habits(double fresh, double stays, Belief.Manner straight, Belief.Manner turning, Belief.Manner changing) {
         static final Habits USUAL = new Habits(
-                0.12, 0.75, new Belief.Manner(0.8, 0), new Belief.Manner(1.3, 0.45), new Belief.Manner(1.5, 0));
+                0.14, 0.78, new Belief.Manner(0.6, 0), new Belief.Manner(1.1, 0.4), new Belief.Manner(1.5, 0));
     }
 
     /** {@code near}: some place within some kilometres of where it will be. */
@@ -92,7 +96,11 @@ public final class TargetFilter implements Followed {
             return Verdict.TAKEN;
         }
         outliers = 0;
-        learn(spot, meters);
+        learn(belief -> belief.learn(spot.eastMeters(), spot.northMeters(), meters));
+        PhoneFix.Course course = fix.course();
+        if (course != null) {
+            learn(belief -> belief.learnSpeed(course.eastward(), course.northward(), SPEED_ACCURACY));
+        }
         return Verdict.TAKEN;
     }
 
@@ -154,12 +162,12 @@ public final class TargetFilter implements Followed {
         return spread;
     }
 
-    private void learn(Spot spot, double meters) {
+    /** Whoever found it likelier counts for more. */
+    private void learn(ToDoubleFunction<Belief> likelihood) {
         double sum = 0;
         for (int i = 0; i < weights.length; i++) {
             // None is ever ruled out.
-            weights[i] = Math.max(
-                    1e-3, weights[i] * beliefs.get(i).learn(spot.eastMeters(), spot.northMeters(), meters) + 1e-12);
+            weights[i] = Math.max(1e-3, weights[i] * likelihood.applyAsDouble(beliefs.get(i)) + 1e-12);
             sum += weights[i];
         }
         for (int i = 0; i < weights.length; i++) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.LongFunction;
+import org.dronemap.cognitive.follow.Trial.Noise;
 import org.dronemap.cognitive.follow.Trial.Result;
 import org.dronemap.cognitive.follow.Trial.Setup;
 import org.dronemap.cognitive.follow.Trial.Way;
@@ -19,12 +20,12 @@ class FollowingTest {
     private static final double SETTLED = 20;
     private static final int SEEDS = 3;
 
-    private static Setup setup(Way way, boolean noise, Wire.Quality link, long seed) {
+    private static Setup setup(Way way, Noise noise, Wire.Quality link, long seed) {
         return new Setup(way, SOUTH, noise, link, WIND, seed, SETTLED);
     }
 
     /** All samples of some walks as one. */
-    private static Result flown(LongFunction<Walk> walks, Way way, boolean noise, Wire.Quality link) {
+    private static Result flown(LongFunction<Walk> walks, Way way, Noise noise, Wire.Quality link) {
         Result all = new Result(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
         for (long seed = 1; seed <= SEEDS; seed++) {
             Result one = Trial.fly(walks.apply(seed), setup(way, noise, link, seed));
@@ -37,40 +38,46 @@ class FollowingTest {
 
     @Test
     void staysBesideAWalker() {
-        Result result = flown(Walk::walking, Way.FORESEEN, false, SLOW);
+        Result result = flown(Walk::walking, Way.FORESEEN, Noise.NONE, SLOW);
         assertThat(result.mean()).isLessThan(1);
         assertThat(result.quantile(0.95)).isLessThan(2);
     }
 
     @Test
     void staysBesideARunnerAndFarBetterThanWithoutForesight() {
-        double mean = flown(Walk::running, Way.FORESEEN, false, SLOW).mean();
+        double mean = flown(Walk::running, Way.FORESEEN, Noise.NONE, SLOW).mean();
         assertThat(mean).isLessThan(1.5);
         assertThat(mean)
-                .isLessThan(
-                        0.7 * flown(Walk::running, Way.LAST_FIX, false, SLOW).mean());
+                .isLessThan(0.7
+                        * flown(Walk::running, Way.LAST_FIX, Noise.NONE, SLOW).mean());
     }
 
     @Test
     void staysBesideACyclistAndFarBetterThanWithoutForesight() {
-        double mean = flown(Walk::cycling, Way.FORESEEN, false, SLOW).mean();
+        double mean = flown(Walk::cycling, Way.FORESEEN, Noise.NONE, SLOW).mean();
         assertThat(mean).isLessThan(4);
         assertThat(mean)
-                .isLessThan(
-                        0.7 * flown(Walk::cycling, Way.LAST_FIX, false, SLOW).mean());
+                .isLessThan(0.7
+                        * flown(Walk::cycling, Way.LAST_FIX, Noise.NONE, SLOW).mean());
     }
 
     @Test
     void addsLittleToTheErrorOfAPhone() {
         for (LongFunction<Walk> walks : List.<LongFunction<Walk>>of(Walk::walking, Walk::running)) {
-            Result result = flown(walks, Way.FORESEEN, true, SLOW);
+            Result result = flown(walks, Way.FORESEEN, Noise.PLACE, SLOW);
             assertThat(result.mean()).isLessThan(Result.mean(result.noise()) + 1);
         }
     }
 
     @Test
+    void addsLittleToTheErrorOfACyclistsPhoneThatSaysHowItMoves() {
+        Result result = flown(Walk::cycling, Way.FORESEEN, Noise.PLACE_AND_COURSE, SLOW);
+        assertThat(result.mean()).isLessThan(Result.mean(result.noise()) + 1);
+    }
+
+    @Test
     void staysBesideAWalkerOverAPoorNetwork() {
-        assertThat(flown(Walk::walking, Way.FORESEEN, false, POOR).mean()).isLessThan(2);
+        assertThat(flown(Walk::walking, Way.FORESEEN, Noise.NONE, POOR).mean()).isLessThan(2);
     }
 
     @Test
@@ -78,13 +85,14 @@ class FollowingTest {
         List<Double> speeds = new ArrayList<>();
         Walk walk = Walk.asleep(1);
         double[] last = new double[3];
-        Result result = Trial.fly(walk, setup(Way.FORESEEN, false, SLOW, 1), Room.EVERYWHERE, (now, drone, target) -> {
-            if (now > 108 && now < 130) {
-                speeds.add(Math.hypot(drone.east() - last[0], drone.north() - last[1]) / Walk.STEP_SECONDS);
-            }
-            last[0] = drone.east();
-            last[1] = drone.north();
-        });
+        Result result =
+                Trial.fly(walk, setup(Way.FORESEEN, Noise.NONE, SLOW, 1), Room.EVERYWHERE, (now, drone, target) -> {
+                    if (now > 108 && now < 130) {
+                        speeds.add(Math.hypot(drone.east() - last[0], drone.north() - last[1]) / Walk.STEP_SECONDS);
+                    }
+                    last[0] = drone.east();
+                    last[1] = drone.north();
+                });
         assertThat(Result.mean(speeds)).isLessThan(0.15);
         int size = result.error().size();
         assertThat(Result.mean(result.error().subList(size - 400, size))).isLessThan(1.5);

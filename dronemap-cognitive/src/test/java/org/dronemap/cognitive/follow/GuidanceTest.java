@@ -201,7 +201,7 @@ class GuidanceTest {
             Trial.Setup setup = new Trial.Setup(
                     Trial.Way.FORESEEN,
                     new StandOff(side, random.nextDouble(3, 15), AMSL),
-                    random.nextBoolean(),
+                    random.nextBoolean() ? Trial.Noise.PLACE : Trial.Noise.NONE,
                     new Wire.Quality(0.5, 0.2, 0.1),
                     random.nextDouble(8),
                     seed,

@@ -8,6 +8,8 @@ final class PhoneNoise {
     private static final double WANDERING_SECONDS = 60;
     private static final double WHITE_METERS = 0.5;
 
+    private static final double SPEED_METERS = 0.3;
+
     private final SplittableRandom random;
     private final boolean on;
     private double east;
@@ -30,5 +32,12 @@ final class PhoneNoise {
         north = north * keep + fresh * random.nextGaussian();
         begun = true;
         return new double[] {east + WHITE_METERS * random.nextGaussian(), north + WHITE_METERS * random.nextGaussian()};
+    }
+
+    /** How it moves, as the receiver measures it. */
+    PhoneFix.Course course(double eastward, double northward) {
+        double east = eastward + SPEED_METERS * random.nextGaussian();
+        double north = northward + SPEED_METERS * random.nextGaussian();
+        return new PhoneFix.Course(Math.hypot(east, north), Math.toDegrees(Math.atan2(east, north)));
     }
 }

@@ -33,9 +33,18 @@ public final class Trial {
         FORWARDED
     }
 
+    /** What a phone says. */
+    public enum Noise {
+        NONE,
+        /** Its place is wrong. */
+        PLACE,
+        /** Its place is wrong, and it says how it moves, nearly right. */
+        PLACE_AND_COURSE
+    }
+
     /** {@code settled}: nothing is counted before, in seconds. */
     public record Setup(
-            Way way, StandOff standOff, boolean noise, Wire.Quality link, double wind, long seed, double settled) {
+            Way way, StandOff standOff, Noise noise, Wire.Quality link, double wind, long seed, double settled) {
         public Setup with(Way other) {
             return new Setup(other, standOff, noise, link, wind, seed, settled);
         }
@@ -59,7 +68,7 @@ public final class Trial {
         }
     }
 
-    private record Report(Instant sent, Geodetic point, double east, double north) {}
+    private record Report(Instant sent, Geodetic point, double east, double north, PhoneFix.@Nullable Course course) {}
 
     private record Said(Aim aim, boolean forwarded) {}
 
@@ -89,7 +98,7 @@ public final class Trial {
         up = new Wire<>(setup.link(), setup.seed() + 1);
         down = new Wire<>(setup.link(), setup.seed() + 2);
         telemetry = new Wire<>(setup.link(), setup.seed() + 3);
-        phone = new PhoneNoise(setup.seed() + 4, setup.noise());
+        phone = new PhoneNoise(setup.seed() + 4, setup.noise() != Noise.NONE);
         guidance = new Guidance(setup.way() == Way.FORESEEN ? filter : last);
         double downlink = setup.way() == Way.FORESEEN ? setup.link().seconds() : 0;
         limits = new Limits(15, SimDrone.HOME_AMSL + 5, SimDrone.HOME_AMSL + 120, downlink);
@@ -148,13 +157,17 @@ public final class Trial {
         Walk.Point truth = walk.at(now);
         double east = truth.east() + off[0];
         double north = truth.north() + off[1];
-        up.send(now, new Report(at(now).plus(PHONE_AHEAD), drone.place(east, north), east, north));
+        up.send(now, new Report(at(now).plus(PHONE_AHEAD), drone.place(east, north), east, north, course(truth)));
+    }
+
+    private PhoneFix.@Nullable Course course(Walk.Point truth) {
+        return setup.noise() == Noise.PLACE_AND_COURSE ? phone.course(truth.eastward(), truth.northward()) : null;
     }
 
     private void hear(Report report, Instant now) {
         clock.heard(
                 report.sent(), now, Duration.ofMillis(Math.round(setup.link().seconds() * 2_000)));
-        PhoneFix fix = new PhoneFix(clock.toCloud(report.sent()), report.point(), REPORTED_ACCURACY);
+        PhoneFix fix = new PhoneFix(clock.toCloud(report.sent()), report.point(), REPORTED_ACCURACY, report.course());
         filter.take(fix);
         if (newest == null || report.sent().isAfter(newest.sent())) {
             newest = report;

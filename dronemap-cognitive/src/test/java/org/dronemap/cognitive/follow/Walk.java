@@ -34,7 +34,7 @@ public final class Walk {
     }
 
     public static List<Walk> all(long seed) {
-        return List.of(walking(seed), running(seed), cycling(seed), stopAndGo(seed), asleep(seed));
+        return List.of(walking(seed), running(seed), cycling(seed), stopAndGo(seed), asleep(seed), sharply(seed));
     }
 
     public static Walk walking(long seed) {
@@ -47,6 +47,11 @@ public final class Walk {
 
     public static Walk cycling(long seed) {
         return made("cycling", seed, 240, new Habit(8, 25, 40, 1, false));
+    }
+
+    /** Bends that ask for more than copters accelerate by. */
+    public static Walk sharply(long seed) {
+        return made("sharp bends", seed, 240, new Habit(8, 25, 25, 1, false));
     }
 
     public static Walk stopAndGo(long seed) {

@@ -6,7 +6,7 @@ import java.util.SplittableRandom;
 import java.util.function.Consumer;
 
 /** A link that takes its time, and loses messages; what is quicker overtakes. */
-final class Wire<T> {
+public final class Wire<T> {
     private final Quality quality;
     private final SplittableRandom random;
     private final PriorityQueue<Message<T>> messages = new PriorityQueue<>(Comparator.comparing(Message::due));

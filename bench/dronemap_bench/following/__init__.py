@@ -1,0 +1,1 @@
+"""Drones that follow a phone, in virtual time, measured against the truth."""

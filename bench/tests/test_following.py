@@ -1,0 +1,60 @@
+"""What the report of `bench/follow` says of measurements."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from dronemap_bench.following import gpx, report
+from dronemap_bench.following.report import EXACT, FORESEEN, LAST_FIX, PLACE, SLOW, Row
+
+ABOUT = {"at": "now", "java": "java", "revision": "abc", "processor": "two"}
+TRACK = """<gpx xmlns="http://www.topografix.com/GPX/1/1"><trk><trkseg>
+<trkpt lat="47.0" lon="8.0"><time>2026-05-01T10:00:00Z</time></trkpt>
+<trkpt lat="47.0001" lon="8.0"><time>2026-05-01T10:00:08Z</time></trkpt>
+<trkpt lat="47.0001" lon="8.0"><time>2026-05-01T10:00:08Z</time></trkpt>
+<trkpt lat="47.0001" lon="8.0002"><ele>3</ele></trkpt>
+<trkpt lat="47.0001" lon="8.0002"><time>2026-05-01T10:00:20.5Z</time></trkpt>
+</trkseg></trk></gpx>"""
+
+
+def row(walk: str, mean: float, noise: str = EXACT, way: str = FORESEEN) -> Row:
+    quantiles = [mean * percent / 50 for percent in range(101)]
+    return Row(walk, SLOW, noise, way, mean, mean, 3.8, quantiles, 20.0, 0.5, [mean, mean])
+
+
+def test_a_limit_is_kept_or_missed() -> None:
+    rows = [
+        row("walking", 0.5),
+        row("walking", 4.9, PLACE),
+        row("running", 1),
+        row("running", 2, way=LAST_FIX),
+    ]
+    table = report.table(ABOUT, 3, rows)
+    assert "| walking, exact phone: mean | 0.50 | 1.00 | kept |" in table
+    assert "| walking, phone 3 m wandering, 0.5 m white: mean | 4.90 | 4.80 | **missed** |" in table
+    assert "| running: foretold, share of not foretold | 0.50 | 0.70 | kept |" in table
+
+
+def test_a_line_of_a_trial_is_a_row_again(tmp_path: Path) -> None:
+    one = row("walking", 0.5)
+    report.write(tmp_path, "x", ABOUT, 3, [one])
+    whole = json.loads((tmp_path / "x.json").read_text())
+    assert report.parse(json.dumps(whole["rows"][0])) == one
+    page = (tmp_path / "x.html").read_text()
+    assert page.count("<svg") == 2
+    assert page.count("<table>") == page.count("</table>") == 2
+
+
+def test_a_track_is_metres_after_seconds() -> None:
+    first, second, third = gpx.points(TRACK)
+    assert first == (0, 0, 0)
+    assert second == pytest.approx((8, 0, 11.12), abs=0.01)
+    assert third == pytest.approx((20.5, 15.17, 11.12), abs=0.01)
+
+
+def test_a_file_without_times_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "way.gpx"
+    file.write_text("<gpx/>")
+    with pytest.raises(SystemExit, match="no track with times"):
+        gpx.written(file, tmp_path)
