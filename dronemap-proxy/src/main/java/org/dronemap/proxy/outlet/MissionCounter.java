@@ -13,16 +13,15 @@ import org.dronemap.core.drone.Home;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.Frame;
-import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
-import org.dronemap.mavlink.message.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
 import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.procedure.OlderItems;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.dronemap.proxy.mavlink.translate.FenceCodec;
@@ -133,7 +132,7 @@ final class MissionCounter {
         MissionRequest wanted = MissionRequest.decode(asked.frame());
         MissionItemInt item = item(asked, wanted.missionType(), wanted.seq());
         if (item != null) {
-            asked.answer(older(item));
+            asked.answer(OlderItems.older(item));
         }
     }
 
@@ -183,26 +182,6 @@ final class MissionCounter {
                 item.param4(),
                 item.x(),
                 item.y(),
-                item.z(),
-                item.missionType());
-    }
-
-    private static Message older(MissionItemInt item) {
-        boolean place = item.frame() != 1 && item.frame() != 2;
-        return new MissionItem(
-                item.targetSystem(),
-                item.targetComponent(),
-                item.seq(),
-                item.frame(),
-                item.command(),
-                item.current(),
-                item.autocontinue(),
-                item.param1(),
-                item.param2(),
-                item.param3(),
-                item.param4(),
-                (float) (place ? item.x() / E7 : item.x()),
-                (float) (place ? item.y() / E7 : item.y()),
                 item.z(),
                 item.missionType());
     }

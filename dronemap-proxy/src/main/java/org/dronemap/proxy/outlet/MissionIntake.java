@@ -25,6 +25,7 @@ import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.proxy.mavlink.procedure.MissionKind;
+import org.dronemap.proxy.mavlink.procedure.OlderItems;
 import org.dronemap.proxy.mavlink.translate.Autopilot;
 import org.jspecify.annotations.Nullable;
 
@@ -37,7 +38,6 @@ final class MissionIntake {
     private static final int ALL_KINDS = 255;
     private static final long ASK_AGAIN_NANOS = 1_000_000_000L;
     private static final int MOST_TRIES = 8;
-    private static final double E7 = 1e7;
 
     private final CloudManager cloud;
     private final Orders orders;
@@ -125,28 +125,7 @@ final class MissionIntake {
 
     /** MISSION_ITEM, as older clients send it. */
     void olderItem(Asked asked, long now) {
-        MissionItem item = MissionItem.decode(asked.frame());
-        boolean place = item.frame() != 1 && item.frame() != 2;
-        take(
-                asked,
-                new MissionItemInt(
-                        item.targetSystem(),
-                        item.targetComponent(),
-                        item.seq(),
-                        item.frame(),
-                        item.command(),
-                        item.current(),
-                        item.autocontinue(),
-                        item.param1(),
-                        item.param2(),
-                        item.param3(),
-                        item.param4(),
-                        (int) Math.round(item.x() * (place ? E7 : 1)),
-                        (int) Math.round(item.y() * (place ? E7 : 1)),
-                        item.z(),
-                        item.missionType()),
-                true,
-                now);
+        take(asked, OlderItems.exact(MissionItem.decode(asked.frame())), true, now);
     }
 
     private void take(Asked asked, MissionItemInt item, boolean older, long now) {

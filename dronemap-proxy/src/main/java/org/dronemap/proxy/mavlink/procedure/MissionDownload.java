@@ -110,7 +110,7 @@ public final class MissionDownload implements Exchange {
                 integersHeard = true;
                 took(MissionItemInt.decode(frame), nowNanos);
             }
-            case MissionItem.ID -> floatsTaken |= took(exact(MissionItem.decode(frame)), nowNanos);
+            case MissionItem.ID -> floatsTaken |= took(OlderItems.exact(MissionItem.decode(frame)), nowNanos);
             case MissionAck.ID -> refused(MissionAck.decode(frame), nowNanos);
             default -> {}
         }
@@ -215,24 +215,5 @@ public final class MissionDownload implements Exchange {
                 floatsTaken = false;
             }
         }
-    }
-
-    private static MissionItemInt exact(MissionItem item) {
-        return new MissionItemInt(
-                item.targetSystem(),
-                item.targetComponent(),
-                item.seq(),
-                item.frame(),
-                item.command(),
-                item.current(),
-                item.autocontinue(),
-                item.param1(),
-                item.param2(),
-                item.param3(),
-                item.param4(),
-                (int) Math.round(item.x() * 1e7),
-                (int) Math.round(item.y() * 1e7),
-                item.z(),
-                item.missionType());
     }
 }
