@@ -12,6 +12,27 @@ public record Performance(Speeds speeds, Power power, WindResponse response, boo
         this(speeds, power, response, false);
     }
 
+    /**
+     * The same with the speeds that copters have as that autopilot is delivered, which says itself neither how fast it flies nor
+     * how gently it sets off.
+     *
+     * @param autopilot as users know it
+     */
+    public static Performance of(VehicleKind kind, String autopilot) {
+        Performance usual = of(kind);
+        return kind == VehicleKind.MULTICOPTER
+                ? switch (autopilot) {
+                    case "ArduPilot" -> usual.with(new Speeds(10, 2.5, 1.5, 0.5, 17, 2));
+                    case "PX4" -> usual.with(new Speeds(5, 3, 1.5, 0.7, 12, 2));
+                    default -> usual;
+                }
+                : usual;
+    }
+
+    private Performance with(Speeds other) {
+        return new Performance(other, power, response, assumed);
+    }
+
     /** Of a small vehicle of that kind, rather slow and thirsty. */
     public static Performance of(VehicleKind kind) {
         return switch (kind) {

@@ -91,6 +91,17 @@ class ProblemTest {
     }
 
     @Test
+    void takesCoptersToFlyAsFastAsTheirAutopilotIsDelivered() {
+        VehicleKind copter = VehicleKind.MULTICOPTER;
+
+        assertThat(Performance.of(copter, "ArduPilot").speeds().cruise()).isEqualTo(10);
+        assertThat(Performance.of(copter, "PX4").speeds().cruise()).isEqualTo(5);
+        assertThat(Performance.of(copter, "PX4").assumed()).isTrue();
+        assertThat(Performance.of(copter, "another one")).isEqualTo(Performance.of(copter));
+        assertThat(Performance.of(VehicleKind.ROVER, "PX4")).isEqualTo(Performance.of(VehicleKind.ROVER));
+    }
+
+    @Test
     void knowsWhoCanDoWhat() {
         Task photo = new Task(3, Set.of(Skill.of(Capability.TAKE_PICTURE)));
 

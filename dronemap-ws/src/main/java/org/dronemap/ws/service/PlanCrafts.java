@@ -35,7 +35,7 @@ final class PlanCrafts {
             throw missing(drone, "Where the home of %s is, is not known.");
         }
         Place stand = stand(drone, home);
-        Performance performance = Performance.of(kind);
+        Performance performance = Performance.of(kind, drone.identification().autopilot());
         return new Craft(
                 drone.id(),
                 Start.onGround(stand),

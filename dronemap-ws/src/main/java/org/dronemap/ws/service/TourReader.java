@@ -93,7 +93,8 @@ final class TourReader {
                 drone.id(),
                 drone.airborne() ? Start.inFlight(stand) : Start.onGround(stand),
                 Finish.landing(base),
-                Performance.of(drone.identification().kind()),
+                Performance.of(
+                        drone.identification().kind(), drone.identification().autopilot()),
                 Supply.UNLIMITED,
                 Set.copyOf(PlanCrafts.skills(drone)),
                 home.altitudeAmslMeters(),

@@ -30,11 +30,13 @@ final class Guard {
     private static final double ROOM_METERS = 2;
     /** Heights wander by so much; layers are exactly as far apart as they must be. */
     private static final double WANDER_METERS = 0.6;
-    /** From the decision until it stands. */
-    static final int STRIDES_TO_STAND = 4;
+    /** From the decision until it stands, at full speed: so far it goes on while it brakes. */
+    static final int STRIDES_TO_STAND = 5;
 
     /** What must be done within that time must be done now. */
     private static final int STRIDES_TO_ACT = 12;
+    /** Within that nobody sets off who still rolls: where it comes to stand is not known. */
+    private static final double ROLLS_METERS = 40;
     /** From the decision until it rises. */
     private static final int STRIDES_TO_ARM = 6;
     /** The share of the distance that two who fly by their plans may come to. */
@@ -47,8 +49,6 @@ final class Guard {
     private static final double OVER_METERS = 6;
     /** Over its home nobody climbs from here to make room. */
     private static final double HIGHEST_OVER_METERS = 80;
-    /** As a share of the least distance. */
-    private static final double LEAVING = 0.02;
 
     private static final Duration LONGEST_UNANSWERED = Duration.ofMillis(1_500);
     private static final Duration UNTIL_OVER = Duration.ofSeconds(5);
@@ -125,11 +125,11 @@ final class Guard {
 
     /** One of the two that is in that stage stands still until the other one has passed, where that helps. */
     private boolean waits(RunDrone one, List<Track> mine, RunDrone other, List<Track> yours, DroneStage stage) {
-        if (other.stage() == stage && mayHold(other) && !meet(mine, standing(yours))) {
+        if (other.stage() == stage && mayHold(other) && !meet(mine, Tracks.stopping(yours))) {
             hold(other, one);
             return true;
         }
-        boolean first = one.stage() == stage && mayHold(one) && !meet(standing(mine), yours);
+        boolean first = one.stage() == stage && mayHold(one) && !meet(Tracks.stopping(mine), yours);
         if (first) {
             hold(one, other);
         }
@@ -223,11 +223,11 @@ final class Guard {
     }
 
     private boolean meet(List<Track> some, List<Track> others) {
-        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> one.meets(other, horizontal, vertical)));
+        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> meet(one, other)));
     }
 
-    private static List<Track> standing(List<Track> tracks) {
-        return tracks.stream().map(track -> track.stopping(STRIDES_TO_STAND)).toList();
+    private boolean meet(Track one, Track other) {
+        return one.meets(other, horizontal, vertical) && !one.leaves(other, horizontal, vertical);
     }
 
     /** It flies its mission or home, and is ours to stop. */
@@ -277,7 +277,7 @@ final class Guard {
         if (look == null || place == null || look.isArmed()) {
             return;
         }
-        Track at = far.mission(drone, place, 0);
+        Track at = far.mission(drone, place);
         List<Track> up = List.of(at, at.after(STRIDES_TO_ARM));
         Optional<RunDrone> above = draft.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()) && other.stage().mayFly())
@@ -322,13 +322,17 @@ final class Guard {
         if (look == null || look.place() == null || !look.waits() || !look.airborne()) {
             return;
         }
-        Track mine = far.mission(drone, look.place(), 0);
+        Track mine = far.mission(drone, look.place());
         draft.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()) && other.stage().mayFly())
                 .filter(other -> far.of(draft, other, looks.get(other.id())).stream()
-                        .anyMatch(way -> isInTheWay(mine, way, other)))
+                        .anyMatch(way -> isInTheWay(mine, way, other) || (look.rolls() && isNear(mine, way))))
                 .findFirst()
                 .ifPresent(other -> draft.put(yielding(drone, other.id())));
+    }
+
+    private boolean isNear(Track mine, Track way) {
+        return mine.stopping(0).meets(way.stopping(0), ROLLS_METERS, vertical);
     }
 
     private void mayGoOn(RunDrone drone) {
@@ -337,18 +341,20 @@ final class Guard {
         if (!(home || drone.stage() == DroneStage.HOLDING) || look == null || look.place() == null) {
             draft.put(drone.with(drone.signs().yields(null)));
         } else if (drone.errand() == null && look.waits() && drone.next() == null && !isBusy(drone)) {
-            Track mine = home ? far.homeward(drone, look.place()) : far.mission(drone, look.place(), 0);
-            goOn(drone, look.place(), isClear(drone, mine));
+            goOn(drone, look.place(), isClear(drone, look, look.place()));
         } else if (isHomeward(drone, look)) {
             draft.put(drone.errand() == null ? drone.with(drone.signs().yields(null)) : drone);
         }
     }
 
-    private boolean isClear(RunDrone drone, Track mine) {
+    private boolean isClear(RunDrone drone, Look look, Place place) {
+        boolean home = drone.stage() == DroneStage.RETURNING;
+        boolean rolls = look.rolls() && !home;
+        Track mine = home ? far.homeward(drone, place) : far.mission(drone, place);
         return draft.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()))
                 .flatMap(other -> far.of(draft, other, looks.get(other.id())).stream())
-                .allMatch(way -> isPassable(mine, way));
+                .allMatch(way -> isPassable(mine, way) && !(rolls && isNear(mine, way)));
     }
 
     /** Whoever is on its way home is called again. */
@@ -365,7 +371,7 @@ final class Guard {
     /** Apart all along, or never nearer than they are now: who came too near already may leave. */
     private boolean isPassable(Track mine, Track way) {
         double now = mine.stopping(0).clearance(way.stopping(0), horizontal, vertical);
-        return mine.clearance(way, horizontal, vertical) >= Math.min(1, now - LEAVING);
+        return mine.clearance(way, horizontal, vertical) >= Math.min(1, now - Tracks.LEAVING);
     }
 
     /** Whoever is on its way home comes over those who do not pass; others get another way. */

@@ -48,6 +48,9 @@ public record Look(
         @Nullable ReturnHeight returnHeight,
         Progress progress,
         Payload payload) {
+    /** m/s over ground: whoever is slower stands. */
+    private static final double STANDS_SPEED = 2;
+
     /**
      * How far it is with its mission.
      *
@@ -80,6 +83,11 @@ public record Look(
 
     boolean isArmed() {
         return Boolean.TRUE.equals(armed);
+    }
+
+    /** It was told to stand, and does not yet. */
+    boolean rolls() {
+        return waits() && speed != null && speed > STANDS_SPEED;
     }
 
     boolean isDisarmed() {

@@ -3,6 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.core.drone.ReturnHeight;
@@ -29,6 +30,8 @@ final class Tracks {
     private static final double STEP_METERS = 12;
 
     private static final double MOST_STEPS = 40;
+    /** As a share of the least distance: by so much less two who leave each other may be apart at first. */
+    static final double LEAVING = 0.02;
 
     private final LocalPlane plane;
     private final int strides;
@@ -86,6 +89,15 @@ final class Tracks {
             return new Track(later);
         }
 
+        /** Never nearer than now, and apart in the end: that is over the sooner the less either of them is stopped. */
+        boolean leaves(Track other, double horizontal, double vertical) {
+            int last = Math.min(places.size(), other.places().size()) - 1;
+            double now = clearance(new Track(other.places().subList(0, 1)), horizontal, vertical);
+            double end = new Track(places.subList(last, last + 1))
+                    .clearance(new Track(other.places().subList(last, last + 1)), horizontal, vertical);
+            return end >= 1 && clearance(other, horizontal, vertical) >= now - LEAVING;
+        }
+
         boolean meets(Track other, double horizontal, double vertical) {
             for (int i = 0; i < Math.min(places.size(), other.places().size()); i++) {
                 At here = places.get(i);
@@ -96,6 +108,13 @@ final class Tracks {
             }
             return false;
         }
+    }
+
+    /** The same, told now to stand. */
+    static List<Track> stopping(List<Track> tracks) {
+        return tracks.stream()
+                .map(track -> track.stopping(Guard.STRIDES_TO_STAND))
+                .toList();
     }
 
     /** What it may do; none where it is on the ground, or nobody knows where it is. */
@@ -111,11 +130,11 @@ final class Tracks {
         }
         boolean late = isLate(draft, drone);
         return switch (drone.stage()) {
-            case STARTING, FLYING -> List.of(mission(drone, place, 0));
+            case STARTING, FLYING -> List.of(flying(drone, look, place));
             case CONTINUING ->
                 late && look.waits()
-                        ? List.of(mission(drone, place, 0), new Track(standing(place)))
-                        : List.of(mission(drone, place, 0));
+                        ? List.of(mission(drone, place), new Track(standing(place)))
+                        : List.of(mission(drone, place));
             case HOLDING -> holding(drone, look, place, late);
             case RETURNING -> returning(drone, look, place);
             case CRASHED -> Condition.isSeenToFly(drone, look) ? byItself(drone, look, place) : List.of();
@@ -140,7 +159,7 @@ final class Tracks {
         if (!look.isOnMission()) {
             return List.of(new Track(standing(place)));
         }
-        Track flies = mission(drone, place, 0);
+        Track flies = flying(drone, look, place);
         Track stops = flies.stopping(Guard.STRIDES_TO_STAND);
         return late ? List.of(stops, flies) : List.of(stops);
     }
@@ -158,20 +177,20 @@ final class Tracks {
         return List.of(
                 look.comesDown()
                         ? homeward(drone, at(place), 0)
-                        : look.isOnMission() ? mission(drone, place, 0) : new Track(standing(place)));
+                        : look.isOnMission() ? flying(drone, look, place) : new Track(standing(place)));
     }
 
     /** Where a drone that is not heard may be: on its mission, sooner or later, or on its way home from where it missed us. */
     private List<Track> corridor(RunDrone drone, Place from, double gone) {
-        At missing = mission(drone, from, Math.min(gone, UNTIL_HOMEWARD_SECONDS))
+        double cruise = drone.craft().performance().speeds().cruise();
+        At missing = mission(drone, from, Math.min(gone, UNTIL_HOMEWARD_SECONDS), cruise)
                 .places()
                 .get(0);
         List<Track> ways = new ArrayList<>();
-        double doubt =
-                gone * (FASTER + SLOWER) * drone.craft().performance().speeds().cruise();
+        double doubt = gone * (FASTER + SLOWER) * cruise;
         int steps = (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(doubt / STEP_METERS)));
         for (int step = 0; step <= steps; step++) {
-            ways.add(mission(drone, from, gone * (1 + FASTER - (FASTER + SLOWER) * step / steps)));
+            ways.add(mission(drone, from, gone * (1 + FASTER - (FASTER + SLOWER) * step / steps), cruise));
         }
         ways.add(homeward(drone, at(from), gone));
         ways.add(homeward(drone, missing, Math.max(0, gone - UNTIL_HOMEWARD_SECONDS)));
@@ -181,19 +200,31 @@ final class Tracks {
     /** It comes to stand first, and goes there then. */
     Track dodging(RunDrone drone, Place from, Place to) {
         Track first = drone.stage() == DroneStage.FLYING
-                ? mission(drone, from, 0).stopping(Guard.STRIDES_TO_STAND)
+                ? mission(drone, from, 0, drone.craft().performance().speeds().cruise())
+                        .stopping(Guard.STRIDES_TO_STAND)
                 : new Track(standing(from));
         List<At> places = new ArrayList<>(first.places().subList(0, Guard.STRIDES_TO_STAND));
         At stands = places.get(places.size() - 1);
-        Walk walk = new Walk(drone.craft().performance().speeds(), stands, 0);
+        Walk walk = new Walk(drone.craft().performance().speeds(), stands, 0, 0);
         At there = at(to);
         walk.to(there);
         places.addAll(walk.track().places());
         return new Track(places.subList(0, strides + 1));
     }
 
-    Track mission(RunDrone drone, Place from, double ago) {
-        Walk walk = new Walk(drone.craft().performance().speeds(), at(from), ago);
+    private Track flying(RunDrone drone, Look look, Place place) {
+        Double speed = look.speed();
+        return mission(drone, place, 0, look.isOnMission() && speed != null ? speed : 0);
+    }
+
+    /** It sets off from a stand. */
+    Track mission(RunDrone drone, Place from) {
+        return mission(drone, from, 0, 0);
+    }
+
+    /** {@code moving}: how fast it was there, that long ago. */
+    private Track mission(RunDrone drone, Place from, double ago, double moving) {
+        Walk walk = new Walk(drone.craft().performance().speeds(), at(from), ago, moving);
         Sortie sortie = drone.sortie();
         if (sortie != null) {
             List<MissionItem> items = sortie.mission().items();
@@ -220,7 +251,7 @@ final class Tracks {
 
     private Track homeward(RunDrone drone, At from, double ago) {
         Place home = drone.craft().finish().place();
-        Walk walk = new Walk(drone.craft().performance().speeds(), from, ago);
+        Walk walk = new Walk(drone.craft().performance().speeds(), from, ago, 0);
         ReturnHeight set = drone.signs().homeward();
         double height = Math.max(from.high(), home.altitudeAmslMeters() + (set == null ? RETURN_METERS : set.meters()));
         boolean there = from.spot().distanceMeters(at(home).spot()) < 2;
@@ -250,13 +281,15 @@ final class Tracks {
         private final List<At> places = new ArrayList<>();
         private final double ago;
         private At here;
+        private double moving;
         private double seconds;
 
-        Walk(Speeds speeds, At from, double ago) {
+        Walk(Speeds speeds, At from, double ago, double moving) {
             this.speeds = speeds;
             this.here = from;
             this.ago = ago;
-            note(from, 0);
+            this.moving = moving;
+            note(from, 0, share -> share);
         }
 
         At last() {
@@ -267,28 +300,34 @@ final class Tracks {
             double meters = here.spot().distanceMeters(there.spot());
             double climb = there.low() - here.low();
             double vertical = climb > 0 ? climb / speeds.climb() : -climb / speeds.descent();
-            go(there, Math.max(meters / speeds.cruise(), vertical));
+            Dash dash = new Dash(meters, moving, speeds);
+            moving = 0;
+            if (dash.seconds() > vertical) {
+                go(there, dash.seconds(), share -> dash.share(share * dash.seconds()));
+            } else {
+                go(there, vertical, share -> share);
+            }
         }
 
         void down(double ground) {
-            go(new At(here.spot(), ground), Math.max(0, here.low() - ground) / speeds.descent());
+            go(new At(here.spot(), ground), Math.max(0, here.low() - ground) / speeds.descent(), share -> share);
         }
 
         void waitFor(double holdSeconds) {
-            go(here, holdSeconds);
+            go(here, holdSeconds, share -> share);
         }
 
-        private void go(At there, double takes) {
-            note(there, takes);
+        private void go(At there, double takes, DoubleUnaryOperator way) {
+            note(there, takes, way);
             here = there;
             seconds += takes;
         }
 
-        /** What lies before now is passed over. */
-        private void note(At there, double takes) {
+        /** What lies before now is passed over; {@code way}: what share of it is behind the drone by that share of the time. */
+        private void note(At there, double takes, DoubleUnaryOperator way) {
             while (places.size() <= strides && ago + places.size() * STRIDE_SECONDS <= seconds + takes) {
                 double share = takes == 0 ? 1 : (ago + places.size() * STRIDE_SECONDS - seconds) / takes;
-                places.add(between(here, there, share));
+                places.add(between(here, there, way.applyAsDouble(share)));
             }
         }
 

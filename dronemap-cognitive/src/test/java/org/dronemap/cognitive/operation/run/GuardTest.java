@@ -3,12 +3,16 @@ package org.dronemap.cognitive.operation.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import org.dronemap.cognitive.Scenes;
 import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
@@ -133,5 +137,41 @@ class GuardTest {
         above.mode = "RTL";
         fleet.flyToTheEnd();
         assertThat(fleet.visits).containsKey("n1");
+    }
+
+    private static Place headsFor(RunDrone drone) {
+        return Legs.ahead(Objects.requireNonNull(drone.sortie()), drone.passed())
+                .get(0);
+    }
+
+    /** They came nearer than plans have it, by wind or since one stood: stopping either would keep them there. */
+    @Test
+    void letTwoGoOnThatLeaveEachOther() {
+        TestFleet fleet = flying();
+        Place there = headsFor(fleet.drone(0));
+        Place elsewhere = headsFor(fleet.drone(1));
+        LocalPlane plane = new LocalPlane(Scenes.point(0, 0));
+        Spot one = plane.spot(there.point());
+        Spot other = plane.spot(elsewhere.point());
+        double east = (one.eastMeters() + other.eastMeters()) / 2;
+        double north = (one.northMeters() + other.northMeters()) / 2;
+        double share = 5.4 / Math.hypot(one.eastMeters() - east, one.northMeters() - north);
+        flies(
+                fleet.vehicle(0),
+                east + share * (one.eastMeters() - east),
+                north + share * (one.northMeters() - north),
+                "AUTO");
+        flies(
+                fleet.vehicle(1),
+                east - share * (one.eastMeters() - east),
+                north - share * (one.northMeters() - north),
+                "AUTO");
+        flies(fleet.vehicle(2), -400, -400, "AUTO");
+        int said = fleet.said.size();
+        fleet.fly(3);
+
+        assertThat(fleet.said.subList(said, fleet.said.size())).noneMatch(words -> words.contains("waits until"));
+        assertThat(fleet.vehicle(0).mode).isEqualTo("AUTO");
+        assertThat(fleet.vehicle(1).mode).isEqualTo("AUTO");
     }
 }
