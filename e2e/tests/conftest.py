@@ -69,6 +69,15 @@ def api(server: Server) -> Api:
 
 
 @pytest.fixture
+def own_server(tmp_path: Path) -> Iterator[Server]:
+    """One that the test may kill."""
+    started = Server(tmp_path / "data")
+    started.start()
+    yield started
+    started.stop()
+
+
+@pytest.fixture
 def tap(server: Server) -> Iterator[Tap]:
     """A tap before the shared server."""
     opened = Tap(server.udp_port)

@@ -24,14 +24,6 @@ NEAR_METRES = 5.0
 
 
 @pytest.fixture
-def own_server(tmp_path: Path) -> Iterator[Server]:
-    started = Server(tmp_path / "data")
-    started.start()
-    yield started
-    started.stop()
-
-
-@pytest.fixture
 def tap(own_server: Server) -> Iterator[Tap]:
     opened = Tap(own_server.udp_port)
     yield opened

@@ -27,14 +27,6 @@ BOUND = {"uploading", "arming", "starting", "flying", "returning"}
 
 
 @pytest.fixture
-def own_server(tmp_path: Path) -> Iterator[Server]:
-    started = Server(tmp_path / "data")
-    started.start()
-    yield started
-    started.stop()
-
-
-@pytest.fixture
 def tap(own_server: Server) -> Iterator[Tap]:
     opened = Tap(own_server.udp_port)
     yield opened
