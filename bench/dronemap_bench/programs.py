@@ -39,6 +39,8 @@ class Server:
         self.udp_port = free_port(socket.SOCK_DGRAM)
         self.outlet_udp_port = free_port(socket.SOCK_DGRAM)
         self.outlet_tcp_port = free_port()
+        self.robot_udp_port = free_port(socket.SOCK_DGRAM)
+        self.robot_web_port = free_port()
         self._data = data
         data.mkdir(parents=True)
         options = os.environ.get("DRONEMAP_JAVA_OPTS", "").split()
@@ -56,6 +58,8 @@ class Server:
                     "DRONEMAP_ENDPOINTS": f"udpserver://127.0.0.1:{self.udp_port}",
                     "DRONEMAP_OUTLET": f"udpserver://127.0.0.1:{self.outlet_udp_port},"
                     f"tcpserver://127.0.0.1:{self.outlet_tcp_port}",
+                    "DRONEMAP_ROBOTS": f"udpserver://127.0.0.1:{self.robot_udp_port},"
+                    f"wsserver://127.0.0.1:{self.robot_web_port}",
                     "DRONEMAP_RECORD": "flights" if recorded else "never",
                     # Every recording is fetched at once afterwards, to be compared with what was sent.
                     "DRONEMAP_RATE_EXPORTS": "0",
@@ -169,10 +173,13 @@ class Load:
 
     def await_ready(self) -> None:
         """Returns when it has said that it is."""
+        self.hear("ready")
+
+    def hear(self, word: str) -> None:
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
-        if line.strip() != "ready":
-            raise SystemExit(f"A load program did not get ready: {line}")
+        if line.strip() != word:
+            raise SystemExit(f"A load program said '{line}' instead of '{word}'")
 
     def tell(self, line: str) -> None:
         assert self._process.stdin is not None

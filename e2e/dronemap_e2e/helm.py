@@ -30,8 +30,12 @@ class Helm:
             return
 
     def _steer(self) -> None:
-        while not self._cut.wait(0.1):
-            self._stream.send(self._setpoint)
+        try:
+            while not self._cut.wait(0.1):
+                self._stream.send(self._setpoint)
+        except (ConnectionClosed, OSError):
+            # The server has gone.
+            return
 
     def cut(self) -> None:
         self._cut.set()

@@ -27,7 +27,8 @@ final class RobotLink {
     private final LongSupplier nanoTime;
     private final long bornNanos;
     private final OrderWriter writer = new OrderWriter();
-    // Owned by the endpoint's thread; its counts are read by the lane.
+    // Owned by the endpoint's thread; its counts are read by the lane. It knows copies, of which the other link has its
+    // own.
     private final SequenceWatch sequence = new SequenceWatch();
     private volatile LossMeter.Counts counts = LossMeter.Counts.NONE;
     private volatile long sent;
@@ -35,6 +36,9 @@ final class RobotLink {
     private volatile Header header;
     private volatile boolean broken;
     private volatile boolean cut;
+    /** Of the robot's messages, before this link was one of its own. Written before the session is. */
+    private volatile long lostBefore;
+
     private volatile @Nullable RobotSession session;
     // Owned by the lane.
     private final LossMeter loss;
@@ -56,9 +60,16 @@ final class RobotLink {
         lastHeardNanos = nanoTime.getAsLong();
         header = packet.header();
         boolean isNew = sequence.isNew(packet.header());
-        counters.lost(sequence.lost() - counts.lost());
-        counts = new LossMeter.Counts(sequence.received(), sequence.lost(), sequence.doubled());
+        RobotSession owner = session;
+        long lost = owner == null ? 0 : lost(owner.links().numbered(packet.header()));
+        counters.lost(lost - counts.lost());
+        counts = new LossMeter.Counts(sequence.received(), lost, sequence.doubled());
         return isNew;
+    }
+
+    /** Robots number all that they say, by whichever link: what came by none got lost among datagrams, as connections lose nothing. */
+    private long lost(long ofRobot) {
+        return peer.isDatagram() ? Math.max(0, ofRobot - lostBefore) : 0;
     }
 
     RobotName name() {
@@ -90,8 +101,10 @@ final class RobotLink {
         return session;
     }
 
-    /** Any thread. */
+    /** On the registry lane, once. */
     void belongsTo(RobotSession owner) {
+        // The heartbeat by which it came in is one of the robot's messages.
+        lostBefore = owner.links().numbered(header);
         session = owner;
     }
 
@@ -131,7 +144,15 @@ final class RobotLink {
     /** True when the quality is worth telling: once an interval at most, and only news. */
     boolean measure(long nowNanos) {
         // Robots answer nothing that could be timed.
-        return loss.tick(nowNanos, counts, null);
+        return loss.tick(nowNanos, counted(), null);
+    }
+
+    /** What came by another link since the newest message here is not missing any more. */
+    private LossMeter.Counts counted() {
+        LossMeter.Counts now = counts;
+        RobotSession owner = session;
+        long lost = owner == null ? 0 : lost(owner.links().lost());
+        return new LossMeter.Counts(now.received(), lost, now.doubled());
     }
 
     LinkQuality quality() {
@@ -141,7 +162,7 @@ final class RobotLink {
     /** What went over it so far. Any thread. */
     VehicleTraffic traffic() {
         RobotSession owner = session;
-        LossMeter.Counts now = counts;
+        LossMeter.Counts now = counted();
         return new VehicleTraffic(
                 key(),
                 transport(),

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.LinkReport;
+import org.dronemap.proxy.roslink.wire.Header;
+import org.dronemap.proxy.roslink.wire.SequenceWatch;
 
 /**
  * The links of one robot: at most one of each transport, all from one host. Another one takes a place only when the one there
@@ -15,9 +17,21 @@ final class RobotLinks {
     static final long SILENT_NANOS = 2_500_000_000L;
 
     private final List<RobotLink> links = new ArrayList<>();
+    private SequenceWatch numbers = new SequenceWatch();
+    private long lostEarlier;
 
     RobotLinks(RobotLink first) {
         links.add(first);
+    }
+
+    /** A message came by one of them; how many of the robot's messages are missing. */
+    synchronized long numbered(Header header) {
+        numbers.isNew(header);
+        return lost();
+    }
+
+    synchronized long lost() {
+        return lostEarlier + numbers.lost();
     }
 
     /** Why the newcomer stays outside; empty when it is one of the links from now on. */
@@ -40,6 +54,9 @@ final class RobotLinks {
             }
         }
         links.add(newer);
+        // What came by it before is not missing, though nobody kept its numbers.
+        lostEarlier += numbers.lost();
+        numbers = new SequenceWatch();
         return Optional.empty();
     }
 

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.link.RobotKey;
+import org.jspecify.annotations.Nullable;
 
 /** Keys that were issued to the robots of a test; each is its own hash. */
 final class TestKeys implements RobotKeys {
@@ -21,7 +22,7 @@ final class TestKeys implements RobotKeys {
         issue(OF_8, ROBOT_8, 8, "26");
     }
 
-    void issue(String key, DroneId drone, int systemId, String owner) {
+    void issue(String key, DroneId drone, int systemId, @Nullable String owner) {
         revoke(drone);
         keys.put(key, new RobotKey(drone, "robot", systemId, owner, key, "root", Instant.EPOCH));
     }

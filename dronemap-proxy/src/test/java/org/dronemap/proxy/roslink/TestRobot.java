@@ -9,6 +9,8 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -125,6 +127,13 @@ final class TestRobot implements AutoCloseable {
                 return order;
             }
         }
+    }
+
+    /** All that it was told since it was last asked. */
+    List<JsonNode> told() {
+        List<JsonNode> told = new ArrayList<>();
+        orders.drainTo(told);
+        return told;
     }
 
     int ordersWaiting() {

@@ -20,7 +20,7 @@ public final class Load {
     public static void main(String[] words) throws IOException, InterruptedException {
         try {
             if (words.length == 0) {
-                throw new IllegalArgumentException("say send, watch, check, impair, flood, attach or sink");
+                throw new IllegalArgumentException("say send, watch, check, impair, flood, attach, sink or robots");
             }
             Arguments arguments = new Arguments(List.of(Arrays.copyOfRange(words, 1, words.length)));
             System.out.println(
@@ -32,9 +32,10 @@ public final class Load {
                         case "sink" -> new Sink(arguments).run();
                         case "flood" -> new Flooder(arguments).run();
                         case "attach" -> new Attached(arguments).run();
+                        case "robots" -> new RobotSender(arguments).run(lines(), System.out);
                         default ->
-                            throw new IllegalArgumentException(
-                                    "'" + words[0] + "' is none of send, watch, check, impair, flood, attach, sink");
+                            throw new IllegalArgumentException("'" + words[0]
+                                    + "' is none of send, watch, check, impair, flood, attach, sink, robots");
                     });
         } catch (IllegalArgumentException e) {
             System.err.println(e.getMessage());

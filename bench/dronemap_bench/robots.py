@@ -1,0 +1,121 @@
+"""`python -m dronemap_bench.robots`: many robots, half of them on WebSockets; what came of their words."""
+
+import argparse
+import json
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from . import machine
+from .programs import Json, Load, Server
+
+LEAD_SECONDS = 0.5
+END_SECONDS = 60
+FIRST_SYSTEM_ID = 1000
+# The server has compiled what it needs, and opened its heap, by then.
+WARM_SHARE = 3
+
+
+def measure(robots: int, rate: int, seconds: int) -> Json:
+    with tempfile.TemporaryDirectory(prefix="dronemap-bench-") as folder:
+        server = Server(Path(folder) / "data")
+        try:
+            return _measure(server, robots, rate, seconds)
+        finally:
+            server.stop()
+
+
+def _measure(server: Server, robots: int, rate: int, seconds: int) -> Json:
+    idle = machine.resident_bytes(server.pid)
+    ports = ["--port", str(server.robot_udp_port), "--web-port", str(server.robot_web_port)]
+    sender = Load(
+        "robots", *ports, *("--robots", str(robots), "--rate", str(rate), "--steps", str(rate * seconds))
+    )
+    try:
+        sender.await_ready()
+        start = time.monotonic() + LEAD_SECONDS
+        sender.tell(str(int(start * 1e9)))
+        time.sleep(max(0.0, start + seconds / WARM_SHARE - time.monotonic()))
+        before, heard = machine.sample(server.pid, server.robot_udp_port), _heard(server)
+        early = machine.resident_bytes(server.pid)
+        sender.hear("said")
+        after, heard_after = machine.sample(server.pid, server.robot_udp_port), _heard(server)
+        late = machine.resident_bytes(server.pid)
+        arrived = _arrived(server, robots, rate * seconds)
+        heard_before_end = _heard(server)
+        sender.tell("all came")
+        sender.hear("beaten")
+        _soon(lambda: _heard(server) >= heard_before_end + robots)
+        counts = _counts(server)
+        sender.tell("end")
+        sent = sender.result(END_SECONDS)
+    finally:
+        sender.stop()
+    wall = after.at - before.at
+    return {
+        "robots": robots,
+        "rate": rate,
+        "seconds": seconds,
+        "sent": sent,
+        "received": {transport: of["framesIn"] for transport, of in counts.items()},
+        "missingNumbers": sum(of["lost"] for of in counts.values()),
+        "dropped": sum(of["droppedIn"] for of in counts.values()),
+        "broken": sum(of["brokenBytes"] for of in counts.values()),
+        "kernelDrops": after.drops,
+        "arrived": arrived,
+        "cpuPercentOfOneCore": round(100 * (after.process - before.process) / wall, 1),
+        "cpuMicrosPerMessage": round(1e6 * (after.process - before.process) / max(1, heard_after - heard), 1),
+        "idleMegabytes": round(idle / 1e6, 1),
+        "warmMegabytes": round(early / 1e6, 1),
+        "lateMegabytes": round(late / 1e6, 1),
+    }
+
+
+def _counts(server: Server) -> dict[str, Json]:
+    return {
+        each["url"].partition(":")[0]: each["counts"]
+        for each in server.get("/endpoints")["endpoints"]
+        if each["url"].endswith((f":{server.robot_udp_port}", f":{server.robot_web_port}"))
+    }
+
+
+def _heard(server: Server) -> int:
+    return sum(int(counts["framesIn"]) for counts in _counts(server).values())
+
+
+def _arrived(server: Server, robots: int, steps: int) -> int:
+    """Robots that are where they said last, each in its own row: soon, or not at all."""
+    found = 0
+
+    def look() -> bool:
+        nonlocal found
+        found = 0
+        for drone in server.get("/drones")["drones"]:
+            number = drone["link"]["systemId"] - FIRST_SYSTEM_ID
+            place = drone["local"] or {}
+            found += (place.get("x"), place.get("y")) == (steps, number)
+        return found == robots
+
+    _soon(look)
+    return found
+
+
+def _soon(is_so: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + END_SECONDS
+    while not is_so() and time.monotonic() < deadline:
+        time.sleep(0.5)
+
+
+def main(words: list[str]) -> None:
+    parser = argparse.ArgumentParser(prog="python -m dronemap_bench.robots", description=__doc__)
+    parser.add_argument("--robots", type=int, default=500)
+    parser.add_argument("--rate", type=int, default=10, help="messages of each a second")
+    parser.add_argument("--seconds", type=int, default=300)
+    options = parser.parse_args(words)
+    print(json.dumps(measure(options.robots, options.rate, options.seconds), indent=2))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,20 @@
+"""Half a thousand robots lose nothing, and the server grows no fatter by them (soak)."""
+
+import pytest
+
+from dronemap_bench.robots import measure
+
+ROBOTS, RATE, SECONDS = 500, 10, 300
+
+
+@pytest.mark.soak
+def test_nothing_is_lost_of_what_many_robots_say_and_memory_stays_flat() -> None:
+    result = measure(ROBOTS, RATE, SECONDS)
+    sent = result["sent"]
+    assert sent["refused"] == 0, result
+    assert result["received"] == {"udpserver": sent["byUdp"], "wsserver": sent["byWeb"]}, result
+    assert (result["lost"], result["dropped"], result["broken"], result["kernelDrops"]) == (0, 0, 0, 0), (
+        result
+    )
+    assert result["arrived"] == ROBOTS, result
+    assert result["lateMegabytes"] <= result["warmMegabytes"] + 15, result
