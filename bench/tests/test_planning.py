@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from dronemap_bench.planning import __main__ as command
-from dronemap_bench.planning import checker, losses, modes, plot, problems, report, runs, study
+from dronemap_bench.planning import checker, flown, losses, modes, plot, problems, report, runs, study
 from dronemap_bench.planning.problems import Moved, Problem, Row
 
 SQUARE = Problem("euclidean", "longest", ((0.0, 0.0), (10.0, 0.0)), ((0.0, 5.0), (10.0, 5.0), (10.0, 9.0)))
@@ -236,3 +236,27 @@ def test_a_study_draws_the_share_of_runs_up_to_each_value() -> None:
     picture = study.picture(study.parse(iter(STUDIED)))
     assert picture.count("<polyline") == 4
     assert "1 lost: 1" in picture and "none lost: 1" in picture
+
+
+FLOWN = [
+    "about Performance[…]",
+    "flown 2 measured 4.50 3 9 200.00 208.00 40000 41000",
+    "flown 1 measured 0.00 0 4 100.00 97.00 20000 19000",
+    "flown 1 assumed 0.00 0 4 120.00 97.00 50000 19000",
+]
+
+
+def test_flown_plans_are_held_against_what_was_foretold() -> None:
+    flights = flown.parse(FLOWN)
+    assert [(flight.figures, flight.seed) for flight in flights] == [
+        ("assumed", 1),
+        ("measured", 1),
+        ("measured", 2),
+    ]
+    text = flown.table(flights)
+    assert "| time, figures measured of that copter | 2 | +0.50 | 4.00 | 4.00 |" in text
+    assert "| energy, figures as its autopilot is delivered | 1 | -62.00 | 62.00 | 62.00 |" in text
+    assert flown.keeps_its_word(flights)
+    late = flown.parse(["flown 3 measured 1.00 0 4 100.00 105.10 1000 1000"])
+    thirsty = flown.parse(["flown 3 measured 1.00 0 4 100.00 100.00 1000 1110"])
+    assert not flown.keeps_its_word(late) and not flown.keeps_its_word(thirsty)

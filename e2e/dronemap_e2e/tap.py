@@ -4,6 +4,7 @@ import select
 import socket
 import threading
 import time
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -29,8 +30,13 @@ class Heard:
 class Tap:
     """Vehicles connect to `port` here; everything goes on to the server from a socket per vehicle."""
 
-    def __init__(self, server_port: int) -> None:
+    def __init__(self, server_port: int, keep: Collection[str] = ()) -> None:
+        """`keep`: of long runs only messages of these kinds; none named: all."""
         self._server: Address = ("127.0.0.1", server_port)
+        self._keeps = frozenset(keep)
+        # System ids of vehicles whose links are cut: they are overheard, and nobody hears them.
+        self.cut: set[int] = set()
+        self._systems: dict[Address, int] = {}
         self._vehicles = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._vehicles.bind(("127.0.0.1", 0))
         self.port: int = self._vehicles.getsockname()[1]
@@ -70,12 +76,15 @@ class Tap:
                     data, sender = ready.recvfrom(65535)
                 except ConnectionError:
                     continue
-                if ready is self._vehicles:
-                    self._keep(sender, True, data)
-                    self._up(sender).sendto(data, self._server)
+                up = ready is self._vehicles
+                vehicle = sender if up else by_socket[ready]
+                self._keep(vehicle, up, data)
+                if self._systems.get(vehicle) in self.cut:
+                    continue
+                if up:
+                    self._up(vehicle).sendto(data, self._server)
                 else:
-                    self._keep(by_socket[ready], False, data)
-                    self._vehicles.sendto(data, by_socket[ready])
+                    self._vehicles.sendto(data, vehicle)
 
     def _up(self, vehicle: Address) -> socket.socket:
         if vehicle not in self._upstream:
@@ -88,8 +97,14 @@ class Tap:
         parser = self._parsers.setdefault((vehicle, up), _parser())
         messages = parser.parse_buffer(data) or []
         now = time.monotonic()
+        if up and messages:
+            self._systems[vehicle] = messages[0].get_srcSystem()
         with self._lock:
-            self._heard.extend(Heard(now, up, message) for message in messages)
+            self._heard.extend(
+                Heard(now, up, message)
+                for message in messages
+                if not self._keeps or message.get_type() in self._keeps
+            )
 
 
 def _parser() -> Any:

@@ -12,7 +12,7 @@ from dronemap_e2e.runs import Track, distance, ended, known, planned, stages, tr
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.tap import Tap
-from dronemap_e2e.waiting import wait_for
+from dronemap_e2e.waiting import throughout, wait_for
 
 FIRST_SYSTEM_ID = 201
 DRONES = 2
@@ -23,6 +23,7 @@ HEIGHT_METRES = 20
 SEARCH_SECONDS = 0.4
 NEAR_METRES = 5.0
 FAR_METRES = 15.0
+STANDS_METRES = 0.5
 HOVER_METRES = 2.0
 HOVER_SECONDS = 8
 SERVO = 9
@@ -206,6 +207,50 @@ def test_a_changed_plan_waits_for_an_answer_where_people_want_to_be_asked(
     assert {one["visits"][0]["drone"] for one in map(result.__getitem__, orphans)} == {stays}
     assert over["counts"]["visited"] == 8, over["explanations"]
     assert told(over, "answered")
+
+
+def return_heights(tap: Tap, system_id: int, begin: int) -> list[float]:
+    """In metres, what that vehicle was told in turn from that message on."""
+    return [
+        heard.message.param_value / 100
+        for heard in tap.heard("PARAM_SET", up=False)[begin:]
+        if heard.message.param_id == "RTL_ALT" and heard.message.target_system == system_id
+    ]
+
+
+def stood(track: Track) -> float:
+    """How far its reports are apart, in metres."""
+    here = dict(zip(("latitude", "longitude", "altitudeAmsl"), track[0], strict=True))
+    return max(distance(here, [there]) for there in track)
+
+
+def test_a_paused_run_stands_still_and_its_drones_fly_home_in_layers_of_their_own(
+    api: Api, tap: Tap, drones: list[Json]
+) -> None:
+    told_before = len(tap.heard("PARAM_SET", up=False))
+    run = begun(api, drones, 2, "automatic")
+    done(api, "POST", f"{run}/pause")
+    assert api.call("POST", f"{run}/pause").status_code == 409
+    wait_for("all hold", lambda: set(stages(api.get(run)).values()) == {"holding"}, 30)
+
+    def stand() -> bool:
+        flown = tracks(tap, drones, FIRST_SYSTEM_ID)
+        return all(stood(track[-8:]) < STANDS_METRES for track in flown.values())
+
+    wait_for("they stand", stand, 20)
+    visited = api.get(run)["counts"]["visited"]
+    throughout("they stand", stand, 2)
+    assert api.get(run)["state"] == "paused" and api.get(run)["counts"]["visited"] == visited
+
+    done(api, "POST", f"{run}/continue")
+    over = wait_for("it is over", partial(ended, api, run), 240)
+
+    assert over["counts"]["visited"] == 2, over["explanations"]
+    assert told(over, "paused") and told(over, "wentOn")
+    heights = [return_heights(tap, FIRST_SYSTEM_ID + n, told_before) for n in range(DRONES)]
+    layers = sorted(told_to[0] for told_to in heights)
+    assert layers[0] > HEIGHT_METRES and layers[1] - layers[0] >= 5, heights
+    assert {told_to[-1] for told_to in heights} == {15}, heights
 
 
 def beyond(place: Json, track: Track) -> float:

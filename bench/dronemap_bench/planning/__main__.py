@@ -10,11 +10,11 @@ from typing import Any
 
 from ..__main__ import about
 from ..programs import ROOT
-from . import checker, losses, modes, report, study
+from . import checker, flown, losses, modes, report, study
 from .problems import Row, read
 from .runs import Plan, Result, RunError, run
 
-REPLAN, STUDY = "replan", "study"
+REPLAN, STUDY, FLOWN = "replan", "study", "flown"
 
 
 def main(words: list[str]) -> None:
@@ -24,6 +24,9 @@ def main(words: list[str]) -> None:
         return
     if options.mode == [STUDY]:
         _study(options)
+        return
+    if options.mode == [FLOWN]:
+        _flown(options)
         return
     rows = read(_data(options.data))
     if options.check:
@@ -50,6 +53,14 @@ def _study(options: argparse.Namespace) -> None:
     study.write(options.out, options.name or STUDY, about(), done)
     print(study.table(done))
     if done.broken:
+        sys.exit(1)
+
+
+def _flown(options: argparse.Namespace) -> None:
+    flights = flown.run(options.cases)
+    flown.write(options.out, options.name or FLOWN, about(), flights)
+    print(flown.table(flights))
+    if not flown.keeps_its_word(flights):
         sys.exit(1)
 
 
@@ -141,7 +152,8 @@ def _options(words: list[str]) -> argparse.Namespace:
         epilog="modes:\n"
         + "\n".join(f"  {mode.name:12} {mode.what}" for mode in modes.MODES)
         + f"\n  {REPLAN:12} random missions lose a drone (by itself, with the options from --cases on)"
-        + f"\n  {STUDY:12} random missions flown in virtual time with random failures (by itself; --cases)",
+        + f"\n  {STUDY:12} random missions flown in virtual time with random failures (by itself; --cases)"
+        + f"\n  {FLOWN:12} random plans flown by simulated copters: time and energy (by itself; --cases)",
     )
     parser.add_argument("mode", nargs="*", default=["minmax-1s"], help="what to measure (default: minmax-1s)")
     parser.add_argument(
