@@ -17,6 +17,7 @@ import org.dronemap.ws.house.Deeds;
 import org.dronemap.ws.house.DroneDeeds;
 import org.dronemap.ws.house.Estate;
 import org.dronemap.ws.house.Faces;
+import org.dronemap.ws.house.FollowDeeds;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.OfficeDeeds;
 import org.dronemap.ws.house.RunDeeds;
@@ -62,7 +63,8 @@ abstract class DeedTrial {
         deeds = List.of(
                 new OfficeDeeds(house, estate.administrator(), provider),
                 new DroneDeeds(house, estate, other),
-                new RunDeeds(house, estate));
+                new RunDeeds(house, estate),
+                new FollowDeeds(house, estate));
     }
 
     @AfterAll

@@ -133,7 +133,8 @@ abstract class ReachTrial {
 
     /** Not what would take the caller's own key or the drone away, nor what is one user's alone. */
     boolean isTried(String operation) {
-        return !operation.equals(GIVE_AWAY) && !kind(operation).matches("access-keys|virtual-drones|plans|runs");
+        return !operation.equals(GIVE_AWAY)
+                && !kind(operation).matches("access-keys|virtual-drones|plans|runs|follows");
     }
 
     String ownThing(String operation) {

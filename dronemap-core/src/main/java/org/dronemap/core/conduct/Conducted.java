@@ -20,6 +20,8 @@ import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.operation.Scene;
+import org.dronemap.core.operation.Sighting;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -32,6 +34,7 @@ final class Conducted<S, I> {
     private final Holder.Operation holder;
     private final Reins reins;
     private final Hands hands;
+    private final @Nullable Wheel<S> wheel;
     private final List<Computations.Underway> computations = new ArrayList<>();
     /** What came to be known and was not decided on yet. */
     private final Deque<I> inbox = new ArrayDeque<>();
@@ -70,6 +73,10 @@ final class Conducted<S, I> {
                 saved.id().value(), saved.owner(), kind.machine().words(state));
         this.reins = new Reins(means.crew(), holder);
         this.hands = new Hands(means.crew(), holder, means.nanoTime());
+        this.wheel = kind.machine()
+                .guide(state)
+                .map(guide -> new Wheel<>(means.crew(), holder, guide))
+                .orElse(null);
         this.lookedNanos =
                 means.nanoTime().getAsLong() - kind.machine().rhythm().toNanos();
     }
@@ -139,7 +146,8 @@ final class Conducted<S, I> {
         S state = now.state();
         Set<DroneId> drones = new HashSet<>(kind.machine().drones(state));
         drones.addAll(kind.machine().watched(state));
-        take(kind.machine().looked(state, means.scenery().of(now.saved().owner(), reins, drones)));
+        Scene scene = means.scenery().of(now.saved().owner(), reins, drones);
+        take(kind.machine().looked(state, wheel == null ? scene : wheel.turn(state, scene)));
     }
 
     private void hearEnds() {
@@ -160,6 +168,11 @@ final class Conducted<S, I> {
                 hands.told(given);
             }
         }
+    }
+
+    /** False when nobody here steers by what is seen, or too much waits already. Any thread. */
+    boolean sighted(Sighting sighting) {
+        return wheel != null && wheel.sighted(sighting);
     }
 
     /** A user's wish; why it is not taken, as a sentence. */

@@ -9,6 +9,7 @@ import org.dronemap.core.cloud.UnknownDroneException;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Control;
@@ -65,7 +66,27 @@ final class DroneCrew {
     }
 
     void command(Holder.Operation by, DroneId drone, CommandId id, Command command) {
-        cloud.gate().submit(new CommandGate.Source(principal(by), face, null, by), drone, id, command);
+        cloud.gate().submit(source(by), drone, id, command);
+    }
+
+    /** Why it cannot be steered so now, as a sentence; empty when it is. */
+    Optional<String> steer(Holder.Operation by, DroneId drone, Setpoint setpoint) {
+        try {
+            return cloud.setpoints().steer(source(by), drone, setpoint);
+        } catch (UnknownDroneException removed) {
+            return Optional.of("There is no such drone any more.");
+        }
+    }
+
+    /** No-op when it is not steered. */
+    void letGo(Holder.Operation by, DroneId drone) {
+        if (cloud.drone(drone).isPresent()) {
+            cloud.setpoints().letGo(source(by), drone);
+        }
+    }
+
+    private CommandGate.Source source(Holder.Operation by) {
+        return new CommandGate.Source(principal(by), face, null, by);
     }
 
     Optional<CommandRecord> record(CommandId id) {

@@ -21,6 +21,7 @@ import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.operation.Sighting;
 import org.dronemap.core.organisation.OrganisationId;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -141,6 +142,11 @@ public final class Operations implements CloudListener, AutoCloseable {
             book.tidy();
             return picture(conducted);
         });
+    }
+
+    /** Tells an operation where what it is about was seen; false when it is not under way, or too much waits already. */
+    public <S, I> boolean sighted(OperationKind<S, I> kind, OperationId id, Sighting sighting) {
+        return book.find(kind, id).filter(one -> one.sighted(sighting)).isPresent();
     }
 
     /** Under way or over. */

@@ -28,6 +28,11 @@ public interface Operation<S, I> {
         return drones(state);
     }
 
+    /** Who steers its drones between its decisions; empty: nobody does. Asked once, when it is taken up. */
+    default Optional<Guide<S>> guide(S state) {
+        return Optional.empty();
+    }
+
     /** Nothing will happen any more. */
     boolean isOver(S state);
 

@@ -50,7 +50,7 @@ final class Forms {
         }
         List<Class<?>> records = new ArrayList<>(open.getOrDefault(type, List.of()));
         addRecords(type, records);
-        if (records.isEmpty()) {
+        if (records.isEmpty() && !open.containsKey(type)) {
             throw new IllegalStateException("nobody knows how to write a " + type);
         }
         return new OneOfForm(type, records, this);

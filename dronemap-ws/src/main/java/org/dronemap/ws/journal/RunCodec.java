@@ -1,89 +1,13 @@
 package org.dronemap.ws.journal;
 
-import java.lang.reflect.Type;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.List;
-import java.util.Map;
 import org.dronemap.cognitive.operation.run.Replan;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunState;
-import org.dronemap.core.operation.Action;
-import org.dronemap.core.operation.Computation;
-import org.dronemap.core.operation.Decision;
-import org.dronemap.core.operation.OperationCodec;
-import tools.jackson.core.JacksonException;
-import tools.jackson.core.StreamReadFeature;
-import tools.jackson.databind.DeserializationFeature;
-import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
-import tools.jackson.databind.node.ArrayNode;
-import tools.jackson.databind.node.ObjectNode;
 
-/** Mission runs as JSON of one line; a decision has the SHA-256 of the state that it leads to instead of that. Any thread. */
-public final class RunCodec implements OperationCodec<RunState, RunInput> {
-    private final JsonMapper mapper = JsonMapper.builder()
-            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-            .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
-            .build();
-    private final Forms forms = new Forms(Map.of(Computation.class, List.of(Replan.class)));
-
-    @Override
-    public String state(RunState state) {
-        return write(RunState.class, state);
-    }
-
-    @Override
-    public RunState state(String text) {
-        return (RunState) read(RunState.class, text);
-    }
-
-    @Override
-    public String input(RunInput input) {
-        return write(RunInput.class, input);
-    }
-
-    @Override
-    public RunInput input(String text) {
-        return (RunInput) read(RunInput.class, text);
-    }
-
-    @Override
-    public String decision(Decision<RunState, RunInput> decision) {
-        ObjectNode node = mapper.createObjectNode();
-        ArrayNode actions = node.putArray("actions");
-        decision.actions().forEach(action -> actions.add(forms.of(Action.class).write(action)));
-        node.put("why", decision.why());
-        node.put("next", hash(state(decision.next())));
-        return text(node);
-    }
-
-    String write(Type type, Object value) {
-        return text(forms.of(type).write(value));
-    }
-
-    Object read(Type type, String text) {
-        JsonNode node;
-        try {
-            node = mapper.readTree(text);
-        } catch (JacksonException e) {
-            throw new IllegalArgumentException("not JSON: " + e.getOriginalMessage(), e);
-        }
-        return forms.of(type).read(node);
-    }
-
-    private String text(JsonNode node) {
-        return mapper.writeValueAsString(node);
-    }
-
-    private static String hash(String text) {
-        try {
-            byte[] digest = MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8));
-            return HexFormat.of().formatHex(digest);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException(e);
-        }
+/** Mission runs as text. */
+public final class RunCodec extends RecordCodec<RunState, RunInput> {
+    public RunCodec() {
+        super(RunState.class, RunInput.class, List.of(Replan.class));
     }
 }

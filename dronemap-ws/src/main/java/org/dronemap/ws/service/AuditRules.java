@@ -4,14 +4,16 @@ import java.util.Set;
 
 /**
  * Which calls leave a record, for all faces: every one, but for those that only look, named here. A sign of life of who has
- * control comes every two seconds and changes nothing that lasts; that control ends without it does leave its trace.
+ * control comes every two seconds and changes nothing that lasts; that control ends without it does leave its trace. A phone's positions come each
+ * second; what is steered because of them leaves a record from its begin to its end.
  */
 public final class AuditRules {
     private static final Set<String> LOOKING = Set.of("GET", "HEAD", "OPTIONS");
     /** Where a browser that comes back from a provider is signed in. */
     private static final String CALLBACK = "/api/v1/session/oidc/callback";
 
-    private static final Set<String> LEFT_OUT_OF_REST = Set.of("POST /api/v1/drones/{id}/control/heartbeat");
+    private static final Set<String> LEFT_OUT_OF_REST =
+            Set.of("POST /api/v1/drones/{id}/control/heartbeat", "POST /api/v1/follows/{id}/positions");
     private static final Set<String> LEFT_OUT_OF_SOAP = Set.of(
             "getDronesList",
             "getDrone",

@@ -15,6 +15,7 @@ import org.springframework.context.annotation.Import;
     SoapConfiguration.class,
     VirtualConfiguration.class,
     PlanConfiguration.class,
-    RunConfiguration.class
+    RunConfiguration.class,
+    FollowConfiguration.class
 })
 public class FacesApplication {}

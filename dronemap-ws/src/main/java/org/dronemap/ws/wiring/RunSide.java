@@ -2,6 +2,9 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import java.util.List;
+import org.dronemap.cognitive.operation.follow.Follow;
+import org.dronemap.cognitive.operation.follow.FollowInput;
+import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.cognitive.operation.run.MissionRun;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunState;
@@ -10,16 +13,24 @@ import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
+import org.dronemap.ws.journal.FollowCodec;
 import org.dronemap.ws.journal.RunCodec;
 
 /** What is conducted for users over time. */
-public record RunSide(Operations operations, OperationKind<RunState, RunInput> kind) {
+public record RunSide(
+        Operations operations,
+        OperationKind<RunState, RunInput> kind,
+        OperationKind<FollowState, FollowInput> follows) {
     /** Stored with each mission run. */
     private static final String MISSION_RUN = "missionRun";
+
+    /** Stored with each follow. */
+    private static final String FOLLOW = "follow";
 
     /** Not started yet. */
     public static RunSide of(CloudManager cloud, OperationStore store, OperationRights rights, Clock clock) {
         OperationKind<RunState, RunInput> kind = new OperationKind<>(MISSION_RUN, new MissionRun(), new RunCodec());
-        return new RunSide(new Operations(cloud, store, rights, clock, List.of(kind)), kind);
+        OperationKind<FollowState, FollowInput> follows = new OperationKind<>(FOLLOW, new Follow(), new FollowCodec());
+        return new RunSide(new Operations(cloud, store, rights, clock, List.of(kind, follows)), kind, follows);
     }
 }

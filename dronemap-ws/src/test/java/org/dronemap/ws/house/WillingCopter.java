@@ -6,6 +6,7 @@ import java.util.Set;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -85,9 +86,10 @@ public final class WillingCopter {
             vehicle.says(new DroneEvent.MissionCurrentHeard(0, MissionPhase.STOPPED));
         } else if (command instanceof Command.Arm) {
             vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
+        } else if (command instanceof Command.TakeOff) {
+            isInTheAir();
         } else if (command instanceof Command.StartMission) {
-            vehicle.says(new DroneEvent.PositionHeard(new Position(stand, 508.0, 20.0)));
-            vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+            isInTheAir();
             vehicle.says(new DroneEvent.ModeHeard("AUTO", true));
         } else if (command instanceof Command.ReturnToLaunch) {
             vehicle.says(new DroneEvent.ModeHeard("RTL", true));
@@ -98,6 +100,21 @@ public final class WillingCopter {
     public void reaches(int item) {
         vehicle.says(new DroneEvent.MissionItemReached(item));
         vehicle.says(new DroneEvent.MissionCurrentHeard(item + 1, MissionPhase.RUNNING));
+    }
+
+    private void isInTheAir() {
+        vehicle.says(new DroneEvent.PositionHeard(new Position(stand, 508.0, 20.0)));
+        vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+    }
+
+    /** What it was steered by. */
+    public List<Setpoint> setpoints() {
+        return vehicle.setpoints();
+    }
+
+    /** Its battery has so much left. */
+    public void hasLeft(int percent) {
+        vehicle.says(new DroneEvent.BatteryHeard(new Battery(percent, null, null)));
     }
 
     /** Down and disarmed. */

@@ -1,0 +1,55 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.util.List;
+import org.dronemap.cognitive.follow.Side;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.geo.Geodetic;
+
+/**
+ * What is asked for.
+ *
+ * @param near where the phone was when it asked
+ * @param fences what the drone keeps within and out of
+ * @param patienceSeconds without positions, before it flies home
+ */
+public record FollowOrder(Chosen chosen, Geodetic near, Place place, double speed, Fences fences, int patienceSeconds) {
+    /** Lower than this nobody is followed: metres above the drone's home. */
+    public static final double LOWEST_METERS = 5;
+
+    public static final double HIGHEST_METERS = 120;
+
+    /**
+     * The drone.
+     *
+     * @param name as people call it
+     * @param home where it flies back to
+     * @param why it was chosen, as one or more sentences
+     */
+    public record Chosen(DroneId drone, String name, Geodetic home, double homeAmslMeters, String why) {}
+
+    /**
+     * Where the drone stays beside the phone.
+     *
+     * @param heightMeters above its home
+     */
+    public record Place(Side side, double distanceMeters, double heightMeters) {}
+
+    /** Areas by their corners. */
+    public record Fences(List<Area> stayIn, List<Area> keepOut) {
+        public Fences {
+            stayIn = List.copyOf(stayIn);
+            keepOut = List.copyOf(keepOut);
+        }
+    }
+
+    /** An area. */
+    public record Area(List<Geodetic> corners) {
+        public Area {
+            corners = List.copyOf(corners);
+        }
+    }
+
+    FollowOrder at(Place other) {
+        return new FollowOrder(chosen, near, other, speed, fences, patienceSeconds);
+    }
+}

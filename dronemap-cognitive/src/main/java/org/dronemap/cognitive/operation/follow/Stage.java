@@ -1,0 +1,22 @@
+package org.dronemap.cognitive.operation.follow;
+
+/** How far a follow is. */
+public enum Stage {
+    /** A drone is kept for it, on the ground. */
+    ALLOCATED,
+    /** The drone takes off. */
+    STARTING,
+    TRACKING,
+    /** The drone stays where it is, in the air. */
+    PAUSED,
+    /** A pilot or somebody else has the drone. */
+    SUSPENDED,
+    /** The drone flies home. */
+    RETURNING,
+    OVER;
+
+    /** The follow needs control of its drone. */
+    boolean holds() {
+        return this != SUSPENDED && this != OVER;
+    }
+}

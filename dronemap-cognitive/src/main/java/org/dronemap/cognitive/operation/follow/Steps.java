@@ -1,0 +1,115 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.cognitive.operation.follow.FollowInput.Look;
+import org.dronemap.cognitive.operation.follow.FollowState.Errand;
+import org.dronemap.cognitive.operation.follow.FollowState.Tries;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.operation.Action;
+import org.jspecify.annotations.Nullable;
+
+/** The commands that a drone is given, one after the other. */
+final class Steps {
+    private static final String GUIDED = "GUIDED";
+    private static final Duration PAUSE = Duration.ofSeconds(3);
+    private static final int MOST_TRIES = 3;
+
+    private FollowState state;
+    private final List<Action<FollowInput>> actions = new ArrayList<>();
+
+    Steps(FollowState state) {
+        this.state = state;
+    }
+
+    FollowState state() {
+        return state;
+    }
+
+    List<Action<FollowInput>> actions() {
+        return actions;
+    }
+
+    /** Up, and then it follows. */
+    void start(Look look, Instant at) {
+        if (isBusy(at)) {
+            return;
+        }
+        if (!look.guided()) {
+            give(Errand.Kind.MODE, new Command.SetMode(GUIDED));
+        } else if (!look.armed()) {
+            give(Errand.Kind.ARM, new Command.Arm());
+        } else if (!look.airborne()) {
+            give(Errand.Kind.TAKE_OFF, new Command.TakeOff(state.order().place().heightMeters()));
+        } else {
+            state = state.to(Stage.TRACKING, at, state.order().chosen().name() + " is in the air and follows.");
+        }
+    }
+
+    /** Home, and then it is over. */
+    void home(Look look, Instant at) {
+        if (!look.armed()) {
+            state = state.to(Stage.OVER, at, state.order().chosen().name() + " is down; it is over.");
+        } else if (!isBusy(at)) {
+            if (!look.airborne()) {
+                give(Errand.Kind.DISARM, new Command.Disarm(false));
+            } else if (!look.homing()) {
+                give(Errand.Kind.HOME, new Command.ReturnToLaunch());
+            }
+        }
+    }
+
+    private boolean isBusy(Instant at) {
+        Instant notBefore = state.tries().notBefore();
+        return state.errand() != null || (notBefore != null && at.isBefore(notBefore));
+    }
+
+    private void give(Errand.Kind kind, Command command) {
+        Tries tries = state.tries();
+        CommandId id = new CommandId(state.id() + "-" + (tries.given() + 1));
+        state = state.on(new Errand(id, kind), new Tries(tries.given() + 1, tries.failed(), null));
+        actions.add(new Action.Give<>(state.drone(), id, command));
+    }
+
+    /** A command ended; what is done about it is decided at the next look. */
+    void ended(FollowInput.CommandEnded ended) {
+        Errand errand = state.errand();
+        if (errand == null || !errand.command().equals(ended.command())) {
+            return;
+        }
+        String why = failure(ended.outcome());
+        Tries tries = state.tries();
+        if (why == null) {
+            // What is heard of the vehicle takes a moment to say the same.
+            state = state.on(null, new Tries(tries.given(), 0, ended.at().plusMillis(500)));
+            return;
+        }
+        state = state.on(
+                null, new Tries(tries.given(), tries.failed() + 1, ended.at().plus(PAUSE)));
+        if (state.stage() == Stage.STARTING && state.tries().failed() >= MOST_TRIES) {
+            state = state.to(Stage.RETURNING, ended.at(), "It could not be started: " + why);
+        } else {
+            state = state.noted("It is tried again: " + why);
+        }
+    }
+
+    private static @Nullable String failure(Outcome outcome) {
+        if (outcome instanceof Outcome.Refused refused) {
+            return refused.reason();
+        }
+        if (outcome instanceof Outcome.Failed failed) {
+            return failed.reason();
+        }
+        if (outcome instanceof Outcome.TimedOut timedOut) {
+            return timedOut.reason();
+        }
+        if (outcome instanceof Outcome.Superseded superseded) {
+            return superseded.reason();
+        }
+        return outcome instanceof Outcome.Unknown unknown ? unknown.reason() : null;
+    }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.cognitive.operation.follow;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,29 @@
+package org.dronemap.core.operation;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where something was that an operation is about and that is no drone, as whoever sees it says. Told once or more a second, and
+ * not written down.
+ *
+ * @param at by the clock of who says it
+ * @param sent when it was said, by the same clock
+ * @param heard when it came, by the cloud's
+ * @param roundTrip from saying something to the answer, as measured by who says it; null: not measured
+ * @param accuracyMeters it is within so much of the place in two cases of three
+ * @param motion how it moves; null: not said
+ */
+public record Sighting(
+        Instant at,
+        Instant sent,
+        Instant heard,
+        @Nullable Duration roundTrip,
+        Geodetic point,
+        double accuracyMeters,
+        @Nullable Motion motion) {
+    /** Over the ground, m/s, and degrees clockwise from north. */
+    public record Motion(double speed, double courseDegrees) {}
+}

@@ -1,0 +1,137 @@
+package org.dronemap.ws.service;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.cognitive.follow.Side;
+import org.dronemap.cognitive.operation.follow.FollowOrder;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.operation.Sighting;
+import org.jspecify.annotations.Nullable;
+
+/** Turns what a client wants of a follow into what the follow understands, or says which member is wrong. */
+final class FollowReader {
+    private static final FollowOrder.Place USUAL = new FollowOrder.Place(new Side.Behind(), 8, 15);
+    private static final int LONGEST_NAME = 60;
+    private static final int MOST_POSITIONS = 20;
+    private static final double USUAL_MINUTES = 10;
+    private static final double USUAL_SPEED = 12;
+    private static final double USUAL_PATIENCE = 60;
+    private static final double USUAL_ACCURACY = 10;
+    private static final String SIDES = "behind, ahead, fixed or orbit";
+    private static final String COUNT = "1 to " + MOST_POSITIONS + " positions";
+
+    private FollowReader() {}
+
+    static String name(FollowRequest.OpenRequest request) {
+        return request.name() == null ? "Follow" : Names.checked("name", request.name(), LONGEST_NAME);
+    }
+
+    static Geodetic near(FollowRequest.OpenRequest request) {
+        return new Geodetic(
+                Ranges.latitude("latitude", request.latitude()), Ranges.longitude("longitude", request.longitude()));
+    }
+
+    static double minutes(FollowRequest.OpenRequest request) {
+        return Ranges.checked("minutes", or(request.minutes(), USUAL_MINUTES), 1, 60, "minutes");
+    }
+
+    static double speed(FollowRequest.OpenRequest request) {
+        return Ranges.checked("speed", or(request.speed(), USUAL_SPEED), 1, 15, "m/s");
+    }
+
+    static int patience(FollowRequest.OpenRequest request) {
+        return (int) Ranges.checked("patience", or(request.patience(), USUAL_PATIENCE), 10, 600, "seconds");
+    }
+
+    static FollowOrder.Place place(FollowRequest.OpenRequest request) {
+        FollowRequest.PlaceRequest place = request.place();
+        return place == null ? USUAL : place(place, USUAL, "place.");
+    }
+
+    static FollowOrder.Place place(FollowRequest.PlaceRequest request, FollowOrder.Place before, String above) {
+        return new FollowOrder.Place(
+                side(request, before.side(), above),
+                Ranges.checked(above + "distance", or(request.distance(), before.distanceMeters()), 0, 200, "m"),
+                Ranges.checked(
+                        above + "height",
+                        or(request.height(), before.heightMeters()),
+                        (int) FollowOrder.LOWEST_METERS,
+                        (int) FollowOrder.HIGHEST_METERS,
+                        "m"));
+    }
+
+    private static Side side(FollowRequest.PlaceRequest request, Side before, String above) {
+        if (request.side() == null) {
+            return before;
+        }
+        return switch (request.side()) {
+            case "behind" -> new Side.Behind();
+            case "ahead" -> new Side.Ahead();
+            case "fixed" -> new Side.Fixed(Ranges.checked(above + "bearing", request.bearing(), -360, 360, "degrees"));
+            case "orbit" -> orbit(request, above);
+            default -> throw InvalidInput.outside(above + "side", SIDES, "\"" + request.side() + "\"");
+        };
+    }
+
+    private static Side orbit(FollowRequest.PlaceRequest request, String above) {
+        double turn = Ranges.checked(above + "turn", request.turn(), -30, 30, "degrees a second");
+        if (turn == 0) {
+            throw InvalidInput.outside(above + "turn", "-30 to 30 degrees a second, not 0", turn);
+        }
+        return new Side.Orbit(turn);
+    }
+
+    private static double or(@Nullable Double value, double otherwise) {
+        return value == null ? otherwise : value;
+    }
+
+    static List<Sighting> sightings(FollowRequest.PositionsRequest request, Instant heard) {
+        Instant sent = request.sent();
+        if (sent == null) {
+            throw InvalidInput.missing("sent", "a time");
+        }
+        List<FollowRequest.@Nullable PositionRequest> positions = request.positions();
+        if (positions == null) {
+            throw InvalidInput.missing("positions", COUNT);
+        }
+        if (positions.isEmpty() || positions.size() > MOST_POSITIONS) {
+            throw InvalidInput.outside("positions", COUNT, positions.size());
+        }
+        Double roundTrip = request.roundTrip();
+        Duration measured = roundTrip == null
+                ? null
+                : Duration.ofMillis((long) Ranges.checked("roundTrip", roundTrip, 0, 60_000, "milliseconds"));
+        List<Sighting> sightings = new ArrayList<>();
+        for (int index = 0; index < positions.size(); index++) {
+            sightings.add(sighting(positions.get(index), "positions[" + index + "]", new Said(sent, heard, measured)));
+        }
+        return sightings;
+    }
+
+    private record Said(
+            Instant sent, Instant heard, @Nullable Duration roundTrip) {}
+
+    private static Sighting sighting(FollowRequest.@Nullable PositionRequest position, String field, Said said) {
+        if (position == null || position.at() == null) {
+            throw InvalidInput.missing(field + ".at", "a time");
+        }
+        Double speed = position.speed();
+        Double course = position.course();
+        return new Sighting(
+                position.at(),
+                said.sent(),
+                said.heard(),
+                said.roundTrip(),
+                new Geodetic(
+                        Ranges.latitude(field + ".latitude", position.latitude()),
+                        Ranges.longitude(field + ".longitude", position.longitude())),
+                Ranges.checked(field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, 100_000, "m"),
+                speed == null || course == null
+                        ? null
+                        : new Sighting.Motion(
+                                Ranges.checked(field + ".speed", speed, 0, 100, "m/s"),
+                                Ranges.checked(field + ".course", course, -360, 360, "degrees")));
+    }
+}

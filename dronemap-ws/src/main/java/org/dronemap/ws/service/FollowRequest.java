@@ -1,0 +1,92 @@
+package org.dronemap.ws.service;
+
+import io.swagger.v3.oas.annotations.media.Schema;
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** What is wanted of follows, as a client writes it. Nothing is checked yet. */
+public final class FollowRequest {
+    private FollowRequest() {}
+
+    /** A phone that asks to be followed. */
+    @Schema(description = "Where a phone is that asks to be followed, and where the drone is to stay beside it.")
+    public record OpenRequest(
+            @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            Double latitude,
+
+            @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            Double longitude,
+
+            @Schema(description = "For people, up to 60 characters; left out: Follow") @Nullable
+            String name,
+
+            @Schema(description = "The id of a drone; left out: the best one of the warehouse is chosen") @Nullable
+            String drone,
+
+            @Nullable PlaceRequest place,
+
+            @Schema(
+                    description =
+                            "How long it shall last, 1 to 60 minutes: so much has to be in the battery; left out: 10")
+            @Nullable
+            Double minutes,
+
+            @Schema(description = "m/s that the drone flies at most, 1 to 15; left out: 12") @Nullable
+            Double speed,
+
+            @Schema(description = "Without positions for so many seconds the drone flies home, 10 to 600; left out: 60")
+            @Nullable
+            Double patience) {}
+
+    /** Where a drone stays. */
+    @Schema(description = "Where the drone stays beside the phone; what is left out stays as it is.")
+    public record PlaceRequest(
+            @Schema(description = "behind, ahead, fixed or orbit; left out at first: behind") @Nullable
+            String side,
+
+            @Schema(description = "degrees from north to the side where it stays, for fixed") @Nullable
+            Double bearing,
+
+            @Schema(description = "degrees a second clockwise, -30 to 30, for orbit") @Nullable
+            Double turn,
+
+            @Schema(description = "metres on the ground, 0 to 200; left out at first: 8") @Nullable
+            Double distance,
+
+            @Schema(description = "metres above the drone's home, 5 to 120; left out at first: 15") @Nullable
+            Double height) {}
+
+    /** What a phone saw. */
+    @Schema(description = "Where the phone was, oldest first. Times are by its own clock.")
+    public record PositionsRequest(
+            @Schema(description = "When this is sent", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            Instant sent,
+
+            @Schema(description = "Milliseconds from sending one to its answer, as measured lately") @Nullable
+            Double roundTrip,
+
+            @Schema(description = "1 to 20", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            List<@Nullable PositionRequest> positions) {}
+
+    /** One position. */
+    @Schema(description = "Where the phone was once.")
+    public record PositionRequest(
+            @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            Instant at,
+
+            @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            Double latitude,
+
+            @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            Double longitude,
+
+            @Schema(description = "metres: it is within them in two cases of three; left out: 10") @Nullable
+            Double accuracy,
+
+            @Schema(description = "m/s over the ground") @Nullable
+            Double speed,
+
+            @Schema(description = "degrees clockwise from north") @Nullable
+            Double course) {}
+}

@@ -1,0 +1,240 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.operation.JournalEntry;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.Replay;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.dronemap.ws.house.WillingCopter;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A phone asks to be followed, by REST. */
+class FollowsTest {
+    private static final String PATH = "/api/v1/follows";
+    private static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
+    private static final Geodetic PHONE = new Geodetic(47.3980, 8.5456);
+    private static final String HERE = "\"latitude\":47.3980,\"longitude\":8.5456";
+
+    private TestHouse house;
+    private Http phone;
+    private Http supervisor;
+    private WillingCopter falcon;
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        phone = new Http(house, house.key(Role.OPERATOR));
+        supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        falcon = copter(14_701, "Falcon", HOME);
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    private WillingCopter copter(int port, String name, Geodetic stand) {
+        WillingCopter copter = new WillingCopter(house.cloud(), new DroneKey("10.9.8.7", port, 1), name, stand)
+                .wellHeard(house.cloud());
+        Http.Answer waiting = supervisor.send(
+                "/api/v1/warehouse/" + copter.id(),
+                request -> request.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString("{}")));
+        assertThat(waiting.status()).isLessThan(300);
+        return copter;
+    }
+
+    private String asked(String members) {
+        Http.Answer asked = phone.post(PATH, "{" + HERE + members + "}");
+        assertThat(asked.status()).as(asked.raw().body()).isEqualTo(201);
+        assertThat(asked.text("state")).isEqualTo("allocated");
+        return PATH + "/" + asked.text("id");
+    }
+
+    private String following() {
+        String follow = asked("");
+        assertThat(phone.post(follow + "/start", "").text("state")).isEqualTo("starting");
+        await(follow, "tracking");
+        return follow;
+    }
+
+    private Http.Answer await(String follow, String state) {
+        return Waiting.until(
+                "the follow is " + state,
+                () -> Optional.of(phone.get(follow))
+                        .filter(one -> one.text("state").equals(state)));
+    }
+
+    private Http.Answer says(Http who, String follow) {
+        Instant now = Instant.now();
+        return who.post(
+                follow + "/positions",
+                "{\"sent\":\"" + now + "\",\"roundTrip\":40,\"positions\":[{\"at\":\"" + now + "\"," + HERE
+                        + ",\"accuracy\":5}]}");
+    }
+
+    private boolean isHeldByAFollow() {
+        Tenure tenure =
+                house.cloud().controls().control(new DroneId(falcon.id())).tenure();
+        return tenure != null && tenure.holder().words().startsWith("The follow");
+    }
+
+    private static String detail(Http.Answer answer) {
+        return answer.status() + " " + answer.text("field") + " " + answer.text("detail");
+    }
+
+    private Http.Answer patch(String path, String body) {
+        return phone.send(
+                path,
+                request -> request.header("Content-Type", "application/json")
+                        .method("PATCH", HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    @Test
+    void leadsTheNearestDroneToThePhoneAndHome() {
+        copter(14_702, "Heron", new Geodetic(47.4040, 8.5456));
+        String follow = asked(",\"place\":{\"side\":\"fixed\",\"bearing\":180,\"distance\":10,\"height\":20}");
+        assertThat(phone.get(follow).text("drone")).isEqualTo(falcon.id());
+        assertThat(phone.get(follow).json().path("told").path(0).path("words").asString())
+                .startsWith("Falcon was chosen:");
+        assertThat(isHeldByAFollow()).isTrue();
+
+        phone.post(follow + "/start", "");
+        await(follow, "tracking");
+        assertThat(falcon.performed()).hasSize(2).last().isEqualTo(new Command.TakeOff(20));
+        assertThat(says(phone, follow).status()).isEqualTo(200);
+        Setpoint.Track track = Waiting.until(
+                "it is led north",
+                () -> falcon.setpoints().stream()
+                        .filter(Setpoint.Track.class::isInstance)
+                        .map(Setpoint.Track.class::cast)
+                        .filter(one -> one.moving() != null && one.moving().forward() > 0.3)
+                        .findFirst());
+        assertThat(Geodesy.distanceMeters(track.point(), PHONE)).isLessThan(Geodesy.distanceMeters(HOME, PHONE));
+        assertThat(track.altitude().meters()).isBetween(500.0, 508.1);
+
+        phone.post(follow + "/stop", "");
+        Waiting.until(
+                "it is called home",
+                () -> falcon.performed().stream()
+                        .filter(Command.ReturnToLaunch.class::isInstance)
+                        .findFirst());
+        falcon.isOnGround();
+        assertThat(await(follow, "over").text("end")).contains("Falcon is down");
+        assertThat(isHeldByAFollow()).isFalse();
+        decidesTheSameAgain(follow);
+    }
+
+    private void decidesTheSameAgain(String follow) {
+        List<JournalEntry> journal =
+                house.runs().operations().journal(new OperationId(follow.substring(PATH.length() + 1)), 0, 200);
+        Replay<?, ?> replay = new Replay<>(house.runs().follows());
+        replay.take(journal);
+        assertThat(replay.difference()).isEmpty();
+        // Neither positions nor setpoints are decisions.
+        assertThat(journal.size()).isBetween(8, 20);
+    }
+
+    @Test
+    void waitsInThePauseAndGoesOn() {
+        String follow = following();
+        says(phone, follow);
+        Waiting.until(
+                "it is led",
+                () -> falcon.setpoints().stream()
+                        .filter(Setpoint.Track.class::isInstance)
+                        .findFirst());
+        assertThat(phone.post(follow + "/pause", "").text("state")).isEqualTo("paused");
+        Waiting.until(
+                "it is told to stand still",
+                () -> falcon.setpoints().stream()
+                        .filter(Setpoint.Velocity.class::isInstance)
+                        .findFirst());
+        phone.post(follow + "/continue", "");
+        await(follow, "tracking");
+        assertThat(patch(follow, "{\"distance\":30}")
+                        .json()
+                        .path("place")
+                        .path("distance")
+                        .asDouble())
+                .isEqualTo(30);
+    }
+
+    @Test
+    void isLeftAloneByWhoeverIsTaken() {
+        String follow = following();
+        String control = "/api/v1/drones/" + falcon.id() + "/control";
+        supervisor.post(control + "/take-over", "{\"reason\":\"a look\"}");
+        await(follow, "suspended");
+        assertThat(detail(phone.post(follow + "/pause", ""))).startsWith("409 ").contains("Somebody else has");
+        supervisor.send(control, HttpRequest.Builder::DELETE);
+        phone.post(follow + "/continue", "");
+        await(follow, "tracking");
+        assertThat(isHeldByAFollow()).isTrue();
+    }
+
+    @Test
+    void saysWhyNoDroneCanFollow() {
+        falcon.hasLeft(30);
+        Waiting.until(
+                "the battery is known",
+                () -> house.cloud()
+                        .drone(new DroneId(falcon.id()))
+                        .filter(state -> state.battery() != null
+                                && Integer.valueOf(30).equals(state.battery().percent())));
+        assertThat(detail(phone.post(PATH, "{" + HERE + "}")))
+                .startsWith("409 ")
+                .contains("No drone can follow now.", "Falcon: Its battery has 30 %");
+        assertThat(isHeldByAFollow()).isFalse();
+    }
+
+    @Test
+    void choosesNoDroneThatSomebodyHasToStandBeside() {
+        supervisor.send("/api/v1/warehouse/" + falcon.id(), HttpRequest.Builder::DELETE);
+        assertThat(detail(phone.post(PATH, "{" + HERE + "}")))
+                .startsWith("409 ")
+                .contains("No drone of the warehouse");
+        asked(",\"drone\":\"" + falcon.id() + "\"");
+    }
+
+    @Test
+    void answersStepsThatCannotBeTakenAndMembersThatAreWrong() {
+        String follow = asked("");
+        assertThat(detail(phone.post(follow + "/pause", ""))).startsWith("409 ").contains("not been started");
+        assertThat(detail(phone.post(follow + "/stop", ""))).startsWith("409 ");
+        assertThat(detail(phone.post(PATH, "{" + HERE + "}")))
+                .startsWith("409 ")
+                .contains("The follow");
+        assertThat(detail(says(supervisor, follow))).startsWith("403 ").contains("says where the phone is");
+        assertThat(detail(phone.post(follow + "/positions", "{}"))).startsWith("422 sent ");
+        assertThat(detail(phone.post(follow + "/positions", "{\"sent\":\"" + Instant.now() + "\",\"positions\":[{}]}")))
+                .startsWith("422 positions[0].at ");
+        assertThat(detail(patch(follow, "{\"side\":\"above\"}"))).startsWith("422 side ");
+        assertThat(detail(patch(follow, "{\"side\":\"orbit\",\"turn\":0}"))).startsWith("422 turn ");
+        assertThat(detail(phone.post(PATH, "{\"latitude\":47}"))).startsWith("422 longitude ");
+        assertThat(detail(phone.post(PATH, "{" + HERE + ",\"drone\":\"nobody\"}")))
+                .startsWith("404 ");
+        assertThat(phone.post(follow + "/cancel", "").text("state")).isEqualTo("over");
+        assertThat(isHeldByAFollow()).isFalse();
+        assertThat(detail(phone.post(follow + "/start", ""))).isEqualTo("409  This follow is over.");
+    }
+}
