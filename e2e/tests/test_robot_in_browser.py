@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import QUICK, Server
@@ -103,6 +103,21 @@ def spot(page: Page, x: float, y: float) -> Spot:
     return Spot(red, green, blue)
 
 
+def seen(image: Locator, x: int, y: int) -> Spot:
+    """A pixel of the picture as the page shows it."""
+    red, green, blue, _ = image.evaluate(
+        """(image, [x, y]) => {
+            const canvas = document.createElement('canvas');
+            [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
+            const context = canvas.getContext('2d');
+            context.drawImage(image, 0, 0);
+            return [...context.getImageData(x, y, 1, 1).data];
+        }""",
+        [x, y],
+    )
+    return Spot(red, green, blue)
+
+
 def near(local: Json, x: float, y: float) -> bool:
     return bool(abs(local["x"] - x) < 0.4 and abs(local["y"] - y) < 0.4)
 
@@ -144,6 +159,15 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     assert here.blue > here.red + 60, "the robot itself"
     camera = section.get_by_role("img", name="What the camera")
     wait_for("its picture is shown", lambda: camera.evaluate("image => image.naturalWidth") == 160)
+    expect(camera).to_be_visible()
+    # From where it stands, looking along x: the far wall ahead under the sky, the box, nearer, at its left.
+    assert seen(camera, 80, 10) == Spot(0x30, 0x70, 0xC0), "the sky"
+    assert seen(camera, 80, 110) == Spot(0x70, 0x50, 0x30), "the ground"
+    wall, corner = seen(camera, 80, 60), seen(camera, 4, 60)
+    assert wall.red == wall.green == wall.blue > 60, "the far wall"
+    assert corner.red == corner.green == corner.blue > wall.red + 10, "the box is nearer, so brighter"
+    assert seen(camera, 4, 52) == corner, "and taller"
+    assert seen(camera, 80, 52) == seen(camera, 80, 10)
 
     canvas = section.locator("canvas")
     box = canvas.bounding_box()
@@ -161,6 +185,7 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     page.keyboard.down("a")
     expect(state).to_contain_text("You are steering: turning left")
     wait_for("it turns to its left", lambda: turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
+    expect(canvas, "and one sees it").to_be_in_viewport(ratio=0.9)
     picture(page, "robot-steered-wide")
     page.keyboard.up("a")
     expect(state).to_have_text("Nobody steers from here")
