@@ -40,7 +40,9 @@ final class Absence {
             return true;
         }
         draft.put(without(drone, UNCLEAR));
-        if (look.tells() && drone.stage().takesOrders() && drone.stage().mayFly()) {
+        // One that comes home over a bad link may be down before it has told what it carries.
+        boolean seen = look.isLive() && look.mode() != null && look.armed() != null;
+        if (seen && drone.stage().takesOrders() && drone.stage().mayFly()) {
             back(draft, draft.drone(drone.id()), look);
         }
         return false;

@@ -144,7 +144,9 @@ final class Condition {
             return;
         }
         Duration longest = LONGEST_STILL.plusSeconds(Math.round(Legs.hold(sortie, drone.passed())));
-        if (look.still().compareTo(longest) > 0) {
+        // How long it stood before it was let go on does not count.
+        Duration flying = Duration.between(drone.since(), draft.now());
+        if (look.still().compareTo(longest) > 0 && flying.compareTo(longest) > 0) {
             Faults.callHome(draft, drone, Trigger.LATE, drone.name() + " does not move on; it is called home.");
             return;
         }

@@ -56,6 +56,17 @@ class AbsenceTest {
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
     }
 
+    @Test
+    void sendsDronesOutAgainThatAreSlowToTellWhatTheyCarry() {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.RETURN_TO_LAUNCH);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.restart(12);
+        fleet.vehicles.values().forEach(vehicle -> vehicle.untold = 40);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
     /** What they said in the last moment was not written down, or heard by nobody. */
     @ParameterizedTest
     @ValueSource(ints = {12, 40, 90})

@@ -155,7 +155,7 @@ class GuardTest {
         Spot other = plane.spot(elsewhere.point());
         double east = (one.eastMeters() + other.eastMeters()) / 2;
         double north = (one.northMeters() + other.northMeters()) / 2;
-        double share = 5.4 / Math.hypot(one.eastMeters() - east, one.northMeters() - north);
+        double share = 3.1 / Math.hypot(one.eastMeters() - east, one.northMeters() - north);
         flies(
                 fleet.vehicle(0),
                 east + share * (one.eastMeters() - east),

@@ -55,6 +55,17 @@ class PausingTest {
     }
 
     @Test
+    void nobodyIsCalledHomeForHavingStoodInAPause() {
+        TestFleet fleet = flying(1);
+        fleet.vehicles.values().forEach(vehicle -> vehicle.hesitates = 1);
+        pause(fleet);
+        fleet.fly(120);
+        goesOnToTheEnd(fleet);
+
+        assertThat(fleet.said).noneMatch(words -> words.contains("called home"));
+    }
+
+    @Test
     void nobodyIsArmedWhileItIsPaused() {
         TestFleet fleet = Runs.fleet(4, 24, 1);
         fleet.fly(1);

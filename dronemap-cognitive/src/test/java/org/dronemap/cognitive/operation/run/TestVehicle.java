@@ -78,6 +78,11 @@ final class TestVehicle {
     /** So many seconds it stays just above the ground before it climbs. */
     double lingers;
 
+    /** So many seconds after a start in the air it does not move yet, as vehicles do that gather speed. */
+    double hesitates;
+
+    private double hesitating;
+
     boolean falling;
     boolean fallen;
     boolean cut;
@@ -174,6 +179,10 @@ final class TestVehicle {
     }
 
     private void steer(double seconds) {
+        hesitating -= seconds;
+        if (hesitating > 0) {
+            return;
+        }
         switch (mode) {
             case "AUTO" -> fly(seconds);
             case "RTL" -> comeHome(seconds);
@@ -330,6 +339,7 @@ final class TestVehicle {
         onCloudLoss = start.onCloudLoss();
         current = start.anew() || !isUp() ? 0 : current;
         held = 0;
+        hesitating = isUp() ? hesitates : 0;
         mode = "AUTO";
         return null;
     }
