@@ -23,6 +23,8 @@ TOLD = {
     "battery": "The battery of ArduCopter {}",
 }
 NOTHING_TAKEN = -1.0
+# A vehicle slows down that long before it says that it has come there.
+TELLING_SECONDS = 2.0
 
 
 def seeds() -> range:
@@ -97,16 +99,16 @@ def check_visits(trial: Trial, found: list[Visit], words: str) -> None:
 
 
 def check_doubles(conductor: Conductor, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
-    """Of those who came to one waypoint at most one was in contact."""
+    """Of those who came to one waypoint at most one was in contact, long enough to say so."""
     cut = trial.of("link")
-    since = conductor.boot_seconds(cut.at)
-    away = [conductor.boot_seconds(moment) for moment in trial.dead]
+    since = conductor.boot_seconds(cut.at) - TELLING_SECONDS
+    gone, back = (conductor.boot_seconds(moment) for moment in trial.dead)
     for name, some in twice.items():
         in_contact = [
             visit
             for visit in some
             if not (visit.vehicle == cut.system_id and visit.seconds >= since)
-            and not away[0] <= visit.seconds <= away[1]
+            and not gone - TELLING_SECONDS <= visit.seconds <= back
         ]
         assert len(in_contact) <= 1, f"waypoint {name}: {some}\n{words}"
 
