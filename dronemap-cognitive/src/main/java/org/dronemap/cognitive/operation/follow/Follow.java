@@ -202,7 +202,8 @@ public final class Follow implements Operation<FollowState, FollowInput> {
                     + state.order().chosen().name() + " waits, and flies home " + patience
                     + " s after the last position.");
         }
-        return state.noted(looked.unsteered());
+        // Such sentences have figures that change: each would be written down.
+        return looked.unsteered() != null && state.note() != null ? state : state.noted(looked.unsteered());
     }
 
     @Override

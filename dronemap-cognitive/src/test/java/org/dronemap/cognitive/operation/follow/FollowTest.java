@@ -269,7 +269,13 @@ class FollowTest {
     void tellsWhyADroneCannotBeSteered() {
         start();
         sighted = at();
-        seen(AIR, "The no-fly zone “Airport” is there.");
+        seen(AIR, "The no-fly zone “Airport” is 12 m away.");
         assertThat(state.note()).contains("Airport");
+        FollowState before = state;
+        seen(AIR, "The no-fly zone “Airport” is 11 m away.");
+        assertThat(state).isEqualTo(before);
+        sighted = at();
+        seen(AIR);
+        assertThat(state.note()).isNull();
     }
 }
