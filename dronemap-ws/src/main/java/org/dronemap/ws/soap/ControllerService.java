@@ -3,12 +3,8 @@ package org.dronemap.ws.soap;
 import static org.dronemap.ws.soap.Answering.answer;
 
 import jakarta.jws.WebService;
-import java.time.Duration;
 import java.util.List;
-import org.dronemap.core.access.Principal;
 import org.dronemap.ws.service.CommandRequest;
-import org.dronemap.ws.service.CommandService;
-import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlService;
@@ -26,11 +22,9 @@ import org.jspecify.annotations.Nullable;
         endpointInterface = "org.dronemap.ws.soap.MAVLinkController",
         targetNamespace = Namespace.URI)
 public class ControllerService implements MAVLinkController {
-    private static final Duration LONGEST_WAIT = Duration.ofSeconds(30);
-
     private final SoapCaller caller;
     private final DroneService drones;
-    private final CommandService commands;
+    private final SoapActions actions;
     private final ControlService controls;
     private final ParameterService parameters;
     private final SoapPlans plans;
@@ -41,13 +35,13 @@ public class ControllerService implements MAVLinkController {
     public ControllerService(
             SoapCaller caller,
             DroneService drones,
-            CommandService commands,
+            SoapActions actions,
             ControlService controls,
             ParameterService parameters,
             SoapMissions missions) {
         this.caller = caller;
         this.drones = drones;
-        this.commands = commands;
+        this.actions = actions;
         this.controls = controls;
         this.parameters = parameters;
         this.plans = missions.plans();
@@ -69,44 +63,59 @@ public class ControllerService implements MAVLinkController {
 
     @Override
     public SoapOutcome arm(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("arm"));
+        return actions.act(droneId, CommandRequest.simple("arm"));
     }
 
     @Override
     public SoapOutcome disarm(String droneId, @Nullable Boolean force) throws DronemapFault {
-        return act(droneId, CommandRequest.disarm(force));
+        return actions.act(droneId, CommandRequest.disarm(force));
     }
 
     @Override
     public SoapOutcome setMode(String droneId, @Nullable String mode) throws DronemapFault {
-        return act(droneId, CommandRequest.setMode(mode));
+        return actions.act(droneId, CommandRequest.setMode(mode));
     }
 
     @Override
     public SoapOutcome takeoff(String droneId, @Nullable Double altitude) throws DronemapFault {
-        return act(droneId, CommandRequest.takeOff(altitude));
+        return actions.act(droneId, CommandRequest.takeOff(altitude));
     }
 
     @Override
     public SoapOutcome land(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("land"));
+        return actions.act(droneId, CommandRequest.simple("land"));
     }
 
     @Override
     public SoapOutcome returnToLaunch(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("returnToLaunch"));
+        return actions.act(droneId, CommandRequest.simple("returnToLaunch"));
     }
 
     @Override
     public SoapOutcome hold(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("hold"));
+        return actions.act(droneId, CommandRequest.simple("hold"));
     }
 
     @Override
     public SoapOutcome goTo(
             String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitude)
             throws DronemapFault {
-        return act(droneId, CommandRequest.goTo(latitude, longitude, altitude));
+        return actions.act(droneId, CommandRequest.goTo(latitude, longitude, altitude));
+    }
+
+    @Override
+    public SoapOutcome goToLocal(String droneId, @Nullable Double x, @Nullable Double y) throws DronemapFault {
+        return actions.act(droneId, CommandRequest.goToLocal(x, y));
+    }
+
+    @Override
+    public SoapOutcome emergencyStop(String droneId) throws DronemapFault {
+        return actions.act(droneId, CommandRequest.simple("emergencyStop"));
+    }
+
+    @Override
+    public SoapOutcome readMap(String droneId) throws DronemapFault {
+        return actions.act(droneId, CommandRequest.simple("readMap"));
     }
 
     @Override
@@ -114,7 +123,7 @@ public class ControllerService implements MAVLinkController {
         List<MissionItemView> items = waypoints == null
                 ? null
                 : waypoints.stream().map(SoapWaypoint::view).toList();
-        return act(droneId, CommandRequest.uploadMission(items));
+        return actions.act(droneId, CommandRequest.uploadMission(items));
     }
 
     @Override
@@ -131,45 +140,45 @@ public class ControllerService implements MAVLinkController {
 
     @Override
     public SoapOutcome startMission(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("startMission"));
+        return actions.act(droneId, CommandRequest.simple("startMission"));
     }
 
     @Override
     public SoapOutcome pauseMission(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("pauseMission"));
+        return actions.act(droneId, CommandRequest.simple("pauseMission"));
     }
 
     @Override
     public SoapOutcome clearMission(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("clearMission"));
+        return actions.act(droneId, CommandRequest.simple("clearMission"));
     }
 
     @Override
     public SoapOutcome turn(String droneId, @Nullable Double degrees) throws DronemapFault {
-        return act(droneId, CommandRequest.turn(degrees));
+        return actions.act(droneId, CommandRequest.turn(degrees));
     }
 
     @Override
     public SoapOutcome takePicture(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("takePicture"));
+        return actions.act(droneId, CommandRequest.simple("takePicture"));
     }
 
     @Override
     public SoapOutcome setRelay(String droneId, @Nullable Integer relay, @Nullable String setting)
             throws DronemapFault {
-        return act(droneId, CommandRequest.setRelay(relay, setting));
+        return actions.act(droneId, CommandRequest.setRelay(relay, setting));
     }
 
     @Override
     public SoapOutcome setHome(
             String droneId, @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAmsl)
             throws DronemapFault {
-        return act(droneId, CommandRequest.setHome(latitude, longitude, altitudeAmsl));
+        return actions.act(droneId, CommandRequest.setHome(latitude, longitude, altitudeAmsl));
     }
 
     @Override
     public SoapOutcome readParameters(String droneId) throws DronemapFault {
-        return act(droneId, CommandRequest.simple("readParameters"));
+        return actions.act(droneId, CommandRequest.simple("readParameters"));
     }
 
     @Override
@@ -184,7 +193,7 @@ public class ControllerService implements MAVLinkController {
     @Override
     public SoapOutcome setParameter(String droneId, @Nullable String name, @Nullable Double value)
             throws DronemapFault {
-        return act(droneId, CommandRequest.setParameter(name, value));
+        return actions.act(droneId, CommandRequest.setParameter(name, value));
     }
 
     @Override
@@ -367,24 +376,6 @@ public class ControllerService implements MAVLinkController {
 
     @Override
     public SoapOutcome getCommand(String commandId) throws DronemapFault {
-        return answer(() -> {
-            return SoapOutcome.of(commands.command(caller.reading(), commandId));
-        });
-    }
-
-    private SoapOutcome act(String droneId, CommandRequest request) throws DronemapFault {
-        return answer(() -> {
-            Principal principal = caller.principal();
-            try {
-                CommandView sent = commands.submit(principal, "soap", droneId, request);
-                return SoapOutcome.of(commands.awaitEnd(sent, LONGEST_WAIT).join());
-            } catch (Rejection refused) {
-                String id = refused.commandId();
-                if (id == null) {
-                    throw refused;
-                }
-                return SoapOutcome.of(id, "refused", "gate", refused.sentence());
-            }
-        });
+        return answer(() -> actions.one(commandId));
     }
 }

@@ -71,6 +71,25 @@ public interface MAVLinkController {
             @WebParam(name = "altitude") @Nullable Double altitude)
             throws DronemapFault;
 
+    /** A place on the vehicle's own map, in metres. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome goToLocal(
+            @WebParam(name = DRONE) String droneId,
+            @WebParam(name = "x") @Nullable Double x,
+            @WebParam(name = "y") @Nullable Double y)
+            throws DronemapFault;
+
+    /** It gives up its way as well; hold stops it alone. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome emergencyStop(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
+    /** REST then has its map. */
+    @WebMethod
+    @WebResult(name = OUTCOME)
+    SoapOutcome readMap(@WebParam(name = DRONE) String droneId) throws DronemapFault;
+
     @WebMethod
     @WebResult(name = OUTCOME)
     SoapOutcome uploadMission(

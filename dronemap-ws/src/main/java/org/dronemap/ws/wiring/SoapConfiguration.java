@@ -18,6 +18,7 @@ import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.VirtualDroneService;
 import org.dronemap.ws.soap.ControllerService;
 import org.dronemap.ws.soap.KnownServices;
+import org.dronemap.ws.soap.SoapActions;
 import org.dronemap.ws.soap.SoapCaller;
 import org.dronemap.ws.soap.SoapEndpoint;
 import org.dronemap.ws.soap.SoapFlights;
@@ -52,7 +53,7 @@ public class SoapConfiguration {
             ControlService controls,
             ParameterService parameters,
             SoapMissions missions) {
-        return new ControllerService(caller, drones, commands, controls, parameters, missions);
+        return new ControllerService(caller, drones, new SoapActions(caller, commands), controls, parameters, missions);
     }
 
     @Bean
