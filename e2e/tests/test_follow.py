@@ -1,0 +1,106 @@
+"""A phone is followed by a simulated copter, as fast as life."""
+
+import math
+import statistics
+import time
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.flight import Point
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.tap import Tap
+from dronemap_e2e.waiting import rounds, wait_for
+
+SYSTEM_ID = 91
+METRES_PER_DEGREE = 111_195
+WALKS = 1.4
+DISTANCE = 6
+HEIGHT = 10
+SECONDS = 30
+SETTLED = 15
+
+
+@pytest.fixture
+def walker(tap: Tap, api: Api, tmp_path: Path) -> Iterator[Json]:
+    """The drone that stands ready. It lives as fast as the phone: speeds count."""
+    address = f"udp://127.0.0.1:{tap.port}"
+    started = Simulator(tmp_path / "sim.log", address, "--count", "1", "--sysid", str(SYSTEM_ID))
+    yield wait_for("the copter is ready", lambda: api.ready(SYSTEM_ID), 90)
+    started.stop()
+
+
+class Phone:
+    """Walks east from a place near the drone's home, and says so once a second."""
+
+    def __init__(self, api: Api, home: Json) -> None:
+        self._api = api
+        self._home = home
+        self._began = time.time()
+        self._said = 0.0
+        self.follow = ""
+
+    def place(self, at: float, east: float = 0.0) -> Point:
+        metres = WALKS * (at - self._began) + east
+        across = METRES_PER_DEGREE * math.cos(math.radians(self._home["latitude"]))
+        latitude = self._home["latitude"] + 15 / METRES_PER_DEGREE
+        return Point(latitude, self._home["longitude"] + metres / across, HEIGHT)
+
+    def walk(self) -> None:
+        now = time.time()
+        if now - self._said < 1:
+            return
+        self._said = now
+        at = datetime.fromtimestamp(now, UTC).isoformat()
+        here = self.place(now)
+        position = {"at": at, "latitude": here.latitude, "longitude": here.longitude, "accuracy": 4}
+        answer = self._api.call(
+            "POST", f"/follows/{self.follow}/positions", {"sent": at, "positions": [position]}
+        )
+        assert answer.ok, answer.text
+
+    def walks_until(self, state: str, seconds: float) -> Json:
+        def reached() -> Json | None:
+            self.walk()
+            seen = self._api.get(f"/follows/{self.follow}")
+            return seen if seen["state"] == state else None
+
+        return wait_for(f"the follow is {state}", reached, seconds)
+
+
+@pytest.mark.soak
+def test_a_copter_walks_beside_a_phone_and_comes_home(api: Api, tap: Tap, walker: Json) -> None:
+    phone = Phone(api, walker["home"])
+    here = phone.place(time.time())
+    order = {
+        "latitude": here.latitude,
+        "longitude": here.longitude,
+        "drone": walker["id"],
+        "place": {"side": "behind", "distance": DISTANCE, "height": HEIGHT},
+    }
+    answer = api.call("POST", "/follows", order)
+    assert answer.status_code == 201, answer.text
+    phone.follow = answer.json()["id"]
+    assert api.call("POST", f"/follows/{phone.follow}/start").ok
+    phone.walks_until("tracking", 60)
+
+    errors = []
+    began = time.time()
+    for _ in rounds(time.monotonic() + SECONDS, 0.2):
+        phone.walk()
+        now = time.time()
+        message = tap.heard("GLOBAL_POSITION_INT", up=True)[-1].message
+        if now - began > SETTLED:
+            wanted = phone.place(now, east=-DISTANCE)
+            errors.append(wanted.metres_to(message.lat / 1e7, message.lon / 1e7))
+            assert abs(message.relative_alt / 1000 - HEIGHT) < 2
+    assert statistics.fmean(errors) < 2, errors
+
+    assert api.call("POST", f"/follows/{phone.follow}/pause").ok
+    phone.walks_until("paused", 5)
+    assert api.call("POST", f"/follows/{phone.follow}/stop").ok
+    over = phone.walks_until("over", 120)
+    assert "is down" in over["end"], over
