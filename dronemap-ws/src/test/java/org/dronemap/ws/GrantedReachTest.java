@@ -31,6 +31,7 @@ class GrantedReachTest extends ReachTrial {
     /** What it takes to reach the gate. */
     private static final Map<String, Map<String, String>> ARGUMENTS = Map.of(
             "takeoff", Map.of("altitude", "20"),
+            "goToLocal", inOrder("x", "1", "y", "2"),
             "goto", inOrder("latitude", "47.4", "longitude", "8.5", "altitude", "20"),
             "setMode", Map.of("mode", "GUIDED"),
             "turn", Map.of("degrees", "90"),
