@@ -71,6 +71,8 @@ public final class AuditFilter extends OncePerRequestFilter {
         }
         if (AuditRules.leavesOutRest(operation.name())) {
             call.leaveOut();
+        } else if (AuditRules.recordsElsewhere(operation.name())) {
+            call.leaveOutUnlessTurnedAway();
         }
         return call;
     }
