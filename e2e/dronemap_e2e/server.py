@@ -16,6 +16,8 @@ from .waiting import wait_for
 ROOT = Path(__file__).resolve().parents[2]
 # Half of what a start costs is work of the second compiler, which pays only where a server runs for long.
 QUICK = "-XX:TieredStopAtLevel=1"
+# Its faces answer a little before its ports for vehicles do; this it says when both do.
+READY = b" is ready at "
 SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 
 
@@ -40,6 +42,7 @@ class Server:
         self.robot_web_port = free_port()
         self._settings = settings
         self._process: subprocess.Popen[bytes] | None = None
+        self._told_before = 0
 
     @property
     def address(self) -> str:
@@ -78,7 +81,8 @@ class Server:
                 f"udpserver://127.0.0.1:{self.robot_udp_port},wsserver://127.0.0.1:{self.robot_web_port}"
             ),
         }
-        with (self.data / "server.log").open("ab") as log:
+        with self._log.open("ab") as log:
+            self._told_before = log.tell()
             self._process = subprocess.Popen(
                 ["java", "-Xmx384m", *self._options, "-jar", str(jar)],
                 env=environment | self._settings,
@@ -119,10 +123,14 @@ class Server:
         except (requests.ConnectionError, requests.Timeout):
             return False
         body: dict[str, Any] = answer.json() if answer.ok else {}
-        return body.get("status") == "up"
+        return body.get("status") == "up" and READY in self._log.read_bytes()[self._told_before :]
+
+    @property
+    def _log(self) -> Path:
+        return self.data / "server.log"
 
     def _tail(self) -> str:
-        return (self.data / "server.log").read_text(errors="replace")[-2000:]
+        return self._log.read_text(errors="replace")[-2000:]
 
 
 def _first_start(data: Path) -> None:

@@ -14,6 +14,7 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.helm import Helm
 from dronemap_e2e.ros1 import Machine, Process, Ros, is_installed
 from dronemap_e2e.server import Server
+from dronemap_e2e.soap import soap
 from dronemap_e2e.waiting import wait_for
 
 pytestmark = pytest.mark.skipif(
@@ -96,12 +97,19 @@ def test_it_is_driven_and_stands_when_nobody_steers(server: Server, api: Api, ro
         assert time.monotonic() - began < 1
 
 
-def test_it_goes_to_a_place_and_gives_it_up(api: Api, robot: Robot) -> None:
+def test_it_goes_to_a_place_and_gives_it_up_by_each_face(server: Server, api: Api, robot: Robot) -> None:
     api.do(robot.drone, type="goToLocal", x=2, y=-1)
     goal = robot.machine.told("goal")[-1]
     assert (goal["x"], goal["y"], goal["frame"]) == (2, -1, "map")
     api.do(robot.drone, type="emergencyStop")
     wait_for("the way is given up", lambda: robot.machine.told("cancel"))
+
+    service = soap(server, server.local_key())
+    assert service.goToLocal(robot.drone, 0, 1).result == "succeeded"
+    assert (robot.machine.told("goal")[-1]["x"], robot.machine.told("goal")[-1]["y"]) == (0, 1)
+    assert service.readMap(robot.drone).result == "succeeded"
+    assert service.emergencyStop(robot.drone).result == "succeeded"
+    wait_for("this way, too", lambda: len(robot.machine.told("cancel")) == 2)
 
 
 def test_it_stands_when_the_bridge_is_ended(server: Server, api: Api, robot: Robot) -> None:
