@@ -164,9 +164,9 @@ public final class Operations implements CloudListener, AutoCloseable {
         return book.all(kind).stream().map(Operations::picture).toList();
     }
 
-    /** The newest of an organisation, under way or over, the newest first. */
-    public List<SavedOperation> latest(OrganisationId organisation, int limit) {
-        return store.latest(organisation, limit);
+    /** The newest of an organisation and kind, under way or over, the newest first. */
+    public List<SavedOperation> latest(OrganisationId organisation, OperationKind<?, ?> kind, int limit) {
+        return store.latest(organisation, kind.name(), limit);
     }
 
     /** Entries of a journal from that number on, in order. */

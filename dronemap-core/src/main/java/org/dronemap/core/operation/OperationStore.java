@@ -12,8 +12,8 @@ public interface OperationStore {
 
     Optional<SavedOperation> find(OperationId id);
 
-    /** Of one organisation, the newest first. */
-    List<SavedOperation> latest(OrganisationId organisation, int limit);
+    /** Of one organisation and kind, the newest first. */
+    List<SavedOperation> latest(OrganisationId organisation, String kind, int limit);
 
     /**
      * A new one with the first entry of its journal, both or neither.

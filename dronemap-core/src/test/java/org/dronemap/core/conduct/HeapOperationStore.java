@@ -46,8 +46,10 @@ final class HeapOperationStore implements OperationStore {
     }
 
     @Override
-    public synchronized List<SavedOperation> latest(OrganisationId organisation, int limit) {
-        return List.copyOf(operations.values());
+    public synchronized List<SavedOperation> latest(OrganisationId organisation, String kind, int limit) {
+        return operations.values().stream()
+                .filter(operation -> operation.kind().equals(kind))
+                .toList();
     }
 
     @Override

@@ -38,9 +38,10 @@ public final class MemoryOperationStore implements OperationStore {
     }
 
     @Override
-    public synchronized List<SavedOperation> latest(OrganisationId organisation, int limit) {
+    public synchronized List<SavedOperation> latest(OrganisationId organisation, String kind, int limit) {
         return operations.values().stream()
-                .filter(operation -> operation.organisation().equals(organisation))
+                .filter(operation -> operation.organisation().equals(organisation)
+                        && operation.kind().equals(kind))
                 .sorted(Comparator.comparing(SavedOperation::beganAt).reversed().thenComparing(BY_ID))
                 .limit(limit)
                 .toList();

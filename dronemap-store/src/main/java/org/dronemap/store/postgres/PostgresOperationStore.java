@@ -34,12 +34,10 @@ public final class PostgresOperationStore implements OperationStore {
     }
 
     @Override
-    public List<SavedOperation> latest(OrganisationId organisation, int limit) {
-        return sql.list(
-                "SELECT * FROM operation WHERE organisation IS NOT DISTINCT FROM ? ORDER BY began_at DESC, id LIMIT ?",
-                PostgresOperationStore::read,
-                OrganisationColumn.stored(organisation),
-                limit);
+    public List<SavedOperation> latest(OrganisationId organisation, String kind, int limit) {
+        return sql.list("""
+                SELECT * FROM operation WHERE organisation IS NOT DISTINCT FROM ? AND kind = ?
+                ORDER BY began_at DESC, id LIMIT ?""", PostgresOperationStore::read, OrganisationColumn.stored(organisation), kind, limit);
     }
 
     @Override

@@ -35,8 +35,11 @@ public abstract class OperationStoreContract {
     }
 
     private static SavedOperation operation(String id, OrganisationId organisation, Instant at) {
-        return SavedOperation.begun(
-                        new OperationId(id), "mission", new Owner("ann", organisation), "roofs, \"all\" 🚁", at)
+        return operation(id, "mission", organisation, at);
+    }
+
+    private static SavedOperation operation(String id, String kind, OrganisationId organisation, Instant at) {
+        return SavedOperation.begun(new OperationId(id), kind, new Owner("ann", organisation), "roofs, \"all\" 🚁", at)
                 .beginning("{\"a\": 1,  \"text is\":\"kept as it is\"}");
     }
 
@@ -53,7 +56,7 @@ public abstract class OperationStoreContract {
     @Test
     void isEmptyAtFirst() {
         assertThat(store.underWay()).isEmpty();
-        assertThat(store.latest(OrganisationId.HOME, 10)).isEmpty();
+        assertThat(store.latest(OrganisationId.HOME, "mission", 10)).isEmpty();
         assertThat(store.find(new OperationId("r1"))).isEmpty();
         assertThat(store.journal(new OperationId("r1"), 0, 10)).isEmpty();
         assertThat(store.forgetEndedBefore(THEN)).isZero();
@@ -100,18 +103,27 @@ public abstract class OperationStoreContract {
     }
 
     @Test
-    void listsThoseUnderWayOldestFirstAndAnOrganisationsNewestFirst() {
+    void listsThoseUnderWayOldestFirstAndAnOrganisationsNewestOfAKindFirst() {
         store.begin(operation("late", OrganisationId.HOME, THEN.plusSeconds(60)), entry(0));
         store.begin(operation("theirs", OTHERS, THEN.plusSeconds(30)), entry(0));
         SavedOperation over = begun("over");
         store.append(over.next("end", List.of(), THEN.plusSeconds(9)), entry(1));
         store.begin(operation("early", OrganisationId.HOME, THEN.plusSeconds(10)), entry(0));
 
-        assertThat(store.underWay()).extracting(one -> one.id().value()).containsExactly("early", "theirs", "late");
-        assertThat(store.latest(OrganisationId.HOME, 2))
+        store.begin(operation("other-kind", "follow", OrganisationId.HOME, THEN.plusSeconds(90)), entry(0));
+
+        assertThat(store.underWay())
+                .extracting(one -> one.id().value())
+                .containsExactly("early", "theirs", "late", "other-kind");
+        assertThat(store.latest(OrganisationId.HOME, "mission", 2))
                 .extracting(one -> one.id().value())
                 .containsExactly("late", "early");
-        assertThat(store.latest(OTHERS, 10)).extracting(one -> one.id().value()).containsExactly("theirs");
+        assertThat(store.latest(OrganisationId.HOME, "follow", 10))
+                .extracting(one -> one.id().value())
+                .containsExactly("other-kind");
+        assertThat(store.latest(OTHERS, "mission", 10))
+                .extracting(one -> one.id().value())
+                .containsExactly("theirs");
     }
 
     @Test

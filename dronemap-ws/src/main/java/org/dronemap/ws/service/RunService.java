@@ -1,15 +1,10 @@
 package org.dronemap.ws.service;
 
-import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.Instant;
-import java.time.temporal.ChronoUnit;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.function.Supplier;
 import org.dronemap.cognitive.operation.run.RunDrone;
 import org.dronemap.cognitive.operation.run.RunInput;
 import org.dronemap.cognitive.operation.run.RunOrder;
@@ -23,28 +18,17 @@ import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.Operations.Picture;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
 
 /** Use cases around mission runs: start, look, change, answer, stop. Shared by those who may command all of its drones. Any thread. */
 public final class RunService {
-    private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
-    private static final int ID_LENGTH = 16;
-    private static final int MOST_UNDER_WAY = 50;
-    private static final int MOST_LISTED = 50;
-    private static final Comparator<Picture<RunState>> NEWEST_FIRST = Comparator.comparing(
-                    (Picture<RunState> run) -> run.saved().beganAt())
-            .reversed();
-
     private final Operations operations;
     private final OperationKind<RunState, RunInput> kind;
     private final PlanService plans;
     private final DroneService drones;
-    private final CloudManager cloud;
-    private final Clock clock;
-    private final SecureRandom random = new SecureRandom();
+    private final OperationDesk<RunState, RunInput> desk;
 
     /** What runs are conducted by. */
     public record Conduct(Operations operations, OperationKind<RunState, RunInput> kind, CloudManager cloud) {}
@@ -52,10 +36,15 @@ public final class RunService {
     public RunService(Conduct conduct, PlanService plans, DroneService drones, Clock clock) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
-        this.cloud = conduct.cloud();
         this.plans = plans;
         this.drones = drones;
-        this.clock = clock;
+        desk = new OperationDesk<>(
+                operations,
+                kind,
+                conduct.cloud(),
+                new OperationDesk.Words('r', "mission run", "a mission run flies"),
+                RunService::isShownTo,
+                clock);
     }
 
     /** For others it does not exist. */
@@ -67,16 +56,7 @@ public final class RunService {
     /** Those under way and the newest that are over, the newest first. */
     public List<RunView> all(Principal principal) {
         Roles.require(principal, Role.VIEWER);
-        List<Picture<RunState>> runs = new ArrayList<>(operations.underWay(kind));
-        operations.latest(principal.organisation(), MOST_LISTED).stream()
-                .filter(saved -> saved.endedAt() != null)
-                .flatMap(saved -> picture(saved).stream())
-                .forEach(runs::add);
-        return runs.stream()
-                .filter(run -> isShownTo(principal, run))
-                .sorted(NEWEST_FIRST)
-                .map(RunViews::view)
-                .toList();
+        return desk.all(principal).stream().map(RunViews::view).toList();
     }
 
     public RunView one(Principal principal, String id) {
@@ -91,9 +71,7 @@ public final class RunService {
 
     /** As it was stored, for who shows it; empty: it is another kind of operation. */
     public Optional<Picture<RunState>> picture(SavedOperation saved) {
-        return saved.kind().equals(kind.name())
-                ? Optional.of(new Picture<>(saved, kind.codec().state(saved.state())))
-                : Optional.empty();
+        return desk.picture(saved);
     }
 
     /** Hears of all operations. */
@@ -104,16 +82,16 @@ public final class RunService {
     /** Takes control of the plan's drones and has them fly it; from then on the cloud conducts it. */
     public RunView start(Principal principal, RunRequest.StartRequest request) {
         Roles.require(principal, Role.OPERATOR);
-        requireWithoutBounds(principal);
+        desk.requireWithoutBounds(principal);
         if (request.plan() == null) {
             throw InvalidInput.missing("plan", "the id of a plan");
         }
         String name = RunReader.name(request);
         RunOrder.Mode mode = RunReader.mode(request.mode());
-        requireRoom(principal);
+        desk.requireRoom(principal);
         PlanService.Flyable plan = plans.flyable(principal, request.plan());
-        Instant at = now();
-        OperationId id = newId();
+        Instant at = desk.now();
+        OperationId id = desk.newId();
         RunOrder order = new RunOrder(
                 id,
                 plan.order().problem(),
@@ -125,31 +103,12 @@ public final class RunService {
                 RunReader.search(request.searchSeconds()),
                 at);
         RunState state = RunState.begin(order);
-        kind.machine().drones(state).forEach(drone -> giveBack(principal, drone));
-        SavedOperation begun = SavedOperation.begun(
-                id, kind.name(), new SavedOperation.Owner(principal.name(), principal.organisation()), name, at);
-        return RunViews.view(conducted(() -> operations.begin(kind, begun, state)));
+        return RunViews.view(desk.begin(principal, id, name, state, at));
     }
 
     private static RunOrder.Member member(DroneState drone) {
         return new RunOrder.Member(
                 drone.id(), drone.name(), drone.identification().kind());
-    }
-
-    /** What a user has in hand goes over to the run that the same user starts. */
-    private void giveBack(Principal principal, DroneId drone) {
-        if (cloud.controls().control(drone).isHeldBy(principal.name())) {
-            cloud.controls().apply(drone, new LeaseEvent.Release(principal.name()));
-        }
-    }
-
-    private void requireRoom(Principal principal) {
-        long underWay = operations.underWay(kind).stream()
-                .filter(run -> run.saved().organisation().equals(principal.organisation()))
-                .count();
-        if (underWay >= MOST_UNDER_WAY) {
-            throw Rejection.conflict("Your organisation has " + underWay + " mission runs under way already.");
-        }
     }
 
     public RunView add(Principal principal, String id, RunRequest.WaypointsRequest request) {
@@ -180,7 +139,7 @@ public final class RunService {
             }
             DroneState drone = drones.state(principal, request.drone(), Role.OPERATOR);
             RunInput wish = reader(principal).joined(PlanCrafts.of(drone), drone);
-            giveBack(principal, drone.id());
+            desk.giveBack(principal, drone.id());
             return wish;
         });
     }
@@ -190,7 +149,7 @@ public final class RunService {
         Roles.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> {
             DroneId known = drone(run, drone);
-            giveBack(principal, known);
+            desk.giveBack(principal, known);
             return reader(principal).resumed(known);
         });
     }
@@ -222,12 +181,12 @@ public final class RunService {
     }
 
     private RunReader reader(Principal principal) {
-        return new RunReader(principal.name(), now());
+        return new RunReader(principal.name(), desk.now());
     }
 
     private RunView wish(Principal principal, String id, Function<RunState, RunInput> what) {
         Picture<RunState> run = find(principal, id);
-        requireWithoutBounds(principal);
+        desk.requireWithoutBounds(principal);
         for (RunDrone drone : run.state().drones()) {
             Roles.require(principal, Role.OPERATOR, drone.id());
         }
@@ -235,14 +194,7 @@ public final class RunService {
             throw Rejection.conflict("This mission run is over.");
         }
         RunInput input = what.apply(run.state());
-        return RunViews.view(conducted(() -> operations.wish(kind, run.saved().id(), input)));
-    }
-
-    /** It flies on without whoever started it, as its user: bounds of a key cannot be kept. */
-    private static void requireWithoutBounds(Principal principal) {
-        if (principal.scope().isBounded()) {
-            throw Rejection.forbidden("This access key has an area or heights, and a mission run flies without them.");
-        }
+        return RunViews.view(desk.wish(run, input));
     }
 
     private static Target target(RunState run, String id) {
@@ -258,38 +210,6 @@ public final class RunService {
     }
 
     Picture<RunState> find(Principal principal, String id) {
-        return parse(id)
-                .flatMap(known -> operations.find(kind, known))
-                .filter(run -> isShownTo(principal, run))
-                .orElseThrow(() -> Rejection.unknown("mission run", id));
-    }
-
-    private static Optional<OperationId> parse(String id) {
-        try {
-            return Optional.of(new OperationId(id));
-        } catch (IllegalArgumentException notAnId) {
-            return Optional.empty();
-        }
-    }
-
-    /** What the conductor refuses is a conflict with what goes on. */
-    private static <T> T conducted(Supplier<T> work) {
-        try {
-            return work.get();
-        } catch (Operations.Refused refused) {
-            throw Rejection.conflict(refused.why());
-        }
-    }
-
-    private Instant now() {
-        return clock.instant().truncatedTo(ChronoUnit.MICROS);
-    }
-
-    private OperationId newId() {
-        StringBuilder id = new StringBuilder("r");
-        while (id.length() < ID_LENGTH) {
-            id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
-        }
-        return new OperationId(id.toString());
+        return desk.find(principal, id);
     }
 }

@@ -1,0 +1,165 @@
+package org.dronemap.ws.service;
+
+import java.security.SecureRandom;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiPredicate;
+import java.util.function.Supplier;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.Operations.Picture;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.SavedOperation;
+
+/**
+ * What use cases around one kind of operation have in common: find it for whom it exists, begin it, hand it wishes. Any thread.
+ *
+ * @param <S> its state
+ * @param <I> its inputs
+ */
+final class OperationDesk<S, I> {
+    private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
+    private static final int ID_LENGTH = 16;
+    private static final int MOST_UNDER_WAY = 50;
+    private static final int MOST_LISTED = 50;
+
+    private final Operations operations;
+    private final OperationKind<S, I> kind;
+    private final CloudManager cloud;
+    private final Words words;
+    private final BiPredicate<Principal, Picture<S>> shown;
+    private final Clock clock;
+    private final SecureRandom random = new SecureRandom();
+
+    /**
+     * What people call it.
+     *
+     * @param letter its ids begin with it
+     * @param one "mission run"
+     * @param flies "a mission run flies"
+     */
+    record Words(char letter, String one, String flies) {}
+
+    /** {@code shown}: for others of its organisation it does not exist. */
+    OperationDesk(
+            Operations operations,
+            OperationKind<S, I> kind,
+            CloudManager cloud,
+            Words words,
+            BiPredicate<Principal, Picture<S>> shown,
+            Clock clock) {
+        this.operations = operations;
+        this.kind = kind;
+        this.cloud = cloud;
+        this.words = words;
+        this.shown = shown;
+        this.clock = clock;
+    }
+
+    /** Those under way and the newest that are over, the newest first. */
+    List<Picture<S>> all(Principal principal) {
+        List<Picture<S>> all = new ArrayList<>(operations.underWay(kind));
+        operations.latest(principal.organisation(), kind, MOST_LISTED).stream()
+                .filter(saved -> saved.endedAt() != null)
+                .map(this::stored)
+                .forEach(all::add);
+        return all.stream()
+                .filter(one -> isShown(principal, one))
+                .sorted(Comparator.comparing((Picture<S> one) -> one.saved().beganAt())
+                        .reversed())
+                .toList();
+    }
+
+    /** As it was stored; empty: it is another kind of operation. */
+    Optional<Picture<S>> picture(SavedOperation saved) {
+        return saved.kind().equals(kind.name()) ? Optional.of(stored(saved)) : Optional.empty();
+    }
+
+    private Picture<S> stored(SavedOperation saved) {
+        return new Picture<>(saved, kind.codec().state(saved.state()));
+    }
+
+    private boolean isShown(Principal principal, Picture<S> one) {
+        return principal.organisation().equals(one.saved().organisation()) && shown.test(principal, one);
+    }
+
+    Picture<S> find(Principal principal, String id) {
+        return parse(id)
+                .flatMap(known -> operations.find(kind, known))
+                .filter(one -> isShown(principal, one))
+                .orElseThrow(() -> Rejection.unknown(words.one(), id));
+    }
+
+    private static Optional<OperationId> parse(String id) {
+        try {
+            return Optional.of(new OperationId(id));
+        } catch (IllegalArgumentException notAnId) {
+            return Optional.empty();
+        }
+    }
+
+    /** It flies on without whoever started it, as its user: bounds of a key cannot be kept. */
+    void requireWithoutBounds(Principal principal) {
+        if (principal.scope().isBounded()) {
+            throw Rejection.forbidden(
+                    "This access key has an area or heights, and " + words.flies() + " without them.");
+        }
+    }
+
+    void requireRoom(Principal principal) {
+        long underWay = operations.underWay(kind).stream()
+                .filter(one -> one.saved().organisation().equals(principal.organisation()))
+                .count();
+        if (underWay >= MOST_UNDER_WAY) {
+            throw Rejection.conflict("Your organisation has " + underWay + " " + words.one() + "s under way already.");
+        }
+    }
+
+    /** What a user has in hand goes over to the operation of the same user. */
+    void giveBack(Principal principal, DroneId drone) {
+        if (cloud.controls().control(drone).isHeldBy(principal.name())) {
+            cloud.controls().apply(drone, new LeaseEvent.Release(principal.name()));
+        }
+    }
+
+    Picture<S> begin(Principal principal, OperationId id, String name, S state, Instant at) {
+        kind.machine().drones(state).forEach(drone -> giveBack(principal, drone));
+        SavedOperation begun = SavedOperation.begun(
+                id, kind.name(), new SavedOperation.Owner(principal.name(), principal.organisation()), name, at);
+        return conducted(() -> operations.begin(kind, begun, state));
+    }
+
+    Picture<S> wish(Picture<S> one, I input) {
+        return conducted(() -> operations.wish(kind, one.saved().id(), input));
+    }
+
+    /** What the conductor refuses is a conflict with what goes on. */
+    private static <T> T conducted(Supplier<T> work) {
+        try {
+            return work.get();
+        } catch (Operations.Refused refused) {
+            throw Rejection.conflict(refused.why());
+        }
+    }
+
+    Instant now() {
+        return clock.instant().truncatedTo(ChronoUnit.MICROS);
+    }
+
+    OperationId newId() {
+        StringBuilder id = new StringBuilder().append(words.letter());
+        while (id.length() < ID_LENGTH) {
+            id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
+        }
+        return new OperationId(id.toString());
+    }
+}
