@@ -144,6 +144,21 @@ class FollowsTest {
         decidesTheSameAgain(follow);
     }
 
+    @Test
+    void leavesControlWithWhoAsksAFollowThatIsOverToGoOn() {
+        String follow = asked("");
+        phone.post(follow + "/cancel", "");
+        await(follow, "over");
+        assertThat(phone.post("/api/v1/drones/" + falcon.id() + "/control/take", "{}")
+                        .status())
+                .isEqualTo(200);
+
+        assertThat(phone.post(follow + "/continue", "").status()).isEqualTo(409);
+
+        assertThat(house.cloud().controls().control(new DroneId(falcon.id())).tenure())
+                .isNotNull();
+    }
+
     private void decidesTheSameAgain(String follow) {
         List<JournalEntry> journal =
                 house.runs().operations().journal(new OperationId(follow.substring(PATH.length() + 1)), 0, 200);

@@ -110,9 +110,7 @@ public final class FollowService {
 
     /** The only way in which a drone that somebody took comes back to its follow. */
     public FollowView goOn(Principal principal, String id) {
-        Roles.require(principal, Role.OPERATOR);
-        desk.giveBack(principal, desk.find(principal, id).state().drone());
-        return wish(principal, id, (by, at) -> new FollowInput.GoOn(at, by));
+        return wish(principal, id, (by, at) -> new FollowInput.GoOn(at, by), true);
     }
 
     public FollowView stop(Principal principal, String id) {
@@ -146,6 +144,12 @@ public final class FollowService {
     }
 
     private FollowView wish(Principal principal, String id, BiFunction<String, Instant, FollowInput> what) {
+        return wish(principal, id, what, false);
+    }
+
+    /** {@code hands}: control that the user has of the drone goes over to the follow, once nothing speaks against the wish. */
+    private FollowView wish(
+            Principal principal, String id, BiFunction<String, Instant, FollowInput> what, boolean hands) {
         Roles.require(principal, Role.OPERATOR);
         Picture<FollowState> follow = desk.find(principal, id);
         desk.requireWithoutBounds(principal);
@@ -153,7 +157,9 @@ public final class FollowService {
         if (follow.saved().endedAt() != null) {
             throw Rejection.conflict("This follow is over.");
         }
-        FollowInput input = what.apply(principal.name(), desk.now());
-        return FollowView.of(desk.wish(follow, input));
+        if (hands) {
+            desk.giveBack(principal, follow.state().drone());
+        }
+        return FollowView.of(desk.wish(follow, what.apply(principal.name(), desk.now())));
     }
 }
