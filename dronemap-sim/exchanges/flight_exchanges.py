@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
+import time
+
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from flying import (
+    DEGREES_E7_PER_METER_NORTH,
     GLOBAL_RELATIVE,
     UNCHANGED,
     airborne,
@@ -13,12 +17,16 @@ from flying import (
     climb_to,
     disarmed,
     go_to,
+    lead,
     north_of_here,
     ready,
     start,
     take_off,
 )
 from vehicle_link import VehicleLink
+
+LED_SECONDS = 15
+LED_NORTH = 5.0
 
 
 def guided_takeoff(link: VehicleLink) -> None:
@@ -42,6 +50,19 @@ def go_to_by_setpoint(link: VehicleLink) -> None:
     link.ask_mode("LOITER")
     go_to(link, north_of_here(link, -50), 20)
     link.listen(6)
+
+
+def led_by_places(link: VehicleLink) -> None:
+    """Ten times a second a place that moves north at 5 m/s, and to look east; after 15 s not a word more."""
+    airborne(link)
+    latitude, longitude = link.position
+    start(link)
+    began = time.monotonic()
+    while (seconds := time.monotonic() - began) < LED_SECONDS:
+        moved = round(LED_NORTH * seconds * DEGREES_E7_PER_METER_NORTH)
+        lead(link, (latitude + moved, longitude), LED_NORTH, math.pi / 2)
+        link.listen(0.1)
+    link.listen(12)
 
 
 def go_to_by_reposition(link: VehicleLink) -> None:

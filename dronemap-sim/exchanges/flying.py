@@ -11,6 +11,7 @@ ACCEPTED = int(mavlink.MAV_RESULT_ACCEPTED)
 GLOBAL_RELATIVE = int(mavlink.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT)
 READY_SECONDS = 90.0
 POSITION_ONLY = 0b0000_1101_1111_1000  # SET_POSITION_TARGET_GLOBAL_INT: ignore all but the position
+PLACE_SPEED_AND_YAW = 0b1001_1100_0000  # the same: ignore accelerations and the rate of turning
 DEGREES_E7_PER_METER_NORTH = 1e7 / 111_319.5
 
 
@@ -86,6 +87,29 @@ def go_to(link: VehicleLink, target: tuple[int, int], altitude_meters: float) ->
             0,
             0,
             0,
+            0,
+        )
+    )
+
+
+def lead(link: VehicleLink, place: tuple[int, int], north: float, yaw: float) -> None:
+    """SET_POSITION_TARGET_GLOBAL_INT at 20 m: a place that moves north at so many m/s, and where to look (radians)."""
+    link.send(
+        mavlink.MAVLink_set_position_target_global_int_message(
+            0,
+            link.system_id,
+            1,
+            GLOBAL_RELATIVE,
+            PLACE_SPEED_AND_YAW,
+            *place,
+            20,
+            north,
+            0,
+            0,
+            0,
+            0,
+            0,
+            yaw,
             0,
         )
     )

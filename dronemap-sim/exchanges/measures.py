@@ -216,6 +216,56 @@ def time_in_air_of_leg(lines: Lines) -> float:
     raise LookupError("never arrived")
 
 
+def led_until(lines: Lines) -> float:
+    """When the last place was said."""
+    return last_seconds_of(lines, math.inf, msg="SET_POSITION_TARGET_GLOBAL_INT")
+
+
+def led_speed(lines: Lines) -> float:
+    """The ground speed when it has caught up with the place that moves."""
+    end = led_until(lines)
+    return statistics.median(values(lines, "VFR_HUD", "groundspeed", end - 7, end))
+
+
+def led_behind(lines: Lines) -> float:
+    """Metres that it was south of the place said last, when it has caught up."""
+    end = led_until(lines)
+    place, behind = 0.0, []
+    for line in lines:
+        if line["msg"] == "SET_POSITION_TARGET_GLOBAL_INT":
+            place = float(line["lat_int"])
+        elif line["msg"] == "GLOBAL_POSITION_INT" and end - 7 <= seconds(line) <= end:
+            behind.append((place - float(line["lat"])) * 1e-7 * METERS_PER_DEGREE)
+    return statistics.median(behind)
+
+
+def led_heading(lines: Lines) -> float:
+    """Where it looked meanwhile."""
+    end = led_until(lines)
+    return statistics.median(values(lines, "VFR_HUD", "heading", end - 7, end))
+
+
+def left_alone_meters(lines: Lines) -> float:
+    """Metres from the last place said to where it stands in the end, to the north."""
+    places = values(lines, "SET_POSITION_TARGET_GLOBAL_INT", "lat_int")
+    return (values(lines, "GLOBAL_POSITION_INT", "lat")[-1] - places[-1]) * 1e-7 * METERS_PER_DEGREE
+
+
+def left_alone_seconds(lines: Lines) -> float:
+    """From the last place said until it has slowed down to 1 m/s."""
+    end = led_until(lines)
+    for line in lines:
+        if line["msg"] == "VFR_HUD" and seconds(line) > end and line["groundspeed"] < 1:
+            return seconds(line) - end
+    raise LookupError("never stood")
+
+
+def left_alone_overshoot(lines: Lines) -> float:
+    """Metres that it flew past where it stands in the end."""
+    latitudes = values(lines, "GLOBAL_POSITION_INT", "lat")
+    return (max(latitudes) - latitudes[-1]) * 1e-7 * METERS_PER_DEGREE
+
+
 def fall_speed(lines: Lines) -> float:
     """The fastest sinking."""
     return max(values(lines, "GLOBAL_POSITION_INT", "vz")) / 100
@@ -264,6 +314,14 @@ MEASURES: tuple[Measure, ...] = (
     Measure("legSeconds", "150 m leg, from rest to within a metre", "s", 2, "go_to_by_setpoint", time_in_air_of_leg),
     Measure("secondsTo9MetersPerSecond", "from rest to 9 m/s", "s", 1.5, "go_to_by_setpoint",
             lambda lines: seconds_to_speed(lines, 9)),
+    Measure("ledSpeed", "led by a place that moves at 5 m/s: ground speed", "m/s", 0.3, "led_by_places", led_speed),
+    Measure("ledBehind", "the same: metres behind the place said last", "m", 1, "led_by_places", led_behind),
+    Measure("ledHeading", "the same: heading, told to look east", "°", 5, "led_by_places", led_heading),
+    Measure("leftAloneMeters", "the same, not a word more: metres on from the last place", "m", 3, "led_by_places",
+            left_alone_meters),
+    Measure("leftAloneOvershoot", "the same: metres past where it stands in the end", "m", 3, "led_by_places",
+            left_alone_overshoot),
+    Measure("leftAloneSeconds", "the same: until slower than 1 m/s", "s", 2, "led_by_places", left_alone_seconds),
     Measure("stoppingDistance", "DO_PAUSE_CONTINUE at 10 m/s: metres flown on", "m", 8, "hold_in_flight",
             stopping_distance),
     Measure("loiterSinkRate", "sinking in LOITER with the throttle stick down (no pilot)", "m/s", 0.4,

@@ -22,7 +22,7 @@ KEPT_FIELDS: Mapping[str, tuple[str, ...]] = {
     ),
     "SET_MODE": ("target_system", "base_mode", "custom_mode"),
     "SET_POSITION_TARGET_GLOBAL_INT": (
-        "target_system", "coordinate_frame", "type_mask", "lat_int", "lon_int", "alt", "vx", "vy", "vz",
+        "target_system", "coordinate_frame", "type_mask", "lat_int", "lon_int", "alt", "vx", "vy", "vz", "yaw",
     ),
     "PARAM_SET": ("target_system", "param_id", "param_value", "param_type"),
     "PARAM_VALUE": ("param_id", "param_value", "param_type"),

@@ -23,6 +23,7 @@ enum Exchange {
     HOLD_IN_FLIGHT(30, ""),
     SPEED_AND_HOME(20, ""),
     GO_TO_BY_SETPOINT(20, ""),
+    LED_BY_PLACES(20, ""),
     GO_TO_BY_REPOSITION(20, ""),
     DISARM_IN_FLIGHT(20, ""),
     MODES_REFUSED_IN_FLIGHT(20, ""),

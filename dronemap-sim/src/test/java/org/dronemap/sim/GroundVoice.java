@@ -93,10 +93,23 @@ final class GroundVoice {
     }
 
     private static SetPositionTargetGlobalInt target(RecordedLine l) {
-        int north = (int) l.integer("lat_int");
-        int east = (int) l.integer("lon_int");
         return new SetPositionTargetGlobalInt(
-                0, 1, 1, 6, (int) l.integer("type_mask"), north, east, l.number("alt"), 0, 0, 0, 0, 0, 0, 0, 0);
+                0,
+                1,
+                1,
+                6,
+                (int) l.integer("type_mask"),
+                (int) l.integer("lat_int"),
+                (int) l.integer("lon_int"),
+                l.number("alt"),
+                l.number("vx"),
+                l.number("vy"),
+                l.number("vz"),
+                0,
+                0,
+                0,
+                l.number("yaw"),
+                0);
     }
 
     static MissionItemInt item(RecordedLine l) {

@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.LongStream;
 
 /** How each figure of {@code measured.json} is taken from a transcript; the meanings and units are written there. */
 final class Measures {
@@ -24,6 +25,7 @@ final class Measures {
         addGround();
         addTakeOffAndLanding();
         addLegs();
+        addLeading();
         addMissions();
         addReturns();
         addFaults();
@@ -74,6 +76,20 @@ final class Measures {
         byKey.put("loiterSinkRate", Measures::loiterSinkRate);
         byKey.put("changedSpeed", Measures::secondLegSpeed);
         byKey.put("changedSpeedLost", t -> t.greatest("VFR_HUD", "groundspeed"));
+    }
+
+    private void addLeading() {
+        byKey.put("ledSpeed", t -> median(whileLed(t, "VFR_HUD", "groundspeed")));
+        byKey.put("ledBehind", Measures::ledBehind);
+        byKey.put("ledHeading", t -> median(whileLed(t, "VFR_HUD", "heading")));
+        byKey.put("leftAloneMeters", Measures::leftAloneMeters);
+        byKey.put(
+                "leftAloneOvershoot",
+                t -> north(last(latitudes(t)), LongStream.of(latitudes(t)).max().orElseThrow()));
+        byKey.put(
+                "leftAloneSeconds",
+                t -> t.secondsOf(ledUntil(t), line -> line.is("VFR_HUD") && line.number("groundspeed") < 1)
+                        - ledUntil(t));
     }
 
     private void addMissions() {
@@ -154,6 +170,49 @@ final class Measures {
                 line.is("GLOBAL_POSITION_INT") && Math.abs(line.integer("lat") - target) < 1e7 / METERS_PER_DEGREE);
     }
 
+    private static double ledUntil(Transcript t) {
+        return t.lastSecondsBefore(ALWAYS, line -> line.is("SET_POSITION_TARGET_GLOBAL_INT"));
+    }
+
+    /** From when it has caught up until the last place was said. */
+    private static double[] whileLed(Transcript t, String message, String field) {
+        return t.values(message, field, ledUntil(t) - 7, ledUntil(t));
+    }
+
+    private static double ledBehind(Transcript t) {
+        double end = ledUntil(t);
+        long place = 0;
+        List<Double> behind = new ArrayList<>();
+        for (RecordedLine line : t.lines()) {
+            if (line.is("SET_POSITION_TARGET_GLOBAL_INT")) {
+                place = line.integer("lat_int");
+            } else if (line.is("GLOBAL_POSITION_INT") && seconds(line) >= end - 7 && seconds(line) <= end) {
+                behind.add((place - line.integer("lat")) * 1e-7 * METERS_PER_DEGREE);
+            }
+        }
+        return median(behind.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    /** Metres to the north of the last place that was said, in the end. */
+    private static double leftAloneMeters(Transcript t) {
+        return north(last(integers(t, "SET_POSITION_TARGET_GLOBAL_INT", "lat_int")), last(latitudes(t)));
+    }
+
+    private static long[] latitudes(Transcript t) {
+        return integers(t, "GLOBAL_POSITION_INT", "lat");
+    }
+
+    private static long[] integers(Transcript t, String message, String field) {
+        return t.lines().stream()
+                .filter(line -> line.is(message))
+                .mapToLong(line -> line.integer(field))
+                .toArray();
+    }
+
+    private static double north(long from, long to) {
+        return (to - from) * 1e-7 * METERS_PER_DEGREE;
+    }
+
     /** Metres flown on to the north within six seconds of the order to pause. */
     private static double stoppingDistance(Transcript t) {
         double asked = t.secondsOf(sent(193));
@@ -168,6 +227,10 @@ final class Measures {
     private static double loiterSinkRate(Transcript t) {
         double started = t.secondsOf(with("HEARTBEAT", "custom_mode", 5));
         return t.greatest("GLOBAL_POSITION_INT", "vz", started, started + 6) / 100;
+    }
+
+    private static long last(long[] values) {
+        return values[values.length - 1];
     }
 
     private static double secondLegSpeed(Transcript t) {

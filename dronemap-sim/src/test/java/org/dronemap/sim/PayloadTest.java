@@ -6,6 +6,8 @@ import java.util.List;
 import org.dronemap.mavlink.message.CameraFeedback;
 import org.dronemap.mavlink.message.CameraImageCaptured;
 import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.GimbalDeviceAttitudeStatus;
+import org.dronemap.mavlink.message.GimbalManagerSetPitchyaw;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -62,6 +64,34 @@ class PayloadTest {
         assertThat(last.imgIdx()).isEqualTo(2);
         assertThat(last.altRel()).isBetween(19f, 21f);
         assertThat(payload(bench)).contains("pictures 2");
+    }
+
+    private static GimbalManagerSetPitchyaw looks(int flags, double degrees) {
+        return new GimbalManagerSetPitchyaw(1, 1, flags, 0, (float) Math.toRadians(degrees), 0, Float.NaN, Float.NaN);
+    }
+
+    @Test
+    void aGimbalLooksWhereItIsToldAndToTheMiddleWhenItIsLetGo() {
+        Bench bench = Bench.flying(20, "--parameter", "MNT1_TYPE=1");
+        bench.run(1);
+        assertThat(bench.count(GimbalDeviceAttitudeStatus.ID)).isPositive();
+        bench.send(looks(12, -60));
+        bench.run(0.5);
+        assertThat(payload(bench)).containsPattern("gimbal -(2|3)\\d\\.");
+        bench.run(1);
+        assertThat(payload(bench)).contains("gimbal -60.0");
+        bench.send(looks(2, Double.NaN));
+        bench.run(2);
+        assertThat(payload(bench)).contains("gimbal 0.0");
+    }
+
+    @Test
+    void whoCarriesNoGimbalTellsOfNone() {
+        Bench bench = Bench.flying(20);
+        bench.send(looks(12, -60));
+        bench.run(2);
+        assertThat(bench.count(GimbalDeviceAttitudeStatus.ID)).isZero();
+        assertThat(payload(bench)).doesNotContain("gimbal");
     }
 
     @Test

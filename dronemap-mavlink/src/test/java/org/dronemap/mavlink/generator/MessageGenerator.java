@@ -24,6 +24,8 @@ public final class MessageGenerator {
             "CommandLong",
             "ExtendedSysState",
             "FileTransferProtocol",
+            "GimbalDeviceAttitudeStatus",
+            "GimbalManagerSetPitchyaw",
             "GlobalPositionInt",
             "GpsRawInt",
             "Heartbeat",
@@ -65,7 +67,9 @@ public final class MessageGenerator {
             "SysStatus",
             "SystemTime",
             "Timesync",
-            "VfrHud");
+            "VfrHud",
+            "Wind",
+            "WindCov");
 
     private MessageGenerator() {}
 

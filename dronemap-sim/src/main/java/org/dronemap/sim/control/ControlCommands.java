@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.personality.Payload;
+import org.dronemap.sim.personality.Result;
 import org.dronemap.sim.personality.SimulatedVehicle;
 
 /** Understands a line of the control port and carries it out; each answer begins with "ok" or "err". On the fleet's thread. */
@@ -22,6 +23,7 @@ public final class ControlCommands {
             fault <sysid|all> reboot              restarts with a new port
             fault <sysid|all> gcs-ignore on|off   hears nothing from the ground, goes on talking
             fault <sysid|all> stick low|mid       throttle stick of the remote control
+            fault <sysid|all> mode <NUMBER>       that mode (as in custom_mode), by the pilot's own switch
             fault <sysid|all> alter <NAME|NUMBER> keeps that parameter, or the altitude of that mission item (home is 0),
                                                   otherwise than it is told, without a word
             fault <sysid|all> repair              takes crash, motor failure and alterations back
@@ -148,6 +150,7 @@ public final class ControlCommands {
             case "reboot" -> done(vehicle::reboot);
             case "gcs-ignore" -> onOff(what, value.isEmpty() ? "on" : value, vehicle::setDeaf);
             case "stick" -> stick(vehicle, value);
+            case "mode" -> mode(vehicle, value);
             default -> "unknown fault '" + what + "': say help";
         };
     }
@@ -202,6 +205,14 @@ public final class ControlCommands {
         }
         vehicle.autopilot().stick(value.equals("low") ? 1000 : 1500);
         return "";
+    }
+
+    private static String mode(SimulatedVehicle vehicle, String value) {
+        if (!value.matches("\\d{1,9}")) {
+            return "mode wants the number of a mode, not '" + value + "'";
+        }
+        Result result = vehicle.autopilot().setMode(1, Long.parseLong(value));
+        return result == Result.ACCEPTED ? "" : "mode " + value + " is not taken: " + result;
     }
 
     private static double number(String text) {

@@ -10,6 +10,7 @@ import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.GimbalManagerSetPitchyaw;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -41,6 +42,7 @@ import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.Timesync;
 import org.dronemap.mavlink.message.VfrHud;
+import org.dronemap.mavlink.message.Wind;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.Severity;
 
@@ -59,7 +61,8 @@ final class Desk {
         HomePosition.ID,
         MissionCurrent.ID,
         SystemTime.ID,
-        ServoOutputRaw.ID
+        ServoOutputRaw.ID,
+        Wind.ID
     };
 
     private final Autopilot autopilot;
@@ -167,6 +170,8 @@ final class Desk {
                     autopilot.steer(target);
                 }
             }
+            case GimbalManagerSetPitchyaw.ID ->
+                autopilot.payload().point(GimbalManagerSetPitchyaw.decode(frame), systemId);
             case ManualControl.ID -> manual(ManualControl.decode(frame), frame.systemId());
             case RC_CHANNELS_OVERRIDE -> stick(frame);
             default -> {

@@ -8,16 +8,18 @@ import java.util.TreeMap;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CameraFeedback;
 import org.dronemap.mavlink.message.CameraImageCaptured;
+import org.dronemap.mavlink.message.GimbalManagerSetPitchyaw;
 import org.dronemap.mavlink.message.NamedValueFloat;
 import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.physics.Body;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
+import org.jspecify.annotations.Nullable;
 
 /**
- * A camera, six relays, servos at the outputs that no motor has, and sensors: counts what was done to them, as often as it
- * was done. Owned by its vehicle.
+ * A camera, six relays, servos at the outputs that no motor has, sensors, and a gimbal where one was put: counts what was done
+ * to them, as often as it was done. Owned by its vehicle.
  */
 public final class Payload {
     private static final int RELAYS = 6;
@@ -31,6 +33,7 @@ public final class Payload {
     private final boolean[] relays = new boolean[RELAYS];
     private final int[] outputs = new int[OUTPUTS];
     private final Map<String, Float> sensors = new TreeMap<>();
+    private @Nullable Mount mount;
     private int pictures;
 
     /** One more picture. */
@@ -65,8 +68,30 @@ public final class Payload {
         sensors.clear();
     }
 
+    /** Lives on, with a gimbal or without one. */
+    public void step(boolean mounted, double seconds) {
+        if (!mounted) {
+            mount = null;
+            return;
+        }
+        if (mount == null) {
+            mount = new Mount();
+        }
+        mount.step(seconds);
+    }
+
+    /** Somebody says to a vehicle, maybe this one, where to look. */
+    void point(GimbalManagerSetPitchyaw message, int systemId) {
+        if (mount != null && message.targetSystem() == systemId) {
+            mount.hear(message);
+        }
+    }
+
     List<Message> readings(long bootMillis) {
         List<Message> readings = new ArrayList<>();
+        if (mount != null) {
+            readings.add(mount.status(bootMillis));
+        }
         sensors.forEach((name, value) -> readings.add(new NamedValueFloat(bootMillis, name, value)));
         return readings;
     }
@@ -121,7 +146,7 @@ public final class Payload {
         return (float) Math.toDegrees(radians);
     }
 
-    /** "pictures 3 relays on: 0 4", and "servo 9: 1900" for each that was moved. */
+    /** "pictures 3 relays on: 0 4", "servo 9: 1900" for each that was moved, and "gimbal -45.0" if it carries one. */
     public String words() {
         StringBuilder on = new StringBuilder();
         for (int relay = 0; relay < RELAYS; relay++) {
@@ -135,6 +160,9 @@ public final class Payload {
             if (outputs[output] > 0) {
                 words.append(String.format(Locale.ROOT, " servo %d: %d", output + 1, outputs[output]));
             }
+        }
+        if (mount != null) {
+            words.append(String.format(Locale.ROOT, " gimbal %.1f", mount.pitchDegrees()));
         }
         return words.toString();
     }

@@ -14,6 +14,7 @@ import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.VfrHud;
+import org.dronemap.mavlink.message.Wind;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Parameters;
 import org.dronemap.sim.physics.Body;
@@ -58,6 +59,7 @@ public final class Telemetry {
             case HomePosition.ID -> home(craft);
             case ExtendedSysState.ID -> new ExtendedSysState(0, autopilot.landedState());
             case AutopilotVersion.ID -> version();
+            case Wind.ID -> wind();
             case ServoOutputRaw.ID -> autopilot.payload().outputs(nowMillis);
             default -> null;
         };
@@ -131,6 +133,14 @@ public final class Telemetry {
                 40,
                 0,
                 0);
+    }
+
+    /** Felt in flight alone, as by an estimator. */
+    private Wind wind() {
+        double north = craft.landed() ? 0 : craft.wind().north();
+        double east = craft.landed() ? 0 : craft.wind().east();
+        double from = Math.toDegrees(Math.atan2(-east, -north));
+        return new Wind((float) from, (float) Math.hypot(north, east), 0);
     }
 
     private Attitude attitude(long nowMillis) {

@@ -72,6 +72,11 @@ public final class MessageRates {
         streams.put(HomePosition.ID, new Stream(5_000_000));
     }
 
+    /** Something that vehicles of one family tell and others do not know. */
+    public void also(int messageId, long intervalMicros) {
+        streams.put(messageId, new Stream(intervalMicros));
+    }
+
     public void heard(Frame frame, long nowNanos) {
         Stream stream = streams.get(frame.messageId());
         if (stream != null) {

@@ -3,11 +3,13 @@ package org.dronemap.proxy.mavlink.translate;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -19,6 +21,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.Wind;
 import org.dronemap.proxy.mavlink.procedure.Alternative;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.CommandRequest;
@@ -46,10 +49,13 @@ final class ArduPilot implements Autopilot {
     private static final int STANDBY = 3;
     private static final int ACTIVE = 4;
     private static final int HOME_ITEMS = 1;
+    private static final long WIND_MICROS = 5_000_000;
     private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
 
     /** In cm. */
     private static final ReturnHeights.Setting RETURN_HEIGHT = new ReturnHeights.Setting("RTL_ALT", 100, false);
+
+    private static final CloudLosses.Setting CLOUD_LOSS = new CloudLosses.Setting("FS_GCS_ENABLE", Set.of(0), 1, false);
 
     private final VehicleKind kind;
     private final ModeTable table;
@@ -87,6 +93,11 @@ final class ArduPilot implements Autopilot {
     public String modeName(Heartbeat heartbeat) {
         String name = (heartbeat.baseMode() & 1) != 0 ? table.name(heartbeat.customMode()) : null;
         return name != null ? name : OtherAutopilot.unnamed(heartbeat);
+    }
+
+    @Override
+    public Map<Integer, Long> ownMessages() {
+        return Map.of(Wind.ID, WIND_MICROS);
     }
 
     @Override
@@ -208,6 +219,9 @@ final class ArduPilot implements Autopilot {
         }
         if (command instanceof SetReturnHeight height) {
             return ReturnHeights.set(cockpit, height, kind, RETURN_HEIGHT);
+        }
+        if (command instanceof ReturnOnLoss) {
+            return CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
         }
         Exchange common = CommonPlans.plan(command, cockpit);
         return common != null ? common : planMission(command, cockpit);

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Setpoint;
@@ -31,6 +32,11 @@ public interface Autopilot {
 
     /** The name of the mode that a heartbeat tells. */
     String modeName(Heartbeat heartbeat);
+
+    /** What it tells beside that which all do, and microseconds between two. */
+    default Map<Integer, Long> ownMessages() {
+        return Map.of();
+    }
 
     /** Names that can be set. */
     List<String> modes();

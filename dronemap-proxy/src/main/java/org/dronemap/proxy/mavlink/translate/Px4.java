@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -53,6 +54,8 @@ final class Px4 implements Autopilot {
             "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
 
     private static final ReturnHeights.Setting RETURN_HEIGHT = new ReturnHeights.Setting("RTL_RETURN_ALT", 1, true);
+    /** It does nothing, or holds. */
+    private static final CloudLosses.Setting CLOUD_LOSS = new CloudLosses.Setting("NAV_DLL_ACT", Set.of(0, 1), 2, true);
 
     private final VehicleKind kind;
 
@@ -176,6 +179,9 @@ final class Px4 implements Autopilot {
         }
         if (command instanceof SetReturnHeight height) {
             return ReturnHeights.set(cockpit, height, kind, RETURN_HEIGHT);
+        }
+        if (command instanceof ReturnOnLoss) {
+            return CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
         }
         Exchange common = CommonPlans.plan(command, cockpit);
         return common != null ? common : planMission(command, cockpit);

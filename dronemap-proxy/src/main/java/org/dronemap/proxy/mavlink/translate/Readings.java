@@ -8,6 +8,7 @@ import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.BatteryStatus;
 import org.dronemap.mavlink.message.GlobalPositionInt;
@@ -15,6 +16,8 @@ import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.VfrHud;
+import org.dronemap.mavlink.message.Wind;
+import org.dronemap.mavlink.message.WindCov;
 import org.jspecify.annotations.Nullable;
 
 /** Raw fields to facts; what MAVLink marks as unknown becomes unknown, never 0. Owned by the drone's lane. */
@@ -24,6 +27,8 @@ final class Readings {
     private static final int UNKNOWN_U8 = 255;
     private static final long PREARM_CHECK = 0x1000_0000L;
     private static final int DEGREES_KNOWN_BELOW = 36_000;
+    /** m/s; nobody flies in more. */
+    private static final double STRONGEST_WIND = 60;
 
     private @Nullable Integer percent;
     private @Nullable Double volts;
@@ -125,6 +130,23 @@ final class Readings {
         Integer satellites = message.satellitesVisible() == UNKNOWN_U8 ? null : (Integer) message.satellitesVisible();
         Double hdop = message.eph() == UNKNOWN_U16 ? null : Double.valueOf(message.eph() / 100.0);
         return Optional.of(new Gps(fix, satellites, hdop));
+    }
+
+    /** ArduPilot's word: where it comes from. */
+    static Optional<DroneEvent> wind(Wind message) {
+        return wind(message.direction(), message.speed());
+    }
+
+    /** PX4's: where the air moves to, north and east. */
+    static Optional<DroneEvent> wind(WindCov message) {
+        double from = Math.toDegrees(Math.atan2(-message.windY(), -message.windX()));
+        return wind(from, Math.hypot(message.windX(), message.windY()));
+    }
+
+    private static Optional<DroneEvent> wind(double fromDegrees, double speed) {
+        return Double.isFinite(fromDegrees) && Double.isFinite(speed) && speed >= 0 && speed < STRONGEST_WIND
+                ? Optional.of(new DroneEvent.WindHeard((fromDegrees % 360 + 360) % 360, speed))
+                : Optional.empty();
     }
 
     /** Empty when the vehicle does not report its pre-arm checks. */

@@ -1,5 +1,6 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.MissionPhase;
@@ -18,6 +19,8 @@ import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.VfrHud;
+import org.dronemap.mavlink.message.Wind;
+import org.dronemap.mavlink.message.WindCov;
 import org.jspecify.annotations.Nullable;
 
 /** Turns what an autopilot says into events, and keeps what commands depend on. Owned by the drone's lane. */
@@ -69,9 +72,18 @@ public final class Telemetry {
                 status.version(AutopilotVersion.decode(frame));
                 identified();
             }
+            case Wind.ID -> wind(Readings.wind(Wind.decode(frame)));
+            case WindCov.ID -> wind(Readings.wind(WindCov.decode(frame)));
             case ServoOutputRaw.ID ->
                 Carried.outputs(ServoOutputRaw.decode(frame)).ifPresent(out);
             default -> Carried.heard(frame).ifPresent(out);
+        }
+    }
+
+    /** On the ground its estimate says nothing. */
+    private void wind(Optional<DroneEvent> heard) {
+        if (status.airborne()) {
+            heard.ifPresent(out);
         }
     }
 

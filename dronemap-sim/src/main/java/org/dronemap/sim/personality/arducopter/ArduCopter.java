@@ -61,6 +61,7 @@ public final class ArduCopter implements Autopilot {
         now = nowMillis;
         craft.step(flight.fly(nowMillis), nowMillis, seconds);
         failsafes.check(nowMillis);
+        payload.step(parameters.value("MNT1_TYPE") > 0, seconds);
         tellOrigin();
         disarmWhenIdle();
         tellComplaints();

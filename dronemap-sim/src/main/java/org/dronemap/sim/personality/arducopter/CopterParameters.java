@@ -41,6 +41,7 @@ final class CopterParameters {
                 .add("PILOT_SPEED_UP", INT16, 250)
                 .add("PILOT_Y_RATE", REAL32, 202.5)
                 .add("LOIT_SPEED", REAL32, 1250)
+                .add("MNT1_TYPE", INT8, 0)
                 .add("SIM_BATT_VOLTAGE", REAL32, 0)
                 .add("SIM_GPS_DISABLE", INT8, 0)
                 .add("SIM_ENGINE_MUL", REAL32, 1)
