@@ -138,7 +138,7 @@ public final class CommandGate {
 
     /** The same, also while somebody has the control of this epoch still. */
     void submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
-        managed.control().enterForSafety(epoch).ifPresent(passage -> {
+        managed.control().enterForSafety(SAFETY.principal(), command, epoch).ifPresent(passage -> {
             CommandId id = new CommandId(UUID.randomUUID().toString());
             // The lane must not wait for the disk.
             journal.write(

@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import java.time.Clock;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.List;
@@ -30,12 +31,15 @@ import org.dronemap.core.drone.Sensed;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.TextMessage;
+import org.dronemap.core.drone.Wind;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
 /** The facts of one drone as they come in. Owned by the drone's lane; {@link #state()} may be read from anywhere. */
 final class Drone {
+    private static final Duration BETWEEN_SIGNS = Duration.ofSeconds(1);
+
     private final Clock clock;
     private final DroneId id;
     private final boolean replay;
@@ -136,6 +140,20 @@ final class Drone {
         lastHeard = clock.instant();
     }
 
+    /**
+     * It was heard by now, with or without news: says so once a second at most, as a sign of life alone makes no new state.
+     * True when the state is new.
+     */
+    boolean showsHeard() {
+        Instant shown = state.link().lastHeard();
+        Instant now = lastHeard;
+        if (now == null || (shown != null && Duration.between(shown, now).abs().compareTo(BETWEEN_SIGNS) < 0)) {
+            return false;
+        }
+        publish();
+        return true;
+    }
+
     void standing(Standing now) {
         standing = now;
         publish();
@@ -224,6 +242,9 @@ final class Drone {
         }
         if (event instanceof DroneEvent.OutputsHeard e) {
             return payload.withOutputs(e.pulsesMicros());
+        }
+        if (event instanceof DroneEvent.WindHeard e) {
+            return payload.with(new Wind(e.fromDegrees(), e.metersPerSecond(), clock.instant()));
         }
         return event instanceof DroneEvent.ReadingHeard e
                 ? payload.with(new Payload.Reading(e.name(), e.value(), clock.instant()))

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
@@ -80,17 +81,23 @@ final class DroneControl {
         return new Decision(step, durable);
     }
 
-    /** Asks for the control that a command needs, and takes it where it is free; operations have it, or command nothing. */
+    /**
+     * Asks for the control that a command needs, and takes it where it is free; operations have it, or command nothing, and
+     * lose it to whoever answers for safety.
+     */
     synchronized Passage enter(CommandGate.Source source, Command command) {
         if (source.operation() == null && ControlRules.onlyReads(command)) {
             return new Passage.Open(epoch(), Fence.NONE);
         }
         Passage passage = enter(source);
-        return passage instanceof Passage.Closed
-                        && source.operation() == null
-                        && ControlRules.isOpenTo(source.principal(), drone, command)
-                ? new Passage.Open(epoch(), Fence.NONE)
-                : passage;
+        boolean first = passage instanceof Passage.Closed
+                && source.operation() == null
+                && ControlRules.isOpenTo(source.principal(), drone, command);
+        if (!first) {
+            return passage;
+        }
+        interrupt(source.principal(), command);
+        return new Passage.Open(epoch(), Fence.NONE);
     }
 
     /** Asks for control as it is, and takes it where it is free. */
@@ -113,9 +120,17 @@ final class DroneControl {
     }
 
     /** For what a rule of safety commands; empty when somebody has control, other than by this epoch. */
-    synchronized Optional<Passage.Open> enterForSafety(@Nullable Long epoch) {
+    synchronized Optional<Passage.Open> enterForSafety(Principal rule, Command command, @Nullable Long epoch) {
         boolean goesOn = epoch != null && epoch == control.epoch();
-        return control.tenure() == null || goesOn ? Optional.of(fenced()) : Optional.empty();
+        if (control.tenure() != null && !goesOn) {
+            return Optional.empty();
+        }
+        interrupt(rule, command);
+        return Optional.of(fenced());
+    }
+
+    private void interrupt(Principal by, Command command) {
+        apply(new LeaseEvent.Interrupt(by.name() + " told the drone: " + command.summary() + "."));
     }
 
     private Passage.Open fenced() {

@@ -201,6 +201,9 @@ final class ManagedDrone implements Lane.Ticker {
     @Override
     public void tick() {
         judge();
+        if (drone.showsHeard()) {
+            listener.droneChanged(drone.state());
+        }
         if (liveness.probeDue(lane.activeNanos())) {
             channel().ifPresent(VehicleChannel::probe);
         }

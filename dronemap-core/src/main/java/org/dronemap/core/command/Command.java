@@ -392,7 +392,7 @@ public sealed interface Command {
     }
 
     /** What has a file of its own. */
-    sealed interface Apart extends Command permits GoToLocal, EmergencyStop, ReadMap, SetReturnHeight {}
+    sealed interface Apart extends Command permits GoToLocal, EmergencyStop, ReadMap, ReturnOnLoss, SetReturnHeight {}
 
     default Contention contention() {
         return Contention.of(needs());

@@ -7,14 +7,19 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a vehicle said of what it carries.
+ * What a vehicle said of what it carries, and of the wind that it feels.
  *
  * @param photo the last one; null: it told of none
  * @param outputs pulses of its outputs from 1 on in microseconds, 0: none; empty: not told
  * @param readings the newest of each sensor, at most {@value #MOST_READINGS}, the one heard last at the end
+ * @param wind in its newest flight; null: it told of none
  */
-public record Payload(@Nullable Photo photo, List<Integer> outputs, List<Reading> readings) {
-    public static final Payload UNKNOWN = new Payload(null, List.of(), List.of());
+public record Payload(
+        @Nullable Photo photo,
+        List<Integer> outputs,
+        List<Reading> readings,
+        @Nullable Wind wind) {
+    public static final Payload UNKNOWN = new Payload(null, List.of(), List.of(), null);
     public static final int MOST_READINGS = 16;
 
     /** {@code number}: the vehicle's own count; {@code point}: where it was taken, null when it did not say. */
@@ -29,11 +34,11 @@ public record Payload(@Nullable Photo photo, List<Integer> outputs, List<Reading
     }
 
     public Payload with(Photo newer) {
-        return new Payload(newer, outputs, readings);
+        return new Payload(newer, outputs, readings, wind);
     }
 
     public Payload withOutputs(List<Integer> newer) {
-        return new Payload(photo, newer, readings);
+        return new Payload(photo, newer, readings, wind);
     }
 
     public Payload with(Reading newer) {
@@ -44,6 +49,10 @@ public record Payload(@Nullable Photo photo, List<Integer> outputs, List<Reading
             all.remove(0);
         }
         all.add(newer);
-        return new Payload(photo, outputs, all);
+        return new Payload(photo, outputs, all, wind);
+    }
+
+    public Payload with(Wind newer) {
+        return new Payload(photo, outputs, readings, newer);
     }
 }

@@ -94,6 +94,9 @@ public sealed interface DroneEvent {
     /** A sensor's number. */
     record ReadingHeard(String name, double value) implements PayloadHeard {}
 
+    /** The wind in flight: where it comes from in degrees clockwise from true north, and m/s. */
+    record WindHeard(double fromDegrees, double metersPerSecond) implements PayloadHeard {}
+
     /** Of what the vehicle keeps on board beside its mission. */
     sealed interface OnBoardHeard extends DroneEvent {}
 

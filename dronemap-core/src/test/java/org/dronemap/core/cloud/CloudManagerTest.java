@@ -5,7 +5,9 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
@@ -73,6 +75,33 @@ class CloudManagerTest {
         hear(link);
         await().untilAsserted(() -> assertThat(seen)
                 .containsSubsequence(LinkState.LIVE, LinkState.SUSPECT, LinkState.LOST, LinkState.LIVE));
+    }
+
+    @Test
+    void showsThatADroneIsHeardAlsoWhenItBringsNoNews() {
+        List<Instant> shown = new CopyOnWriteArrayList<>();
+        cloud.addListener(new CloudListener() {
+            @Override
+            public void droneChanged(DroneState state) {
+                if (state.link().lastHeard() != null) {
+                    shown.add(state.link().lastHeard());
+                }
+            }
+        });
+        DroneLink link = connect(5001, null);
+        hear(link);
+        Instant news = lastHeard(link);
+
+        keepAlive(link);
+
+        await("those who look on are told")
+                .until(() -> shown.get(shown.size() - 1).isAfter(news.plusSeconds(2)));
+        assertThat(shown).as("but not of each sign of life").hasSizeLessThan(20);
+    }
+
+    private Instant lastHeard(DroneLink link) {
+        return Objects.requireNonNull(
+                cloud.drone(link.id()).orElseThrow().link().lastHeard());
     }
 
     @Test

@@ -260,6 +260,20 @@ class SetpointGateTest {
     }
 
     @Test
+    void isNotLedToAPlaceThatMovesIntoAZone() {
+        cloud.zones().put(List.of(dam()));
+        Geodetic near = new Geodetic(47.39771, 8.5456);
+        assertThat(steer(ANN, led(near, -3))).isEmpty();
+        assertThat(steer(ANN, led(near, 3)))
+                .hasValueSatisfying(why -> assertThat(why).contains("the dam"));
+    }
+
+    private static Setpoint led(Geodetic place, double northward) {
+        Setpoint.Velocity moving = new Setpoint.Velocity(Frame.EARTH, northward, 0, 0, Facing.ANY);
+        return new Setpoint.Track(place, Altitude.aboveHome(20), moving, Facing.ANY);
+    }
+
+    @Test
     void isNotSteeredIntoAZoneAndStandsWhenItIsTried() {
         cloud.zones().put(List.of(dam()));
         assertThat(steer(ANN, new Setpoint.Velocity(Frame.EARTH, -3, 0, 0, Facing.ANY)))

@@ -3,6 +3,7 @@ package org.dronemap.proxy.endpoint;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.nio.channels.ClosedSelectorException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -94,10 +95,15 @@ final class WebSocketServerEndpoint implements Endpoint {
 
     @Override
     public void close() {
+        // Told first: the library's thread goes some 25 ms after stop() began, and who is told later breaks the rest of
+        // it.
+        server.getConnections().forEach(socket -> socket.close(CloseFrame.GOING_AWAY));
         try {
             server.stop(1_000);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        } catch (ClosedSelectorException e) {
+            LOG.debug("{}: somebody came while it closed, and was not told", url, e);
         }
         peers.clear();
     }

@@ -154,7 +154,7 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
         return all;
     }
 
-    /** At most a second old. Any thread. */
+    /** Who is there now, with figures at most a second old. Any thread. */
     OutletStatus status(List<OutletStatus.Port> ports) {
         return new OutletStatus(shown, ports, counts.refused(), counts.unreadFrames(), counts.notPassedFrames());
     }
@@ -258,7 +258,7 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
                 now);
         OutletClient client = new OutletClient(entry, heard.peer(), numbers, principal);
         clients.put(heard.peer(), client);
-        all = List.copyOf(clients.values());
+        list(now);
         LOG.info(
                 "{} attached to the outlet from {} as {}",
                 client.user(),
@@ -269,7 +269,7 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
     private void end(Peer peer, String why) {
         OutletClient client = clients.remove(peer);
         if (client != null) {
-            all = List.copyOf(clients.values());
+            list(policy.nanoTime().getAsLong());
             uplink.forget(client);
             LOG.info("{} of {} left the outlet: {}", client.id(), client.user(), why);
         }
@@ -294,7 +294,12 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
         uplink.second();
         outsideUntil.values().removeIf(until -> now - until > 0);
         sentAwayUntil.values().removeIf(until -> now - until > 0);
-        shown = clients.values().stream().map(client -> client.status(now)).toList();
+        list(now);
+    }
+
+    private void list(long now) {
+        all = List.copyOf(clients.values());
+        shown = all.stream().map(client -> client.status(now)).toList();
     }
 
     @Override

@@ -15,6 +15,7 @@ import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.CommandLedger;
+import org.dronemap.proxy.mavlink.procedure.Gimbal;
 import org.dronemap.proxy.mavlink.procedure.MessageRates;
 import org.dronemap.proxy.mavlink.procedure.Target;
 import org.dronemap.proxy.mavlink.procedure.TimeAnswers;
@@ -45,6 +46,7 @@ final class Conversation {
     private final MessageRates rates;
     private final MissionWatch missions;
     private final TimeAnswers time;
+    private final Gimbal gimbal;
     private boolean known;
     private long lastHeartbeatNanos;
 
@@ -68,8 +70,10 @@ final class Conversation {
         telemetry = new Telemetry(autopilot, status, this::tell);
         parameters = new ParameterTable(autopilot, this::tell);
         rates = new MessageRates(target);
+        autopilot.ownMessages().forEach(rates::also);
         missions = new MissionWatch(target, autopilot, status, this::tell, missionRead);
         time = new TimeAnswers(target);
+        gimbal = new Gimbal(target, links::send);
         lastHeartbeatNanos = nanoTime.getAsLong() - SECOND_NANOS;
     }
 
@@ -87,6 +91,7 @@ final class Conversation {
 
     /** Another component of the vehicle said something. */
     void overheard(Frame frame, long now) {
+        gimbal.heard(frame);
         telemetry.overheard(frame, now);
     }
 
@@ -99,6 +104,7 @@ final class Conversation {
     /** The autopilot said something. */
     void heard(Frame frame, long now) {
         played(frame, now);
+        gimbal.heard(frame);
         errands.heard(frame, now);
         links.heard(frame, now);
         if (known) {
@@ -111,6 +117,7 @@ final class Conversation {
     void tick(long now) {
         telemetry.tick(now);
         errands.tick(now);
+        gimbal.tick(now);
     }
 
     /** Keeps a vehicle company that is known: it hears a ground station as long as the lane lives. */
@@ -159,6 +166,7 @@ final class Conversation {
     /** Says it once, now, as far as this autopilot knows a word for it. */
     void steer(Mandate mandate, Setpoint setpoint) {
         autopilot.steer(setpoint, target).ifPresent(message -> links.send(message, mandate));
+        gimbal.steered(mandate, setpoint, nanoTime.getAsLong());
     }
 
     void cancel(CommandId id, long now) {

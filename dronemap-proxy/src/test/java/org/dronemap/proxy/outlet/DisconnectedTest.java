@@ -22,7 +22,10 @@ class DisconnectedTest {
         StationHouse.Station ann = house.new Station("ann", 255);
         StationHouse.Station bob = house.new Station("bob", 255);
         Outlet outlet = house.outlet();
-        StationHouse.await(() -> outlet.status().clients().size() == 2, "they are not listed");
+        assertThat(outlet.status().clients())
+                .as("both hear the vehicle")
+                .extracting(OutletStatus.Client::user)
+                .containsExactly("ann", "bob");
         String id = outlet.status().clients().stream()
                 .filter(client -> client.user().equals("ann"))
                 .findFirst()

@@ -4,14 +4,14 @@ import java.io.IOException;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -40,7 +40,9 @@ final class MatrixHouse implements AutoCloseable {
 
     private static final Duration PATIENCE = Duration.ofSeconds(20);
     private static final Heartbeat GROUND = new Heartbeat(6, 8, 0, 0, 4, 3);
-    private static final String OWN = " of the cloud's own accord";
+    /** Frames that two threads send at a time may be noted in the other order; fewer than there are sequence numbers. */
+    private static final int ASTRAY = 64;
+
     private static final int HOLD = 17;
     private static final long LOOK_NANOS = 100_000;
     private static final int SECOND_NANOS = 1_100_000_000;
@@ -125,10 +127,10 @@ final class MatrixHouse implements AutoCloseable {
         watch();
         await(cloud::isSettled, "a command does not end");
         // All that left has arrived.
-        await(() -> vehicle.heard().size() == taps.count.get(), "a frame was lost on the way");
+        await(() -> vehicle.heard().size() == taps.said.size(), "a frame was lost on the way");
         Set<String> kinds = new TreeSet<>();
         for (Frame frame : vehicle.heard().subList(before, vehicle.heard().size())) {
-            if (!isOfTheCloud(frame)) {
+            if (!isOfTheCloud(frame, before)) {
                 kinds.add(name(frame));
             }
         }
@@ -158,9 +160,17 @@ final class MatrixHouse implements AutoCloseable {
         }
     }
 
-    /** What the cloud does of its own accord, frame by frame: nobody asked for it. */
-    private boolean isOfTheCloud(Frame frame) {
-        return taps.said.contains(HexFormat.of().formatHex(frame.bytes()) + OWN);
+    /**
+     * What the cloud does of its own accord, frame by frame: nobody asked for it. Looked for among the latest alone: a frame
+     * long ago may have had the same sequence number, and so the same bytes.
+     */
+    private boolean isOfTheCloud(Frame frame, int before) {
+        Said own = new Said(HexFormat.of().formatHex(frame.bytes()), true);
+        synchronized (taps.said) {
+            return taps.said
+                    .subList(Math.max(0, before - ASTRAY), taps.said.size())
+                    .contains(own);
+        }
     }
 
     private static String name(Frame frame) {
@@ -184,24 +194,24 @@ final class MatrixHouse implements AutoCloseable {
 
     /** The outlet is built of the cloud that it taps; beside it, this hears what leaves, and at whose word. */
     private static final class LateTaps implements FrameTap.Factory {
-        private final Set<String> said = ConcurrentHashMap.newKeySet();
-        private final AtomicInteger count = new AtomicInteger();
+        private final List<Said> said = Collections.synchronizedList(new ArrayList<>());
         private volatile Outlet outlet;
 
         @Override
         public FrameTap open(int componentId) {
-            return FrameTap.both(new Hearing(said, count), outlet.open(componentId));
+            return FrameTap.both(new Hearing(said), outlet.open(componentId));
         }
     }
 
-    private record Hearing(Set<String> frames, AtomicInteger count) implements FrameTap {
+    private record Said(String bytes, boolean ofTheCloud) {}
+
+    private record Hearing(List<Said> frames) implements FrameTap {
         @Override
         public void heard(Frame frame) {}
 
         @Override
         public void said(byte[] frame, Mandate mandate) {
-            frames.add(HexFormat.of().formatHex(frame) + (mandate.command() == null ? OWN : ""));
-            count.incrementAndGet();
+            frames.add(new Said(HexFormat.of().formatHex(frame), mandate.command() == null));
         }
 
         @Override
