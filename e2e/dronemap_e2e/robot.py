@@ -99,7 +99,8 @@ class Robot:
         while not self._stop.is_set():
             try:
                 self._heard(json.loads(self._udp.recv(65_535)))
-            except TimeoutError:
+            except (TimeoutError, UnicodeDecodeError):
+                # A vehicle of another test may have had this port, and is still being spoken to.
                 continue
 
     def _listen_web(self) -> None:

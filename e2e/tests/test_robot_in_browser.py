@@ -106,7 +106,9 @@ def spot(page: Page, x: float, y: float) -> Spot:
 def seen(image: Locator, x: int, y: int) -> Spot:
     """A pixel of the picture as the page shows it."""
     red, green, blue, _ = image.evaluate(
-        """(image, [x, y]) => {
+        """async (image, [x, y]) => {
+            // A newer one may just be coming, and then there is nothing to draw.
+            while (!(await image.decode().then(() => true, () => false))) {}
             const canvas = document.createElement('canvas');
             [canvas.width, canvas.height] = [image.naturalWidth, image.naturalHeight];
             const context = canvas.getContext('2d');
@@ -177,6 +179,8 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     section.get_by_role("button", name="Go there").click()
     wait_for("it has gone there", lambda: near(api.drone(robot["id"])["local"], -1, -2), 60)
     wait_for("the way is said to be done", lambda: succeeded(api, robot["id"], "goToLocal"), 60)
+    expect(page.get_by_text("m on its own map: succeeded"), "a long line").to_be_visible()
+    assert section.evaluate("section => section.getBoundingClientRect().right <= innerWidth"), "all is seen"
 
     steer = page.get_by_role("region", name="Steer", exact=True)
     state = steer.get_by_role("status")
@@ -204,9 +208,42 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     # It repeats what it heard last for ever, so it was told to stand.
     wait_for("it stands", lambda: speed(api, robot["id"]) == 0)
     page.set_viewport_size({"width": 390, "height": 844})
+    steers_on_a_phone(api, robot, page, steer)
+
+
+def steers_on_a_phone(api: Api, robot: Json, page: Page, steer: Locator) -> None:
+    stick, canvas = steer.locator("[data-stick=Drive]"), page.locator("canvas[aria-label^='Map of']")
     # The panel is made anew for a phone; this waits for the new one.
     stick.hover()
+    stick.evaluate("stick => stick.scrollIntoView({ block: 'nearest' })")
+    x, y = middle(stick)
+    yaw = api.drone(robot["id"])["local"]["yaw"]
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 60, y)
+    wait_for("it turns to its left", lambda: turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
+    expect(canvas, "one sees the map and what the range finder meets").to_be_in_viewport(ratio=0.95)
+    expect(stick).to_be_in_viewport(ratio=0.95)
+    assert on_top(page, middle(canvas), "[aria-label^='Map of']"), "nothing lies over it"
+    assert on_top(page, [x, y - 60], "[data-stick]"), "nor over the stick"
     picture(page, "robot-steered-narrow")
+    page.mouse.up()
+    expect(steer.get_by_role("status")).to_have_text("Nobody steers from here")
+
+
+def on_top(page: Page, place: list[float], selector: str) -> bool:
+    return bool(
+        page.evaluate(
+            "([x, y, selector]) => document.elementFromPoint(x, y)?.closest(selector) !== null",
+            [*place, selector],
+        )
+    )
+
+
+def middle(of: Locator) -> list[float]:
+    box = of.bounding_box()
+    assert box
+    return [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]
 
 
 def ahead_of(before: Json, now: Json) -> float:

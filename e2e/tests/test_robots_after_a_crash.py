@@ -7,9 +7,10 @@ from contextlib import ExitStack, closing
 
 import pytest
 from roslink_bridge.bridge import Bridge, Identity
-from roslink_bridge.link import UdpLink
-from roslink_bridge.robot import Map, Pose, Scan, Speeds
+from roslink_bridge.link import Link, UdpLine
+from roslink_bridge.robot import Battery, Map, Pose, Scan, Speeds
 from roslink_bridge.robot import Robot as Machine
+from roslink_bridge.web import WebLine
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.helm import Helm
@@ -42,7 +43,7 @@ class Wheels(Machine):
     def map(self) -> Map | None:
         return None
 
-    def battery(self) -> float | None:
+    def battery(self) -> Battery | None:
         return None
 
     def drive(self, speeds: Speeds) -> None:
@@ -63,8 +64,11 @@ def foreign(own_server: Server) -> Iterator[Robot]:
 
 @pytest.fixture
 def ours(own_server: Server) -> Iterator[Wheels]:
+    """On both of its links."""
     wheels = Wheels()
-    link = UdpLink(Bridge(Identity(OUR_ID, "ours"), wheels), ("127.0.0.1", own_server.robot_udp_port))
+    udp = UdpLine(("127.0.0.1", own_server.robot_udp_port))
+    web = WebLine(f"ws://127.0.0.1:{own_server.robot_web_port}/")
+    link = Link(Bridge(Identity(OUR_ID, "ours"), wheels), udp, web)
     runner = threading.Thread(target=link.run)
     runner.start()
     yield wheels
@@ -80,12 +84,18 @@ def steerable(api: Api, system_id: int) -> Json:
     return wait_for(f"robot {system_id} may be steered", look)
 
 
+def linked(api: Api, drone: str) -> bool:
+    link = api.drone(drone)["link"]
+    return link["transport"] == "websocket" and len(link["others"]) == 1
+
+
 def test_a_server_that_dies_in_mid_twist_leaves_no_robot_driving(
     own_server: Server, foreign: Robot, ours: Wheels
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
     key = api.new_key("stick", "operator")
     drones = [steerable(api, system_id)["id"] for system_id in (FOREIGN_ID, OUR_ID)]
+    wait_for("ours has both links", lambda: linked(api, drones[1]))
     with ExitStack() as helms:
         for drone in drones:
             helms.enter_context(closing(Helm(own_server, key, drone)))
@@ -103,4 +113,6 @@ def test_a_server_that_dies_in_mid_twist_leaves_no_robot_driving(
     print(f"it stood {time.monotonic() - began:.2f} s after the server was up")
     assert time.monotonic() - began <= BACK_SECONDS
     assert foreign.orders[heard] == TWIST, "first of all"
+    newer = Api(own_server.address, own_server.local_key())
+    wait_for("ours has both links again", lambda: linked(newer, drones[1]), 30)
     assert ours.speed == 0

@@ -10,10 +10,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.TestHouse;
@@ -101,6 +104,35 @@ class RecordingsTest {
         assertThat(replay.status()).isEqualTo(202);
         // The house of the tests plays nothing and counts the bytes.
         assertThat(replay.json().path("records").asInt()).isEqualTo(8 + 21);
+        tap.ended();
+    }
+
+    @Test
+    void aDriveIsDownloadedInLinesByItsOwnersAloneAndNotPlayed() {
+        LineTap tap = house.recorder().openLines();
+        tap.bound(new DroneId("rover"));
+        tap.heard("{\"vx\":0}", 8);
+        tap.working(true);
+        tap.said("{\"vx\":0.4}", 10, Mandate.HOUSEKEEPING);
+        String path = PATH + "/" + idOf("rover");
+        Http.Answer file = viewer.get(path + "/file");
+        assertThat(file.raw().headers().firstValue("Content-Disposition"))
+                .hasValueSatisfying(value -> assertThat(value).endsWith(".jsonl\""));
+        assertThat(file.raw().headers().firstValue("Content-Type"))
+                .hasValueSatisfying(value -> assertThat(value).startsWith("application/jsonl"));
+        assertThat(file.raw().body().lines())
+                .hasSize(2)
+                .first()
+                .satisfies(line -> assertThat(line).endsWith("\"up\":true,\"text\":\"{\\\"vx\\\":0}\"}"));
+        assertThat(viewer.get(path + "/sent").raw().body().lines()).hasSize(2);
+        Http.Answer replay = operator.post(path + "/replays", "");
+        assertThat(replay.status()).isEqualTo(409);
+        assertThat(replay.text("detail")).contains("cannot be played");
+        Http stranger = house.member(new OrganisationId("others"), "stranger", Role.ADMINISTRATOR)
+                .http();
+        assertThat(stranger.get(path).status()).isEqualTo(404);
+        assertThat(stranger.get(path + "/file").status()).isEqualTo(404);
+        assertThat(stranger.get(PATH).json().path("recordings").size()).isZero();
         tap.ended();
     }
 

@@ -1,6 +1,7 @@
 package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
@@ -8,7 +9,11 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.MAVLinkController;
+import org.dronemap.ws.soap.SoapRobotKey;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -96,6 +101,37 @@ class RobotKeysTest {
         assertThat(supervisor.get(PATH).status()).isEqualTo(403);
         assertThat(supervisor.post(PATH, "{\"label\":\"x\",\"systemId\":7}").status())
                 .isEqualTo(403);
+    }
+
+    @Test
+    void areIssuedReplacedListedAndRevokedOverSoapAsWell() throws Exception {
+        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.ADMINISTRATOR));
+        SoapRobotKey made = soap.issueRobotKey(null, "Of SOAP", 9, "26", null);
+        String id = made.getRobotKeyId();
+        assertThat(house.robotKeys().find(made.getKey())).hasValueSatisfying(found -> {
+            assertThat(found.drone().value()).isEqualTo(id);
+            assertThat(found.systemId()).isEqualTo(9);
+            assertThat(found.owner()).isEqualTo("26");
+        });
+        assertThat(soap.getRobotKeysList())
+                .filteredOn(key -> key.getRobotKeyId().equals(id))
+                .singleElement()
+                .satisfies(key -> assertThat(key.getKey()).isNull());
+
+        SoapRobotKey newer = soap.issueRobotKey(id, null, null, null, null);
+        assertThat(newer.getLabel()).isEqualTo("Of SOAP");
+        assertThat(house.robotKeys().find(made.getKey())).isEmpty();
+        soap.revokeRobotKey(id);
+        assertThat(house.robotKeys().find(newer.getKey())).isEmpty();
+        assertThat(administrator.get(PATH).raw().body()).doesNotContain(id);
+        assertThat(house.records().toString()).doesNotContain(made.getKey()).doesNotContain(newer.getKey());
+
+        assertThatThrownBy(() -> soap.revokeRobotKey(id)).isInstanceOf(DronemapFault.class);
+        assertThatThrownBy(() -> soap.issueRobotKey(null, "x", 65_536, null, null))
+                .isInstanceOf(DronemapFault.class)
+                .hasMessageContaining("65535");
+        MAVLinkController supervisor = SoapClient.withKey(house, house.key(Role.SUPERVISOR));
+        assertThatThrownBy(supervisor::getRobotKeysList).isInstanceOf(DronemapFault.class);
     }
 
     @Test

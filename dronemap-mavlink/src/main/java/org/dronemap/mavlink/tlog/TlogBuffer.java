@@ -55,6 +55,21 @@ public final class TlogBuffer {
         return true;
     }
 
+    /** Of a recording in another form: the record is kept as it is, and holds its time itself. */
+    public boolean addWhole(long micros, byte[] record) {
+        if (!makeRoom(record.length)) {
+            return false;
+        }
+        System.arraycopy(record, 0, bytes, length, record.length);
+        if (frames == 0) {
+            firstMicros = micros;
+        }
+        length += record.length;
+        lastMicros = micros;
+        frames++;
+        return true;
+    }
+
     private static boolean isSetupSigning(byte[] frame) {
         return (frame[0] & 0xFF) == 0xFD && frame[7] == (byte) SETUP_SIGNING && frame[8] == 1 && frame[9] == 0;
     }

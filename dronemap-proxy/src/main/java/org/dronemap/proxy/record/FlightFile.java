@@ -36,7 +36,7 @@ final class FlightFile {
         for (int number = 1; ; number++) {
             String id = files.id(start, drone, number);
             FlightFile opened = new FlightFile(
-                    files.path(id),
+                    files.newPath(id),
                     new Recording(id, drone, droneName, start, null, 0, 0, 0, Recording.State.RUNNING, null));
             try {
                 opened.channel = FileChannel.open(opened.file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);

@@ -40,7 +40,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private static final long LEAST_FREE_BYTES = 200_000_000;
     private static final long LONGEST_PART_BYTES = 64_000_000;
     private static final String CONTACT_LOST =
-            "Contact was lost while the drone was armed; what came after that is missing.";
+            "Contact was lost while the drone was armed or at work; what came after that is missing.";
     private static final String STOPPED = "The server was stopped during this recording; what came after is missing.";
 
     private final RecordingFiles files;
@@ -101,7 +101,17 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (policy.when() == RecordingPolicy.When.NEVER) {
             return FrameTap.NONE;
         }
-        Tape tape = new Tape(clock, room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
+        FrameTape tape = new FrameTape(clock, room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
+        tapes.add(tape);
+        return tape;
+    }
+
+    /** The same for a session that speaks in texts. */
+    public LineTap openLines() {
+        if (policy.when() == RecordingPolicy.When.NEVER) {
+            return LineTap.NONE;
+        }
+        LineTape tape = new LineTape(clock, room, policy.when() == RecordingPolicy.When.ALWAYS);
         tapes.add(tape);
         return tape;
     }
@@ -170,7 +180,9 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         // What still goes to an old address begins no new recording of the drone that came back from another.
         if (file == null && (full != null || drops > 0) && mayBegin(drone, tape)) {
             file = begin(
-                    drone, full == null ? tape.heardMicros() : full.records().firstMicros());
+                    drone,
+                    tape.ending(),
+                    full == null ? tape.heardMicros() : full.records().firstMicros());
         }
         if (file != null) {
             file.dropped(drops);
@@ -193,8 +205,9 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         return latest == null || latest == tape || latest.isRecording();
     }
 
-    private FlightFile begin(DroneId drone, long micros) {
-        FlightFile file = FlightFile.open(files, drone, keeping.names().apply(drone), micros);
+    private FlightFile begin(DroneId drone, String ending, long micros) {
+        FlightFile file =
+                FlightFile.open(files.with(ending), drone, keeping.names().apply(drone), micros);
         open.put(drone, file);
         unfinished.put(file.recording().id(), file);
         Recording recording = file.recording();

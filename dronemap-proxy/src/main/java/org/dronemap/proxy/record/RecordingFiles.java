@@ -19,20 +19,43 @@ import org.dronemap.core.recording.Recording;
 import org.dronemap.mavlink.tlog.TlogScan;
 
 /** The folder of recordings: names that say when and which drone, and what a file of a dead server still holds. */
-record RecordingFiles(Path directory) {
-    private static final String ENDING = ".tlog";
+record RecordingFiles(Path directory, String ending) {
+    /** Of files with frames. */
+    static final String FRAMES = ".tlog";
+    /** Of files with a line of JSON for each message. */
+    static final String LINES = ".jsonl";
+
     private static final String SENT_ENDING = ".sent.tsv";
     private static final DateTimeFormatter TIME =
             DateTimeFormatter.ofPattern("yyyyMMdd'T'HHmmss'Z'").withZone(ZoneOffset.UTC);
     private static final Pattern ID = Pattern.compile("\\d{8}T\\d{6}Z_([a-z0-9-]{1,40})(_\\d+)?");
+
+    RecordingFiles(Path directory) {
+        this(directory, FRAMES);
+    }
+
+    /** New files end so. */
+    RecordingFiles with(String newEnding) {
+        return new RecordingFiles(directory, newEnding);
+    }
 
     /** {@code number} tells those of the same second apart. */
     String id(Instant start, DroneId drone, int number) {
         return TIME.format(start) + "_" + drone.value() + (number == 1 ? "" : "_" + number);
     }
 
+    /** The file of that recording, in whatever form it is. */
     Path path(String id) {
-        return directory.resolve(id + ENDING);
+        Path lines = directory.resolve(id + LINES);
+        return Files.exists(lines) ? lines : directory.resolve(id + FRAMES);
+    }
+
+    Path newPath(String id) {
+        return directory.resolve(id + ending);
+    }
+
+    static boolean isOfFrames(Path file) {
+        return file.toString().endsWith(FRAMES);
     }
 
     /** By what right each frame of it went out. */
@@ -44,8 +67,8 @@ record RecordingFiles(Path directory) {
     List<String> ids() throws IOException {
         try (Stream<Path> files = Files.list(directory)) {
             return files.map(file -> file.getFileName().toString())
-                    .filter(name -> name.endsWith(ENDING))
-                    .map(name -> name.substring(0, name.length() - ENDING.length()))
+                    .filter(name -> name.endsWith(FRAMES) || name.endsWith(LINES))
+                    .map(name -> name.substring(0, name.lastIndexOf('.')))
                     .filter(id -> ID.matcher(id).matches())
                     .toList();
         }
@@ -56,13 +79,16 @@ record RecordingFiles(Path directory) {
         return parts.matches() ? Optional.of(new DroneId(parts.group(1))) : Optional.empty();
     }
 
+    private static TlogScan frames(Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return TlogScan.of(in);
+        }
+    }
+
     /** Cuts half a record off the end, and tells what is left. */
     Recording repaired(Recording known, String notice) throws IOException {
         Path file = path(known.id());
-        TlogScan scan;
-        try (InputStream in = Files.newInputStream(file)) {
-            scan = TlogScan.of(in);
-        }
+        TlogScan scan = isOfFrames(file) ? frames(file) : LineScan.of(file);
         if (scan.wholeBytes() < Files.size(file)) {
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
                 channel.truncate(scan.wholeBytes());

@@ -104,7 +104,7 @@ public final class Shelf implements RecordingArchive {
     @Override
     public long cut(String id, Instant from, Instant until, OutputStream out) throws IOException {
         Path file = file(id).orElse(null);
-        if (file == null) {
+        if (file == null || !RecordingFiles.isOfFrames(file)) {
             return 0;
         }
         long first = micros(from);

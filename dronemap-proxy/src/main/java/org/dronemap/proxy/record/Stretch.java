@@ -1,10 +1,13 @@
 package org.dronemap.proxy.record;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.tlog.TlogBuffer;
+import org.jspecify.annotations.Nullable;
 
 /** A stretch of tape: records, and by what right those of them were sent that went out. Not thread-safe. */
 final class Stretch {
@@ -36,6 +39,19 @@ final class Stretch {
         int offset = records.length();
         boolean kept = records.add(micros, frame);
         if (records.length() > offset) {
+            sent.add(new Sent(offset, mandate));
+        }
+        return kept;
+    }
+
+    /** A line that needs its time yet; {@code mandate} null: it was heard. */
+    boolean line(long micros, byte[] rest, @Nullable Mandate mandate) {
+        byte[] time = ("{\"at\":" + micros).getBytes(StandardCharsets.US_ASCII);
+        byte[] line = Arrays.copyOf(time, time.length + rest.length);
+        System.arraycopy(rest, 0, line, time.length, rest.length);
+        int offset = records.length();
+        boolean kept = records.addWhole(micros, line);
+        if (kept && mandate != null) {
             sent.add(new Sent(offset, mandate));
         }
         return kept;

@@ -2,35 +2,31 @@ package org.dronemap.proxy.record;
 
 import java.time.Clock;
 import java.time.Instant;
-import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.mavlink.Frame;
-import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 
 /**
  * What one session heard and said: the last seconds while nothing is recorded, and all that waits for the writer while
- * it is. Endpoint and lane put frames down, the writer takes them away; every method holds the object's lock, never
- * longer than it takes to copy a frame.
+ * it is. Endpoint and lane put records down, the writer takes them away; every method holds the object's lock, never
+ * longer than it takes to copy a record.
  */
-final class Tape implements FrameTap {
+abstract sealed class Tape permits FrameTape, LineTape {
     static final long BEFORE_MICROS = 5_000_000;
     static final long AFTER_MICROS = 5_000_000;
-    private static final int BEFORE_BYTES = 32_768;
     private static final int MOST_WAITING_BYTES = 1 << 20;
     private static final int WORTH_WRITING_BYTES = 8_192;
     private static final long LONGEST_WAIT_MICROS = 1_000_000;
-    private static final int TIME_BYTES = 8;
-    private static final int ARMED = 128;
+    /** At least what a record takes beside what it holds. */
+    private static final int TIME_BYTES = 24;
 
     private final Clock clock;
     private final Room room;
-    private final int autopilot;
+    private final int halfBytes;
+    private final int longest;
     private final boolean always;
     // What came before, in two halves: when the newer one is full or long enough, the older one is forgotten.
-    private Stretch older = new Stretch(BEFORE_BYTES);
-    private Stretch newer = new Stretch(BEFORE_BYTES);
+    private Stretch older;
+    private Stretch newer;
     private Stretch waiting = new Stretch(MOST_WAITING_BYTES);
     private @Nullable DroneId drone;
     private boolean armed;
@@ -40,49 +36,50 @@ final class Tape implements FrameTap {
     private long heardMicros;
     private long drops;
 
-    Tape(Clock clock, Room room, int autopilot, boolean always) {
+    /**
+     * @param halfBytes what may be kept of what came before, half of it
+     * @param longest record, in bytes
+     */
+    Tape(Clock clock, Room room, boolean always, int halfBytes, int longest) {
         this.clock = clock;
         this.room = room;
-        this.autopilot = autopilot;
         this.always = always;
+        this.halfBytes = halfBytes;
+        this.longest = longest;
+        older = new Stretch(halfBytes);
+        newer = new Stretch(halfBytes);
     }
 
-    @Override
-    public synchronized void heard(Frame frame) {
-        long now = now();
-        heardMicros = now;
-        if (frame.messageId() == Heartbeat.ID && frame.componentId() == autopilot && frame.verified()) {
-            arming((Heartbeat.decode(frame).baseMode() & ARMED) != 0, now);
-        }
-        stopWhenOver(now);
-        if (!recording) {
-            before(now).heard(now, frame);
-        } else {
-            int before = waiting.records().length();
-            settle(TIME_BYTES + frame.length(), before, admit(frame.length()) && waiting.heard(now, frame));
-        }
-    }
-
-    @Override
-    public synchronized void said(byte[] frame, Mandate mandate) {
+    /** Puts down what takes so many bytes beside its time, at the time of now. */
+    final synchronized void keep(int length, Put put) {
         long now = now();
         stopWhenOver(now);
         if (!recording) {
-            before(now).said(now, frame, mandate);
+            put.into(before(now), now);
         } else {
             int before = waiting.records().length();
-            settle(TIME_BYTES + frame.length, before, admit(frame.length) && waiting.said(now, frame, mandate));
+            settle(TIME_BYTES + length, before, admit(length) && put.into(waiting, now));
         }
     }
 
-    @Override
-    public synchronized void bound(DroneId now) {
+    /** Puts one record into a stretch; false when there is no room. */
+    interface Put {
+        boolean into(Stretch stretch, long micros);
+    }
+
+    final synchronized void hears() {
+        heardMicros = now();
+    }
+
+    /** The ending of its file's name. */
+    abstract String ending();
+
+    public final synchronized void bound(DroneId now) {
         drone = now;
         beginWhenDue();
     }
 
-    @Override
-    public synchronized void ended() {
+    public final synchronized void ended() {
         ended = true;
     }
 
@@ -149,7 +146,9 @@ final class Tape implements FrameTap {
         return now.getEpochSecond() * 1_000_000 + now.getNano() / 1_000;
     }
 
-    private void arming(boolean nowArmed, long now) {
+    /** From when it says so it is recorded, until some seconds after it took that back. */
+    final synchronized void arming(boolean nowArmed) {
+        long now = now();
         if (armed && !nowArmed) {
             disarmedMicros = now;
         }
@@ -181,7 +180,7 @@ final class Tape implements FrameTap {
     }
 
     private Stretch before(long now) {
-        boolean full = newer.records().length() > BEFORE_BYTES - 512;
+        boolean full = newer.records().length() > halfBytes - longest;
         if (newer.records().frames() > 0 && (full || now - newer.records().firstMicros() > BEFORE_MICROS)) {
             Stretch forgotten = older;
             older = newer;

@@ -35,17 +35,21 @@ final class PeerRobots implements PeerHandler {
     @Override
     public void received(ByteBuffer bytes) {
         int length = bytes.remaining();
+        ByteBuffer raw = bytes.duplicate();
         Reading reading = table.reader().read(bytes);
         if (reading instanceof Reading.Good good) {
             counters.received(1, 0);
-            route(good.packet());
+            if (good.packet().message() instanceof RobotMessage.Unknown) {
+                table.refusals().unknown(peer.address(), good.packet().header());
+            }
+            route(good.packet(), raw);
         } else if (reading instanceof Reading.Bad bad) {
             counters.received(0, length);
             table.refusals().broken(peer.address(), bad.fault());
         }
     }
 
-    private void route(Packet packet) {
+    private void route(Packet packet, ByteBuffer raw) {
         Header header = packet.header();
         RobotLink link = links.get(header.systemId());
         if (link != null && link.isOver()) {
@@ -65,12 +69,15 @@ final class PeerRobots implements PeerHandler {
             table.refusals().robot(peer.address(), header, "it does not show the key that it came with");
             return;
         }
-        deliver(link, packet);
+        deliver(link, packet, raw);
     }
 
-    private void deliver(RobotLink link, Packet packet) {
+    private void deliver(RobotLink link, Packet packet, ByteBuffer raw) {
         boolean isNew = link.arrived(packet);
         RobotSession session = link.session();
+        if (session != null) {
+            session.tape().heard(raw, packet.header());
+        }
         if (session == null) {
             if (packet.message() instanceof RobotMessage.Heartbeat heartbeat) {
                 table.introduce(link, RobotType.of(heartbeat.type()));

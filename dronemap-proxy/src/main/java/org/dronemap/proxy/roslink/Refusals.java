@@ -22,20 +22,35 @@ final class Refusals {
     private final LongAdder broken = new LongAdder();
     private final LongAdder unreadable = new LongAdder();
     private final LongAdder robots = new LongAdder();
+    private final LongAdder unknown = new LongAdder();
     private final AtomicLong brokenToldNanos;
     private final AtomicLong robotsToldNanos;
+    private final AtomicLong unknownToldNanos;
 
     Refusals(LongSupplier nanoTime) {
         this.nanoTime = nanoTime;
         long before = nanoTime.getAsLong() - BETWEEN_NANOS;
         brokenToldNanos = new AtomicLong(before);
         robotsToldNanos = new AtomicLong(before);
+        unknownToldNanos = new AtomicLong(before);
     }
 
     void broken(PeerAddress from, Reading.Fault fault) {
         broken.increment();
         if (isDue(brokenToldNanos)) {
             LOG.warn("What came from {} {}; {} such messages so far", from, fault.phrase(), broken.sum());
+        }
+    }
+
+    /** A whole message, but of a kind that robots do not send: an order, which only the cloud gives, or one of another bridge's own. */
+    void unknown(PeerAddress from, Header header) {
+        unknown.increment();
+        if (isDue(unknownToldNanos)) {
+            LOG.warn(
+                    "What came from {} as {} is of a kind that robots do not send; {} such messages so far",
+                    from,
+                    header,
+                    unknown.sum());
         }
     }
 
@@ -67,6 +82,10 @@ final class Refusals {
 
     long unreadableCount() {
         return unreadable.sum();
+    }
+
+    long unknownCount() {
+        return unknown.sum();
     }
 
     long brokenCount() {

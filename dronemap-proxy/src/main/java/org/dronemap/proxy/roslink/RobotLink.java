@@ -1,7 +1,7 @@
 package org.dronemap.proxy.roslink;
 
 import java.util.function.LongSupplier;
-import org.dronemap.core.cloud.Fence;
+import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.proxy.endpoint.Peer;
@@ -103,8 +103,8 @@ final class RobotLink {
 
     /** On the registry lane, once. */
     void belongsTo(RobotSession owner) {
-        // The heartbeat by which it came in is one of the robot's messages.
-        lostBefore = owner.links().numbered(header);
+        // What came before this moment has its place in no row: it may be older than what came by the other link since.
+        lostBefore = owner.links().lost();
         session = owner;
     }
 
@@ -129,15 +129,21 @@ final class RobotLink {
         return broken || cut ? Long.MAX_VALUE : nanoTime.getAsLong() - lastHeardNanos;
     }
 
-    /** Sends as long as the fence lets it, in the shape and with the words of the robot's newest message. */
+    /** Sends as long as the mandate's fence lets it, in the shape and with the words of the robot's newest message. */
     @SuppressWarnings("NonAtomicVolatileUpdate") // the lane alone writes
-    void send(Order order, Fence fence) {
+    void send(Order order, Mandate mandate) {
         if (cut) {
             return;
         }
-        fence.pass(() -> {
+        mandate.fence().pass(() -> {
             sent++;
-            peer.send(writer.write(header, order));
+            Header robot = header;
+            byte[] message = writer.write(robot, order);
+            peer.send(message);
+            RobotSession owner = session;
+            if (owner != null) {
+                owner.tape().said(message, robot, mandate);
+            }
         });
     }
 

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.core.cloud.DroneLink;
-import org.dronemap.core.cloud.Fence;
 import org.dronemap.core.cloud.Lane;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.VehicleChannel;
@@ -34,6 +33,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
 
     private final RobotTable table;
     private final RobotName name;
+    private final RobotTape tape;
     private final RobotLinks links;
     private final RobotTelemetry telemetry;
     private final Map<CommandId, Errand> errands = new LinkedHashMap<>();
@@ -45,9 +45,10 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     RobotSession(RobotTable table, RobotLink first, RobotType type) {
         this.table = table;
         this.name = first.name();
+        tape = table.tape();
         links = new RobotLinks(first);
         standstill = new Standstill(
-                type.words().flies(), order -> links.best().send(order, Fence.NONE), () -> tell(DRIVES_ON));
+                type.words().flies(), order -> links.best().send(order, Mandate.HOUSEKEEPING), () -> tell(DRIVES_ON));
         telemetry = new RobotTelemetry(
                 type, name.hardware(), this::tell, () -> table.refusals().unreadable());
     }
@@ -55,6 +56,11 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     /** Any thread. */
     RobotLinks links() {
         return links;
+    }
+
+    /** Any thread. */
+    RobotTape tape() {
+        return tape;
     }
 
     RobotName name() {
@@ -81,6 +87,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     /** It speaks for that drone. On the registry lane, once. */
     void bind(DroneLink bound) {
         drone = bound;
+        tape.bound(bound.id());
         Lane lane = bound.lane();
         lane.execute(() -> {
             lane.addTicker(this);
@@ -134,6 +141,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         standstill.tick(now);
         List.copyOf(errands.values()).forEach(errand -> errand.tick(telemetry.facts(), now));
         errands.values().removeIf(Errand::isOver);
+        tape.working(isWorking());
         links.measure(now);
         LinkReport report = links.report();
         if (!report.equals(told)) {
@@ -143,6 +151,12 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         if (links.silenceNanos() > GIVEN_UP_NANOS && errands.isEmpty()) {
             end("The robot has fallen silent.");
         }
+    }
+
+    private boolean isWorking() {
+        RobotFacts facts = telemetry.facts();
+        boolean moves = facts.speed() != null && !Aim.Still.isStill(facts);
+        return !errands.isEmpty() || Boolean.TRUE.equals(facts.armed()) || moves;
     }
 
     /** Its key is void: nothing goes to it from now on, and nothing that it says is heard. Any thread. */
@@ -161,6 +175,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         errands.values().forEach(errand -> errand.abandon(why));
         errands.clear();
         Objects.requireNonNull(drone).lane().removeTicker(this);
+        tape.ended();
         table.ended(this);
     }
 
@@ -175,13 +190,13 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
             report.ended(new Outcome.Refused("vehicle", "These robots cannot be told to " + command.summary() + "."));
             return;
         }
+        tape.working(true);
         standstill.commanded(aim.get() instanceof Aim.Still, table.now());
         CommandId id = Objects.requireNonNull(mandate.command());
-        Fence fence = mandate.fence();
         errands.put(
                 id,
                 new Errand(
-                        aim.get(), telemetry.facts(), order -> links.best().send(order, fence), report, table.now()));
+                        aim.get(), telemetry.facts(), order -> links.best().send(order, mandate), report, table.now()));
     }
 
     @Override
@@ -189,7 +204,10 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         if (over || !(setpoint instanceof Setpoint.Velocity velocity)) {
             return;
         }
-        links.best().send(twist(velocity), mandate.fence());
+        if (!velocity.isStill()) {
+            tape.working(true);
+        }
+        links.best().send(twist(velocity), mandate);
         if (velocity.isStill()) {
             standstill.told(table.now());
         } else {

@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.dronemap.core.cloud.Admission;
 import org.dronemap.core.cloud.Claim;
@@ -22,6 +23,7 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.endpoint.Speech;
+import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.roslink.wire.PacketReader;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.VehicleTraffic;
@@ -42,6 +44,7 @@ final class RobotTable implements PeerHandler.Factory {
     private final Lanes lanes;
     private final Enrolment enrolment;
     private final RobotKeys keys;
+    private final Supplier<LineTap> taps;
     private final LongSupplier nanoTime;
     private final PacketReader reader = new PacketReader();
     private final Refusals refusals;
@@ -50,13 +53,19 @@ final class RobotTable implements PeerHandler.Factory {
     private final Map<RobotName, RobotSession> sessions = new HashMap<>();
     private final Map<RobotName, Long> alarmedNanos = new HashMap<>();
 
-    RobotTable(CloudManager cloud, Lanes lanes, Enrolment enrolment, RobotKeys keys, LongSupplier nanoTime) {
+    RobotTable(CloudManager cloud, Lanes lanes, RoslinkProxy.Policy policy, LongSupplier nanoTime) {
         this.cloud = cloud;
         this.lanes = lanes;
-        this.enrolment = enrolment;
-        this.keys = keys;
+        enrolment = policy.enrolment();
+        keys = policy.keys();
+        taps = policy.taps();
         this.nanoTime = nanoTime;
         refusals = new Refusals(nanoTime);
+    }
+
+    /** For one session. */
+    RobotTape tape() {
+        return new RobotTape(taps.get());
     }
 
     @Override

@@ -2,11 +2,13 @@ package org.dronemap.proxy.roslink;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.function.Supplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
+import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.VehicleTraffic;
 
@@ -20,14 +22,15 @@ public final class RoslinkProxy implements AutoCloseable {
      * How robots are let in.
      *
      * @param keys issued to robots
+     * @param taps hear every message of a session, one each
      * @param doors what links are guarded with
      * @param enrolment from where those that show no such key come in by themselves
      */
-    public record Policy(RobotKeys keys, Doors doors, Enrolment enrolment) {}
+    public record Policy(RobotKeys keys, Supplier<LineTap> taps, Doors doors, Enrolment enrolment) {}
 
     public RoslinkProxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy) {
         this.urls = List.copyOf(urls);
-        table = new RobotTable(cloud, lanes, policy.enrolment(), policy.keys(), System::nanoTime);
+        table = new RobotTable(cloud, lanes, policy, System::nanoTime);
         links = new Links(table, policy.doors());
     }
 
@@ -75,6 +78,11 @@ public final class RoslinkProxy implements AutoCloseable {
     /** Messages that were none. */
     public long brokenCount() {
         return table.refusals().brokenCount();
+    }
+
+    /** Messages of kinds that robots do not send. */
+    public long unknownCount() {
+        return table.refusals().unknownCount();
     }
 
     /** Pictures that were none. */

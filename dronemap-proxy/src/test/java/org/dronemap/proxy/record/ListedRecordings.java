@@ -8,7 +8,7 @@ import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingStore;
 
 /** What is known of recordings, without a database. */
-final class ListedRecordings implements RecordingStore {
+public final class ListedRecordings implements RecordingStore {
     private final ConcurrentHashMap<String, Recording> all = new ConcurrentHashMap<>();
 
     @Override

@@ -3,19 +3,27 @@ package org.dronemap.proxy.roslink;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.session.Enrolment;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import tools.jackson.databind.JsonNode;
 
 /** A cloud with the links to robots on real sockets, and what tests ask of it. */
 abstract class RobotTrial {
@@ -24,6 +32,9 @@ abstract class RobotTrial {
     static final int QUADROTOR = 3;
     static final String SECRET_OF_7 = TestKeys.OF_7;
     static final String SECRET_OF_8 = TestKeys.OF_8;
+
+    private static final CommandGate.Source PILOT =
+            new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "stream");
 
     final TestKeys keys = new TestKeys();
     final TestCloud house = new TestCloud(0);
@@ -45,7 +56,12 @@ abstract class RobotTrial {
                 house.cloud(),
                 house.lanes(),
                 List.of(EndpointUrl.parse("udpserver://127.0.0.1:0"), EndpointUrl.parse("wsserver://127.0.0.1:0")),
-                new RoslinkProxy.Policy(keys, Doors.of(DtlsKeys.none()), enrolment));
+                new RoslinkProxy.Policy(keys, this::tap, Doors.of(DtlsKeys.none()), enrolment));
+    }
+
+    /** What hears the next session. */
+    LineTap tap() {
+        return LineTap.NONE;
     }
 
     int udp() {
@@ -59,6 +75,21 @@ abstract class RobotTrial {
     CompletableFuture<Outcome> command(DroneState drone, Command command) {
         return CompletableFuture.supplyAsync(() -> house.command(drone.id(), command))
                 .orTimeout(30, TimeUnit.SECONDS);
+    }
+
+    /** As whoever commands, too. */
+    Optional<String> steer(DroneState drone, Setpoint setpoint) {
+        return house.cloud().setpoints().steer(PILOT, drone.id(), setpoint);
+    }
+
+    /** The next twist that is no stop. */
+    static JsonNode moving(TestRobot robot) throws InterruptedException {
+        while (true) {
+            JsonNode twist = Objects.requireNonNull(robot.order(100, 5_000));
+            if (twist.path("vx").asDouble() != 0) {
+                return twist;
+            }
+        }
     }
 
     static void beat(TestRobot robot) throws IOException {

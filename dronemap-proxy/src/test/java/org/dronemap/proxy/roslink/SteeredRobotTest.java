@@ -3,11 +3,6 @@ package org.dronemap.proxy.roslink;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Objects;
-import java.util.Optional;
-import org.dronemap.core.access.Principal;
-import org.dronemap.core.access.Role;
-import org.dronemap.core.cloud.CommandGate;
-import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
 import org.dronemap.core.command.Setpoint.Velocity;
@@ -17,7 +12,6 @@ import tools.jackson.databind.JsonNode;
 
 /** Robots that are driven and flown by speeds, over real sockets. */
 class SteeredRobotTest extends RobotTrial {
-    private static final CommandGate.Source ANN = new CommandGate.Source(new Principal("ann", Role.OPERATOR), "stream");
     private static final Velocity AHEAD = new Velocity(Frame.VEHICLE, 0.4, 0.1, -0.2, new Facing.Turning(90));
 
     @Test
@@ -105,19 +99,5 @@ class SteeredRobotTest extends RobotTrial {
             return robot.order(100, 700) == null;
         });
         return drone;
-    }
-
-    /** The next twist that is no stop. */
-    private static JsonNode moving(TestRobot robot) throws InterruptedException {
-        while (true) {
-            JsonNode twist = Objects.requireNonNull(robot.order(100, 5_000));
-            if (twist.path("vx").asDouble() != 0) {
-                return twist;
-            }
-        }
-    }
-
-    private Optional<String> steer(DroneState drone, Setpoint setpoint) {
-        return house.cloud().setpoints().steer(ANN, drone.id(), setpoint);
     }
 }

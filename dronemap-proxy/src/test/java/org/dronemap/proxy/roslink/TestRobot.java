@@ -8,6 +8,7 @@ import java.net.SocketTimeoutException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +16,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -24,6 +26,7 @@ final class TestRobot implements AutoCloseable {
     private final int systemId;
     private final String key;
     private final BlockingQueue<JsonNode> orders = new LinkedBlockingQueue<>();
+    private final AtomicInteger pongs = new AtomicInteger();
     private final int udpPort;
     private DatagramSocket socket;
     private @Nullable WebSocket web;
@@ -81,8 +84,26 @@ final class TestRobot implements AutoCloseable {
                         socket.request(1);
                         return null;
                     }
+
+                    @Override
+                    public @Nullable CompletionStage<?> onPong(WebSocket socket, ByteBuffer payload) {
+                        pongs.incrementAndGet();
+                        socket.request(1);
+                        return null;
+                    }
                 })
                 .join();
+    }
+
+    /** As bridges do every 13 s; they give up a connection that does not answer within 10 s. */
+    void ping() {
+        if (web != null) {
+            web.sendPing(ByteBuffer.wrap(new byte[] {13})).join();
+        }
+    }
+
+    int pongs() {
+        return pongs.get();
     }
 
     void disconnect() {
@@ -90,6 +111,11 @@ final class TestRobot implements AutoCloseable {
             web.abort();
             web = null;
         }
+    }
+
+    /** How many messages it made so far, by whichever link. */
+    int numbered() {
+        return sequence;
     }
 
     String packet(int messageId, String body) {

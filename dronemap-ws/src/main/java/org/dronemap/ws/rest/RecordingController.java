@@ -27,7 +27,7 @@ import org.springframework.web.bind.annotation.RestController;
 /** Recordings of flights. */
 @RestController
 @RequestMapping("/api/v1/recordings")
-@Tag(name = "Recordings", description = "Each flight as a tlog: all that a vehicle said and was told.")
+@Tag(name = "Recordings", description = "Each flight or drive: all that a vehicle said and was told.")
 public class RecordingController {
     private final RecordingService recordings;
     private final CurrentPrincipal current;
@@ -53,12 +53,14 @@ public class RecordingController {
 
     @GetMapping("/{id}/file")
     @Operation(
-            summary = "Download a recording (tlog)",
-            description = "While the flight goes on: all that was heard so far. QGroundControl, MAVProxy and pymavlink"
-                    + " read it.")
+            summary = "Download a recording",
+            description = "While the flight goes on: all that was heard so far. A tlog, which"
+                    + " other programs read, or of robots a line of JSON for each message (.jsonl).")
     public void file(@PathVariable String id, @Parameter(hidden = true) HttpServletResponse response)
             throws IOException {
-        send(recordings.download(current.principal(), id), "application/octet-stream", response);
+        RecordingService.Download file = recordings.download(current.principal(), id);
+        boolean lines = file.name().endsWith(RecordingService.LINES);
+        send(file, lines ? "application/jsonl" : "application/octet-stream", response);
     }
 
     @GetMapping("/{id}/sent")

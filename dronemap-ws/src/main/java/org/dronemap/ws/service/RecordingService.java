@@ -12,6 +12,11 @@ import org.jspecify.annotations.Nullable;
 
 /** Use cases around recordings of flights. Any thread. */
 public final class RecordingService {
+    /** How files with a line of JSON for each message end; others hold frames. */
+    public static final String LINES = ".jsonl";
+
+    private static final String FRAMES = ".tlog";
+
     private final RecordingArchive archive;
     private final ReplayService replays;
 
@@ -51,8 +56,9 @@ public final class RecordingService {
     }
 
     public Download download(Principal principal, String id) throws IOException {
-        String name = name(find(principal, id)) + ".tlog";
-        return new Download(file(id), name);
+        Recording recording = find(principal, id);
+        Path file = file(id);
+        return new Download(file, name(recording) + (isLines(file) ? LINES : FRAMES));
     }
 
     /** Who sent what: a line for each frame that went out. */
@@ -85,7 +91,17 @@ public final class RecordingService {
     }
 
     public ReplayView replay(Principal principal, String id, @Nullable Double speed) throws IOException {
-        return replays.play(principal, find(principal, id, Role.OPERATOR).id() + ".tlog", speed, file(id));
+        Recording recording = find(principal, id, Role.OPERATOR);
+        Path file = file(id);
+        if (isLines(file)) {
+            throw Rejection.conflict(
+                    "This recording holds texts and cannot be played on the map; download it instead.");
+        }
+        return replays.play(principal, recording.id() + FRAMES, speed, file);
+    }
+
+    private static boolean isLines(Path file) {
+        return file.toString().endsWith(LINES);
     }
 
     private Recording find(Principal principal, String id, Role needed) {

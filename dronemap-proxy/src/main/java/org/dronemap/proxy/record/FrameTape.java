@@ -1,0 +1,40 @@
+package org.dronemap.proxy.record;
+
+import java.time.Clock;
+import org.dronemap.core.cloud.Mandate;
+import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.proxy.session.FrameTap;
+
+/** What a vehicle's session heard and said; its autopilot says whether it is armed. Any thread. */
+final class FrameTape extends Tape implements FrameTap {
+    private static final int HALF_BYTES = 32_768;
+    private static final int LONGEST = 512;
+    private static final int ARMED = 128;
+
+    private final int autopilot;
+
+    FrameTape(Clock clock, Room room, int autopilot, boolean always) {
+        super(clock, room, always, HALF_BYTES, LONGEST);
+        this.autopilot = autopilot;
+    }
+
+    @Override
+    public void heard(Frame frame) {
+        hears();
+        if (frame.messageId() == Heartbeat.ID && frame.componentId() == autopilot && frame.verified()) {
+            arming((Heartbeat.decode(frame).baseMode() & ARMED) != 0);
+        }
+        keep(frame.length(), (stretch, now) -> stretch.heard(now, frame));
+    }
+
+    @Override
+    public void said(byte[] frame, Mandate mandate) {
+        keep(frame.length, (stretch, now) -> stretch.said(now, frame, mandate));
+    }
+
+    @Override
+    String ending() {
+        return RecordingFiles.FRAMES;
+    }
+}

@@ -1,0 +1,44 @@
+package org.dronemap.proxy.record;
+
+import org.dronemap.core.cloud.Mandate;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Hears every message of one session that speaks in texts. Secrets are blanked out before. A null text was left out; then
+ * {@code bytes} says how long it was. Any thread; returns at once.
+ */
+public interface LineTap {
+    /** Hears nothing. */
+    LineTap NONE = new LineTap() {
+        @Override
+        public void heard(@Nullable String text, int bytes) {}
+
+        @Override
+        public void said(@Nullable String text, int bytes, Mandate mandate) {}
+
+        @Override
+        public void working(boolean now) {}
+
+        @Override
+        public void bound(DroneId drone) {}
+
+        @Override
+        public void ended() {}
+    };
+
+    /** A message came from the drone. */
+    void heard(@Nullable String text, int bytes);
+
+    /** A message went to it by that mandate. */
+    void said(@Nullable String text, int bytes, Mandate mandate);
+
+    /** Whether there is something to record: it is armed, moves, or is told what to do. */
+    void working(boolean now);
+
+    /** From now on the session speaks for this drone. */
+    void bound(DroneId drone);
+
+    /** The session is over. */
+    void ended();
+}

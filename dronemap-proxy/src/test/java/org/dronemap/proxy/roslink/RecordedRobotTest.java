@@ -1,0 +1,112 @@
+package org.dronemap.proxy.roslink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.util.List;
+import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.command.Setpoint.Facing;
+import org.dronemap.core.command.Setpoint.Frame;
+import org.dronemap.core.command.Setpoint.Velocity;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.recording.Recording;
+import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.proxy.record.LineTap;
+import org.dronemap.proxy.record.ListedRecordings;
+import org.dronemap.proxy.record.Recorder;
+import org.dronemap.proxy.roslink.wire.Word;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What went over the wire of robots is kept, but no key, over real sockets. */
+class RecordedRobotTest extends RobotTrial {
+    private static final Velocity AHEAD = new Velocity(Frame.VEHICLE, 0.4, 0, 0, new Facing.Turning(0));
+
+    @TempDir
+    Path directory;
+
+    private final Journal journal = new Journal();
+    private @Nullable Recorder recorder;
+
+    @BeforeEach
+    void record() throws Exception {
+        Recorder made = new Recorder(
+                directory,
+                RecordingPolicy.DEFAULT,
+                new Recorder.Keeping(new ListedRecordings(), journal, drone -> "Burger"),
+                Clock.systemUTC());
+        made.start();
+        recorder = made;
+    }
+
+    @AfterEach
+    void end() {
+        shelf();
+        recorder.close();
+        journal.close();
+    }
+
+    @Override
+    LineTap tap() {
+        return recorder == null ? LineTap.NONE : recorder.openLines();
+    }
+
+    @Test
+    void aDriveIsKeptBothWaysWithoutTheKey() throws Exception {
+        try (TestRobot robot = new TestRobot(udp(), 7, '"' + SECRET_OF_7 + '"')) {
+            robot.say(0, "\"type\":" + TURTLEBOT + ",\"owner_id\":12");
+            DroneState drone = awaitDrone(7, state -> state.capabilities().known());
+            await(() -> {
+                robot.say(2, "\"x\":0,\"y\":0,\"vx\":0,\"vy\":0,\"wz\":0,\"name\":\"" + SECRET_OF_7 + "\"");
+                return drone(7).local() != null;
+            });
+            assertThat(shelf()).isEmpty();
+            assertThat(steer(drone, AHEAD)).isEmpty();
+            moving(robot);
+            robot.say(2, "\"x\":0.25,\"y\":0,\"vx\":0.4,\"vy\":0,\"wz\":0");
+            robot.say(
+                    2,
+                    "\"x\":0.3,\"y\":0,\"vx\":0.4,\"vy\":0,\"padding\":\"" + "A".repeat(RobotTape.LONGEST_BYTES)
+                            + "\"");
+            await(() -> text().contains("\"bytes\":") && text().contains("0.25"));
+
+            List<String> lines = text().lines().toList();
+            assertThat(lines).allMatch(line -> line.startsWith("{\"at\":") && line.endsWith("}"));
+            assertThat(lines).anyMatch(line -> line.contains("\"up\":false") && line.contains("\\\"vx\\\":0.4"));
+            assertThat(lines).anyMatch(line -> line.contains("\"up\":true") && line.contains("\\\"x\\\":0.25"));
+            assertThat(lines).as("what came before it was steered").anyMatch(line -> line.contains("\\\"x\\\":0,"));
+            assertThat(lines).anyMatch(line -> line.contains("\"text\":null,\"bytes\":"));
+            assertThat(text()).doesNotContain(SECRET_OF_7).contains("\\\"key\\\":\\\"***\\\"");
+        }
+    }
+
+    @Test
+    void noWayOfWritingAKeyIsKept() {
+        Word key = new Word("geheimnis", false);
+        assertThat(RobotTape.blanked("{\"key\" : \"geh\\\"x\",\"key\":12,\"a\":\"geheimnis\"}", key))
+                .isEqualTo("{\"key\" : \"***\",\"key\":\"***\",\"a\":\"***\"}");
+        assertThat(RobotTape.blanked("{\"k\\u0065y\":\"geheimnis\"}", key)).isNull();
+        assertThat(RobotTape.blanked("{\"a\":\"\\u0067eheimnis\"}", key)).isNull();
+    }
+
+    private List<Recording> shelf() {
+        Recorder made = recorder;
+        return made == null ? List.of() : made.shelf().recordings();
+    }
+
+    private String text() throws java.io.IOException {
+        List<Recording> all = shelf();
+        Recorder made = recorder;
+        if (all.isEmpty() || made == null) {
+            return "";
+        }
+        Path file = made.shelf().file(all.get(0).id()).orElseThrow();
+        assertThat(file.toString()).endsWith(".jsonl");
+        return Files.readString(file);
+    }
+}
