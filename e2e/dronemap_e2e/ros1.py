@@ -16,8 +16,9 @@ Process = subprocess.Popen[str]
 # Debian's packages are for Debian's own Python, whichever runs the tests.
 PYTHON = "/usr/bin/python3"
 CORE = "/usr/bin/roscore"
-NEEDED = "import rospy, actionlib_msgs.msg, geometry_msgs.msg, nav_msgs.msg, sensor_msgs.msg"
+NEEDED = "import rospy, actionlib_msgs.msg, geometry_msgs.msg, nav_msgs.msg, sensor_msgs.msg, std_msgs.msg"
 END_SECONDS = 15
+PROGRAMS = ROOT / "e2e" / "dronemap_e2e"
 
 
 def is_installed() -> bool:
@@ -41,27 +42,32 @@ class Ros:
             "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
             "ROS_IP": "127.0.0.1",
             "ROS_HOME": str(folder),
-            "PYTHONPATH": str(ROOT / "ros-bridge"),
+            "PYTHONPATH": f"{ROOT / 'ros-bridge'}:{PROGRAMS / 'ros1_packages'}",
         }
         # Nodes wait for it by themselves.
         self._start("core", CORE, "-p", str(port))
 
     def machine(self, picture: Path) -> "Machine":
-        program = ROOT / "e2e" / "dronemap_e2e" / "ros1_machine.py"
-        return Machine(self._start("machine", str(program), str(picture), heard=True))
+        return Machine(self._start("machine", str(PROGRAMS / "ros1_machine.py"), str(picture), heard=True))
 
-    def bridge(self, server: Server, system_id: int, key: str) -> Process:
+    def copter(self, namespace: str) -> "Machine":
+        """Behind a stand-in for mavros."""
+        program = str(PROGRAMS / "ros1_copter.py")
+        return Machine(self._start("copter", program, namespace=namespace, heard=True))
+
+    def bridge(self, server: Server, system_id: int, key: str, *options: str, namespace: str = "") -> Process:
         return self._start(
             f"bridge-{system_id}",
             *("-m", "roslink_bridge", "127.0.0.1", "--port", str(server.robot_udp_port), "--ros", "1"),
-            *("--system-id", str(system_id), "--key", key, "--name", "A robot of ROS"),
+            *("--system-id", str(system_id), "--key", key, "--name", "A robot of ROS", *options),
+            namespace=namespace,
         )
 
-    def _start(self, name: str, *arguments: str, heard: bool = False) -> Process:
+    def _start(self, name: str, *arguments: str, namespace: str = "", heard: bool = False) -> Process:
         with (self._folder / f"{name}.log").open("w") as log:
             process = subprocess.Popen(
                 [PYTHON, *arguments],
-                env=self._environment,
+                env={**self._environment, "ROS_NAMESPACE": namespace},
                 stdout=subprocess.PIPE if heard else log,
                 stderr=log,
                 text=True,

@@ -1,7 +1,8 @@
 """The robot of the tests with ROS 1: a program of its own, for the Python that has rospy.
 
-It moves as cmd_vel says, and on for ever; it goes straight to a goal. Each order that it hears is a line of
-JSON on its output. `python3 ros1_machine.py PICTURE` shows that picture as its camera's.
+It moves as cmd_vel says, and on for ever; it goes straight to a goal. Its odometry began somewhere else than
+its map, and AMCL says now and then where it is. Each order that it hears is a line of JSON on its output.
+`python3 ros1_machine.py PICTURE` shows that picture as its camera's.
 """
 
 import json
@@ -12,12 +13,14 @@ from typing import Any
 
 import rospy
 from actionlib_msgs.msg import GoalID
-from geometry_msgs.msg import PoseStamped, Twist
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Twist
 from nav_msgs.msg import OccupancyGrid, Odometry
 from sensor_msgs.msg import BatteryState, CompressedImage, LaserScan
 
 HERTZ = 20
 GOAL_SPEED = 2.0
+#: Where its odometry began, on its map; a quarter turned to the left there.
+BEGAN_X, BEGAN_Y, BEGAN_YAW = 1.5, -0.5, math.pi / 2
 
 
 class Machine:
@@ -30,6 +33,7 @@ class Machine:
         self._goal: tuple[float, float] | None = None
         self._picture = picture
         self._odometry = rospy.Publisher("odom", Odometry, queue_size=1)
+        self._amcl = rospy.Publisher("amcl_pose", PoseWithCovarianceStamped, queue_size=1)
         self._scan = rospy.Publisher("scan", LaserScan, queue_size=1)
         self._camera = rospy.Publisher("camera/image/compressed", CompressedImage, queue_size=1)
         self._battery = rospy.Publisher("battery_state", BatteryState, queue_size=1)
@@ -58,6 +62,8 @@ class Machine:
         while not rospy.is_shutdown():
             forward = self._move(1 / HERTZ)
             self._odometry.publish(self._odometry_of(forward))
+            if tick % HERTZ == 0:
+                self._amcl.publish(self._placed())
             if tick % 4 == 0:
                 self._scan.publish(sweep())
                 self._camera.publish(CompressedImage(format="jpeg", data=self._picture))
@@ -83,12 +89,24 @@ class Machine:
 
     def _odometry_of(self, forward: float) -> Any:
         message = Odometry()
-        message.header.frame_id = "odom"
-        pose, twist = message.pose.pose, message.twist.twist
-        pose.position.x, pose.position.y = self._x, self._y
-        pose.orientation.z, pose.orientation.w = math.sin(self._yaw / 2), math.cos(self._yaw / 2)
+        message.header.stamp, message.header.frame_id = rospy.Time.now(), "odom"
+        along, across = self._x - BEGAN_X, self._y - BEGAN_Y
+        cos, sin = math.cos(BEGAN_YAW), math.sin(BEGAN_YAW)
+        put(message.pose.pose, cos * along + sin * across, cos * across - sin * along, self._yaw - BEGAN_YAW)
+        twist = message.twist.twist
         twist.linear.x, twist.angular.z = forward, self._speeds[1]
         return message
+
+    def _placed(self) -> Any:
+        message = PoseWithCovarianceStamped()
+        message.header.stamp, message.header.frame_id = rospy.Time.now(), "map"
+        put(message.pose.pose, self._x, self._y, self._yaw)
+        return message
+
+
+def put(pose: Any, x: float, y: float, yaw: float) -> None:
+    pose.position.x, pose.position.y = x, y
+    pose.orientation.z, pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
 
 
 def sweep() -> Any:

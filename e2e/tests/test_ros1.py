@@ -21,7 +21,7 @@ pytestmark = pytest.mark.skipif(
     not is_installed(), reason="needs ros-core and python3-rospy, which ./dronemap test installs from Debian"
 )
 
-SYSTEM_ID = 3401
+SYSTEM_ID, COPTER_ID = 3401, 3402
 PICTURE = b"\xff\xd8\xff" + bytes(range(256)) * 80
 FREE, OCCUPIED, UNKNOWN = 254, 0, 205
 
@@ -34,20 +34,26 @@ class Robot:
 
 
 @pytest.fixture(scope="module")
-def robot(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Robot]:
-    issued = api.call("POST", "/robot-keys", {"label": "Of ROS", "systemId": SYSTEM_ID})
-    assert issued.status_code == 201, issued.text
-    folder = tmp_path_factory.mktemp("ros")
-    picture = folder / "picture.jpg"
+def ros(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ros]:
+    started = Ros(tmp_path_factory.mktemp("ros"))
+    yield started
+    started.stop()
+
+
+@pytest.fixture(scope="module")
+def robot(server: Server, api: Api, ros: Ros, tmp_path_factory: pytest.TempPathFactory) -> Robot:
+    picture = tmp_path_factory.mktemp("picture") / "picture.jpg"
     picture.write_bytes(PICTURE)
-    ros = Ros(folder)
-    try:
-        machine = ros.machine(picture)
-        bridge = ros.bridge(server, SYSTEM_ID, issued.json()["key"])
-        drone = wait_for("it is listed with all that it shows", lambda: shown(api))
-        yield Robot(machine, bridge, drone["id"])
-    finally:
-        ros.stop()
+    machine = ros.machine(picture)
+    bridge = ros.bridge(server, SYSTEM_ID, issued(api, SYSTEM_ID))
+    drone = wait_for("it is listed with all that it shows", lambda: shown(api))
+    return Robot(machine, bridge, drone["id"])
+
+
+def issued(api: Api, system_id: int) -> str:
+    answer = api.call("POST", "/robot-keys", {"label": "Of ROS", "systemId": system_id})
+    assert answer.status_code == 201, answer.text
+    return str(answer.json()["key"])
 
 
 def shown(api: Api) -> Json | None:
@@ -77,6 +83,16 @@ def test_what_it_publishes_is_seen(api: Api, robot: Robot) -> None:
     assert lines == bytes([0, FREE, FREE, FREE, 0, FREE, OCCUPIED, UNKNOWN]), (
         "each begins with its filter, none"
     )
+
+
+def test_it_is_shown_where_it_is_on_its_map(api: Api, robot: Robot) -> None:
+    """Its odometry says that it is at (0.5, 1.5) and turned a quarter to the right."""
+
+    def is_there() -> bool:
+        local = api.drone(robot.drone)["local"]
+        return [local["x"], local["y"], local["yaw"]] == pytest.approx([0, 0, 0], abs=0.01)
+
+    wait_for("AMCL has said where it is", is_there)
 
 
 def drawn(png: bytes) -> bytes:
@@ -110,6 +126,42 @@ def test_it_goes_to_a_place_and_gives_it_up_by_each_face(server: Server, api: Ap
     assert service.readMap(robot.drone).result == "succeeded"
     assert service.emergencyStop(robot.drone).result == "succeeded"
     wait_for("this way, too", lambda: len(robot.machine.told("cancel")) == 2)
+
+
+def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> None:
+    copter = ros.copter("copter")
+    key = issued(api, COPTER_ID)
+    ros.bridge(server, COPTER_ID, key, "--mavros", namespace="copter")
+
+    def listed() -> Json | None:
+        found = [d for d in api.drones() if d["link"]["systemId"] == COPTER_ID]
+        told = ("gps", "mode", "local", "battery", "position")
+        complete = found and all(found[0][one] for one in told)
+        return found[0] if complete and found[0]["position"]["altitudeAmsl"] is not None else None
+
+    drone = wait_for("it is listed with all that it shows", listed)
+    assert drone["kind"] == "multicopter"
+    assert (drone["battery"]["percent"], drone["battery"]["volts"]) == (80, pytest.approx(12.1))
+    assert drone["mode"] == "STABILIZE"
+    place = drone["position"]
+    assert (place["latitude"], place["longitude"], place["altitudeAmsl"]) == (47.4, 8.5, 410)
+    assert math.radians(drone["local"]["yaw"]) == pytest.approx(0.5)
+
+    identity = drone["id"]
+    api.do(identity, type="arm")
+    api.do(identity, type="takeOff", altitude=3)
+    assert (copter.told("mode")[-1]["name"], copter.told("take off")[-1]["height"]) == ("GUIDED", 3)
+    assert api.drone(identity)["position"]["altitudeAboveHome"] > 2.5
+    with closing(Helm(server, api.new_key("stick", "operator"), identity, 1.0)):
+        wait_for("it flies ahead", lambda: api.drone(identity)["local"]["y"] > 0.3)
+        told = copter.told("speeds")[-1]
+        assert (told["forward"], told["frame"], told["mask"]) == (1, 8, 0b0101_1100_0111)
+    wait_for("it is told to stand", lambda: copter.told("speeds")[-1]["forward"] == 0, every=0.01)
+    api.do(identity, type="land")
+    wait_for("it is down", lambda: api.drone(identity)["position"]["altitudeAboveHome"] < 0.1)
+    api.do(identity, type="disarm")
+    assert [one["wanted"] for one in copter.told("arm")][-1] is False
+    assert not api.drone(identity)["armed"]
 
 
 def test_it_stands_when_the_bridge_is_ended(server: Server, api: Api, robot: Robot) -> None:

@@ -4,23 +4,30 @@ import base64
 import json
 import math
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional
+from typing import Any, Callable, ClassVar, Dict, List, NamedTuple, Optional, Tuple
 
 from .picture import png
-from .robot import Robot, Speeds
+from .robot import Battery, Robot, Speeds
 
 Message = Dict[str, Any]
 
-HEARTBEAT, STATUS, MOTION, SCAN, IMAGE, MAP = 0, 1, 2, 4, 5, 6
+HEARTBEAT, STATUS, MOTION, SATELLITES, SCAN, IMAGE, MAP = 0, 1, 2, 3, 4, 5, 6
 TWIST, GO_TO, GET_MAP, STOP = 100, 101, 107, 108
-SECONDS = {HEARTBEAT: 1.0, STATUS: 2.0, MOTION: 0.2, SCAN: 0.5, IMAGE: 1.0}
+SECONDS = {HEARTBEAT: 1.0, STATUS: 1.0, MOTION: 0.2, SATELLITES: 1.0, SCAN: 0.5, IMAGE: 1.0}
 #: Speeds count no longer than this: then the robot stands, whatever has become of the cloud or the network.
 TWIST_SECONDS = 0.5
 
 
+class Said(NamedTuple):
+    """A message on its way out, and of what kind it is."""
+
+    kind: int
+    text: str
+
+
 @dataclass(frozen=True)
 class Identity:
-    """What the robot shows of itself; ``key`` as the cloud issued it."""
+    """What the robot shows of itself, and what it does at most; ``key`` as the cloud issued it."""
 
     system_id: int
     key: str
@@ -29,21 +36,26 @@ class Identity:
     name: str = "robot"
     fastest: float = 0.5
     fastest_turn: float = 1.5
+    highest: float = 30.0
 
 
 class Bridge:
     """Call :meth:`tick` at 20 Hz or faster, :meth:`heard` for whatever comes; both answer what to send."""
 
+    #: Numbers that an order cannot do without.
+    NEEDED: ClassVar[Dict[int, Tuple[str, ...]]] = {TWIST: ("vx", "vy", "vz", "wz"), GO_TO: ("x", "y")}
+
     def __init__(self, identity: Identity, robot: Robot) -> None:
         self._identity = identity
         self._robot = robot
+        self._makers = self._kinds()
         self._due = dict.fromkeys(SECONDS, -math.inf)
         self._sequence = 0
         self._twist_until: Optional[float] = None
         #: What came and was not for this robot, or no order.
         self.refused = 0
 
-    def tick(self, now: float) -> List[str]:
+    def tick(self, now: float) -> List[Said]:
         """Stops the robot when its speeds have run out; what is due to be said."""
         if self._twist_until is not None and now >= self._twist_until:
             self._stand()
@@ -53,26 +65,28 @@ class Bridge:
                 body = self._body(kind)
                 if body is not None:
                     self._due[kind] = now + seconds
-                    said.append(self._text(kind, body))
+                    said.append(self._said(kind, body))
         return said
 
-    def heard(self, text: str, now: float) -> List[str]:
+    def heard(self, text: str, now: float) -> List[Said]:
         order = self._order(text)
         if order is None:
             self.refused += 1
             return []
-        kind = order["header"]["message_id"]
+        return self._obey(order["header"]["message_id"], order, now)
+
+    def _obey(self, kind: int, order: Message, now: float) -> List[Said]:
         if kind == TWIST:
             self._drive(order, now)
         elif kind == GO_TO:
             self._stand()
-            self._robot.go_to(_number(order, "x"), _number(order, "y"))
+            self._robot.go_to(number(order, "x"), number(order, "y"))
         elif kind == STOP:
             self._robot.cancel()
             self._stand()
         elif kind == GET_MAP:
             body = self._body(MAP)
-            return [] if body is None else [self._text(MAP, body)]
+            return [] if body is None else [self._said(MAP, body)]
         return []
 
     def stop(self) -> None:
@@ -88,8 +102,7 @@ class Bridge:
                 header["system_id"] == self._identity.system_id and str(header["key"]) == self._identity.key
             )
             kind = header["message_id"]
-            fields = {TWIST: ("vx", "vy", "vz", "wz"), GO_TO: ("x", "y")}.get(kind, ())
-            whole = all(math.isfinite(float(order[name])) for name in fields)
+            whole = all(math.isfinite(float(order[name])) for name in self.NEEDED.get(kind, ()))
         except (ValueError, TypeError, KeyError, OverflowError, RecursionError):
             return None
         return order if mine and whole and isinstance(kind, int) else None
@@ -97,10 +110,10 @@ class Bridge:
     def _drive(self, order: Message, now: float) -> None:
         most, most_turn = self._identity.fastest, self._identity.fastest_turn
         speeds = Speeds(
-            _bounded(_number(order, "vx"), most),
-            _bounded(_number(order, "vy"), most),
-            _bounded(_number(order, "vz"), most),
-            _bounded(_number(order, "wz"), most_turn),
+            _bounded(number(order, "vx"), most),
+            _bounded(number(order, "vy"), most),
+            _bounded(number(order, "vz"), most),
+            _bounded(number(order, "wz"), most_turn),
         )
         if speeds == Speeds():
             self._stand()
@@ -112,8 +125,8 @@ class Bridge:
         self._twist_until = None
         self._robot.drive(Speeds())
 
-    def _body(self, kind: int) -> Optional[Message]:
-        make = {
+    def _kinds(self) -> Dict[int, Callable[[], Optional[Message]]]:
+        return {
             HEARTBEAT: self._heartbeat,
             STATUS: self._status,
             MOTION: self._motion,
@@ -121,25 +134,38 @@ class Bridge:
             IMAGE: self._image,
             MAP: self._map,
         }
-        return make[kind]()
+
+    def _body(self, kind: int) -> Optional[Message]:
+        make = self._makers.get(kind)
+        return None if make is None else make()
 
     def _heartbeat(self) -> Message:
         return {"type": self._identity.kind, "name": self._identity.name, "system_status": 2, "mode": 0}
 
     def _status(self) -> Optional[Message]:
         battery = self._robot.battery()
-        return None if battery is None else {"battery_remaining": round(battery)}
+        return None if battery is None else known(self._charge(battery))
+
+    @staticmethod
+    def _charge(battery: Battery) -> Dict[str, Optional[float]]:
+        return {
+            "voltage_battery": battery.volts,
+            "current_battery": battery.amperes,
+            "battery_remaining": None if battery.per_cent is None else round(battery.per_cent),
+        }
 
     def _motion(self) -> Optional[Message]:
         pose = self._robot.pose()
         if pose is None:
             return None
-        place = {"x": pose.x, "y": pose.y, "z": pose.yaw, "heading": pose.yaw}
+        # On wheels z is a yaw, as bridges have it.
+        z = pose.yaw if pose.height is None else pose.height
+        place = {"x": pose.x, "y": pose.y, "z": z, "heading": pose.yaw}
         return {
             **place,
             "vx": pose.forward,
             "vy": pose.left,
-            "vz": 0.0,
+            "vz": pose.up,
             "wx": 0.0,
             "wy": 0.0,
             "wz": pose.turn,
@@ -175,7 +201,7 @@ class Bridge:
             "resolution": area.resolution,
         }
 
-    def _text(self, kind: int, body: Message) -> str:
+    def _said(self, kind: int, body: Message) -> Said:
         self._sequence += 1
         header: Message = {
             "roslink_version": 1,
@@ -187,10 +213,15 @@ class Bridge:
         }
         if self._identity.owner:
             header["owner_id"] = self._identity.owner
-        return json.dumps({"header": header, **body}, allow_nan=False)
+        return Said(kind, json.dumps({"header": header, **body}, allow_nan=False))
 
 
-def _number(order: Message, name: str) -> float:
+def known(body: Dict[str, Optional[float]]) -> Message:
+    """What is not known is not said."""
+    return {name: value for name, value in body.items() if value is not None}
+
+
+def number(order: Message, name: str) -> float:
     return float(order[name])
 
 

@@ -1,55 +1,39 @@
-"""One UDP link to a cloud, which drives a bridge until it is told to end."""
+"""The links to a cloud, which drive a bridge until it is told to end."""
 
 import socket
 import threading
 import time
-from typing import Tuple
+from typing import List, Optional, Tuple
 
-from .bridge import Bridge
+from .bridge import HEARTBEAT, Bridge, Said
+from .web import WebLine
 
 TURN_SECONDS = 0.02
 LARGEST_DATAGRAM = 65_507
 
 
-class UdpLink:
-    """Carries what the bridge and the cloud say; the robot stands when it ends, however that comes."""
+class UdpLine:
+    """Datagrams to and from one server."""
 
-    def __init__(self, bridge: Bridge, server: Tuple[str, int]) -> None:
-        self._bridge = bridge
-        self._stop = threading.Event()
+    def __init__(self, server: Tuple[str, int]) -> None:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.connect(server)
         self._socket.settimeout(TURN_SECONDS)
         #: What was too large for a datagram, or found no way out.
         self.dropped = 0
 
-    def run(self) -> None:
+    def take(self, ended: threading.Event) -> List[str]:
+        """Waits for a moment."""
         try:
-            while not self._stop.is_set():
-                for text in self._bridge.tick(time.monotonic()):
-                    self._send(text)
-                self._listen()
-        finally:
-            self._bridge.stop()
-            self._socket.close()
-
-    def end(self) -> None:
-        """From any thread."""
-        self._stop.set()
-
-    def _listen(self) -> None:
-        try:
-            data = self._socket.recv(65_535)
+            return [self._socket.recv(65_535).decode("utf-8", "replace")]
         except socket.timeout:
-            return
+            return []
         except ConnectionRefusedError:
             # Nobody is there just now; the next heartbeat tries again.
-            self._stop.wait(TURN_SECONDS)
-            return
-        for text in self._bridge.heard(data.decode("utf-8", "replace"), time.monotonic()):
-            self._send(text)
+            ended.wait(TURN_SECONDS)
+            return []
 
-    def _send(self, text: str) -> None:
+    def send(self, text: str) -> None:
         data = text.encode()
         if len(data) > LARGEST_DATAGRAM:
             self.dropped += 1
@@ -59,3 +43,49 @@ class UdpLink:
         except OSError:
             # The network is away; the robot is stopped by the bridge, and the next message tries again.
             self.dropped += 1
+
+    def close(self) -> None:
+        self._socket.close()
+
+
+class Link:
+    """Carries what the bridge and the cloud say; the robot stands when it ends, however that comes.
+
+    Where there is a WebSocket all goes there, and heartbeats by UDP, too; while it is down, all goes by UDP.
+    """
+
+    def __init__(self, bridge: Bridge, udp: Optional[UdpLine], web: Optional[WebLine] = None) -> None:
+        self._bridge = bridge
+        self._udp = udp
+        self._web = web
+        self._stop = threading.Event()
+
+    def run(self) -> None:
+        try:
+            while not self._stop.is_set():
+                self._send(self._bridge.tick(time.monotonic()))
+                for text in self._listen():
+                    self._send(self._bridge.heard(text, time.monotonic()))
+        finally:
+            self._bridge.stop()
+            for line in (self._udp, self._web):
+                if line is not None:
+                    line.close()
+
+    def end(self) -> None:
+        """From any thread."""
+        self._stop.set()
+
+    def _listen(self) -> List[str]:
+        heard = [] if self._udp is None else self._udp.take(self._stop)
+        if self._web is not None:
+            if self._udp is None:
+                self._stop.wait(TURN_SECONDS)
+            heard += self._web.take()
+        return heard
+
+    def _send(self, said: List[Said]) -> None:
+        for one in said:
+            by_web = self._web is not None and self._web.send(one.text)
+            if self._udp is not None and (not by_web or one.kind == HEARTBEAT):
+                self._udp.send(one.text)

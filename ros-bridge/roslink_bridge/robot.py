@@ -6,12 +6,19 @@ from typing import List, Optional, Protocol
 
 @dataclass(frozen=True)
 class Pose:
+    """In the frame of its map where it knows how it stands there, else in that of its odometry.
+
+    ``height`` is above where it started, and None on wheels.
+    """
+
     x: float
     y: float
     yaw: float
     forward: float = 0.0
     left: float = 0.0
     turn: float = 0.0
+    up: float = 0.0
+    height: Optional[float] = None
 
 
 @dataclass(frozen=True)
@@ -43,6 +50,35 @@ class Speeds:
     turn: float = 0.0
 
 
+@dataclass(frozen=True)
+class Battery:
+    """Per cent, volts and amperes; None where it does not know."""
+
+    per_cent: Optional[float] = None
+    volts: Optional[float] = None
+    amperes: Optional[float] = None
+
+
+@dataclass(frozen=True)
+class Flight:
+    """What a flight controller says: its state as MAVLink numbers it, its mode as ArduCopter does."""
+
+    state: int
+    armed: bool
+    mode: int
+
+
+@dataclass(frozen=True)
+class Satellites:
+    """Degrees, and metres above the sea; ``fix`` -1 none, 3 in three dimensions, 4 with corrections."""
+
+    fix: int
+    latitude: Optional[float] = None
+    longitude: Optional[float] = None
+    altitude: Optional[float] = None
+    visible: Optional[int] = None
+
+
 class Robot(Protocol):
     """The newest of everything; None where it has not told yet."""
 
@@ -55,8 +91,7 @@ class Robot(Protocol):
 
     def map(self) -> Optional[Map]: ...
 
-    def battery(self) -> Optional[float]:
-        """Per cent."""
+    def battery(self) -> Optional[Battery]: ...
 
     def drive(self, speeds: Speeds) -> None: ...
 
@@ -65,3 +100,20 @@ class Robot(Protocol):
 
     def cancel(self) -> None:
         """Gives up where it is going to."""
+
+
+class Flyer(Robot, Protocol):
+    """A drone; what it is told is done some time later, or not at all, and nothing here waits for it."""
+
+    def flight(self) -> Optional[Flight]: ...
+
+    def satellites(self) -> Optional[Satellites]: ...
+
+    def arm(self, wanted: bool) -> None: ...
+
+    def set_mode(self, number: int) -> None:
+        """As ArduCopter numbers it."""
+
+    def take_off(self, height: float) -> None: ...
+
+    def land(self) -> None: ...

@@ -5,7 +5,17 @@ import threading
 from types import ModuleType, SimpleNamespace
 from typing import Any, Callable, Dict, Iterator, List, Tuple
 
-MODULES = ("rclpy", "rclpy.qos", "geometry_msgs.msg", "nav_msgs.msg", "sensor_msgs.msg")
+KINDS = {
+    "geometry_msgs.msg": ("PoseStamped", "PoseWithCovarianceStamped", "Twist"),
+    "nav_msgs.msg": ("OccupancyGrid", "Odometry"),
+    "sensor_msgs.msg": ("BatteryState", "CompressedImage", "LaserScan", "NavSatFix"),
+    "std_msgs.msg": ("Float64", "UInt32"),
+    "tf2_msgs.msg": ("TFMessage",),
+    "mavros_msgs.msg": ("Altitude", "PositionTarget", "State"),
+    "mavros_msgs.srv": ("CommandBool", "CommandTOL", "SetMode"),
+}
+MODULES = ("rclpy", "rclpy.qos", *KINDS)
+ADAPTERS = ("roslink_bridge.ros2", "roslink_bridge.ros2_drone", "roslink_bridge.mavros_drone")
 
 
 class Message:
@@ -23,6 +33,24 @@ class Message:
         self.__dict__["_fields"][name] = value
 
 
+class Service:
+    """Its requests are messages like others."""
+
+    Request = Message
+
+
+class Client:
+    def __init__(self) -> None:
+        self.asked: List[Any] = []
+        self.ready = True
+
+    def service_is_ready(self) -> bool:
+        return self.ready
+
+    def call_async(self, request: Any) -> None:
+        self.asked.append(request)
+
+
 class Publisher:
     def __init__(self) -> None:
         self.said: List[Any] = []
@@ -35,6 +63,10 @@ class Node:
     def __init__(self) -> None:
         self.heard: Dict[str, Tuple[Callable[[Any], None], Any]] = {}
         self.publishers: Dict[str, Publisher] = {}
+        self.clients: Dict[str, Client] = {}
+
+    def create_client(self, kind: Any, name: str) -> Client:
+        return self.clients.setdefault(name, Client())
 
     def create_subscription(self, kind: Any, topic: str, callback: Callable[[Any], None], qos: Any) -> None:
         self.heard[topic] = (callback, qos)
@@ -52,7 +84,7 @@ class Node:
 def installed() -> Iterator[Node]:
     """The one node, with the stand-ins in the place of what is not there; as a fixture does."""
     node, spun = Node(), threading.Event()
-    kept = {name: sys.modules.pop(name, None) for name in (*MODULES, "roslink_bridge.ros2")}
+    kept = {name: sys.modules.pop(name, None) for name in (*MODULES, *ADAPTERS)}
     made = {name: ModuleType(name) for name in MODULES}
     made["rclpy"].__dict__.update(
         init=lambda: None, create_node=lambda name: node, spin=lambda of: spun.set()
@@ -62,12 +94,8 @@ def installed() -> Iterator[Node]:
         QoSProfile=lambda depth, durability: (depth, durability),
         qos_profile_sensor_data="best effort",
     )
-    for module, kinds in (
-        ("geometry_msgs.msg", ("PoseStamped", "Twist")),
-        ("nav_msgs.msg", ("OccupancyGrid", "Odometry")),
-        ("sensor_msgs.msg", ("BatteryState", "CompressedImage", "LaserScan")),
-    ):
-        made[module].__dict__.update(dict.fromkeys(kinds, Message))
+    for module, kinds in KINDS.items():
+        made[module].__dict__.update(dict.fromkeys(kinds, Service if module.endswith("srv") else Message))
     sys.modules.update(made)
     try:
         yield node

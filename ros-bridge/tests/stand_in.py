@@ -2,7 +2,7 @@
 
 from typing import List, Optional, Tuple
 
-from roslink_bridge.robot import Map, Pose, Robot, Scan, Speeds
+from roslink_bridge.robot import Battery, Flight, Flyer, Map, Pose, Robot, Satellites, Scan, Speeds
 
 
 class StandIn(Robot):
@@ -11,7 +11,7 @@ class StandIn(Robot):
         self.newest_scan: Optional[Scan] = None
         self.newest_image: Optional[bytes] = None
         self.newest_map: Optional[Map] = None
-        self.per_cent: Optional[float] = None
+        self.charge: Optional[Battery] = None
         self.driven: List[Speeds] = []
         self.goals: List[Optional[Tuple[float, float]]] = []
 
@@ -27,8 +27,8 @@ class StandIn(Robot):
     def map(self) -> Optional[Map]:
         return self.newest_map
 
-    def battery(self) -> Optional[float]:
-        return self.per_cent
+    def battery(self) -> Optional[Battery]:
+        return self.charge
 
     def drive(self, speeds: Speeds) -> None:
         self.driven.append(speeds)
@@ -38,3 +38,29 @@ class StandIn(Robot):
 
     def cancel(self) -> None:
         self.goals.append(None)
+
+
+class FlyingStandIn(StandIn, Flyer):
+    def __init__(self) -> None:
+        super().__init__()
+        self.newest_flight: Optional[Flight] = None
+        self.seen: Optional[Satellites] = None
+        self.asked: List[object] = []
+
+    def flight(self) -> Optional[Flight]:
+        return self.newest_flight
+
+    def satellites(self) -> Optional[Satellites]:
+        return self.seen
+
+    def arm(self, wanted: bool) -> None:
+        self.asked.append(("arm", wanted))
+
+    def set_mode(self, number: int) -> None:
+        self.asked.append(("mode", number))
+
+    def take_off(self, height: float) -> None:
+        self.asked.append(("take off", height))
+
+    def land(self) -> None:
+        self.asked.append("land")

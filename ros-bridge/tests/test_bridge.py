@@ -8,9 +8,9 @@ from typing import Any, Dict, List
 
 import pytest
 
-from roslink_bridge.bridge import GET_MAP, GO_TO, STOP, TWIST, Bridge, Identity
+from roslink_bridge.bridge import GET_MAP, GO_TO, STOP, TWIST, Bridge, Identity, Said
 from roslink_bridge.picture import png
-from roslink_bridge.robot import Map, Pose, Scan, Speeds
+from roslink_bridge.robot import Battery, Map, Pose, Scan, Speeds
 
 from .stand_in import StandIn
 
@@ -26,8 +26,14 @@ def twist(forward: float, turn: float = 0.0) -> str:
     return order(TWIST, vx=forward, vy=0, vz=0, wx=0, wy=0, wz=turn)
 
 
+def of(said: Said) -> Dict[str, Any]:
+    message: Dict[str, Any] = json.loads(said.text)
+    assert message["header"]["message_id"] == said.kind
+    return message
+
+
 def said(bridge: Bridge, now: float) -> Dict[int, Dict[str, Any]]:
-    return {m["header"]["message_id"]: m for m in map(json.loads, bridge.tick(now))}
+    return {m["header"]["message_id"]: m for m in map(of, bridge.tick(now))}
 
 
 @pytest.fixture
@@ -45,14 +51,14 @@ def test_says_what_it_knows_and_nothing_else(bridge: Bridge, robot: StandIn) -> 
     robot.newest_pose = Pose(1, 2, 0.5, forward=0.3)
     robot.newest_scan = Scan(-1, 0.5, 0.1, 3.5, [1.23456, math.inf, math.nan])
     robot.newest_image = b"\xff\xd8\xff picture"
-    robot.per_cent = 83.4
+    robot.charge = Battery(83.4)
     messages = said(bridge, 1)
 
     assert sorted(messages) == [0, 1, 2, 4, 5]
     assert messages[2]["z"] == 0.5
     assert messages[4]["ranges"] == [1.235, None, None]
     assert base64.b64decode(messages[5]["data"]) == robot.newest_image
-    assert messages[1]["battery_remaining"] == 83
+    assert {**messages[1], "header": None} == {"header": None, "battery_remaining": 83}
     assert messages[0]["header"]["key"] == "rk-secret"
     assert messages[0]["header"]["owner_id"] == "26"
     assert [m["header"]["sequence_number"] for m in messages.values()] == [2, 3, 4, 5, 6]
@@ -127,7 +133,7 @@ def test_refuses_and_counts_what_is_not_for_it(bridge: Bridge, robot: StandIn, t
 def test_answers_with_its_map_as_a_picture(bridge: Bridge, robot: StandIn) -> None:
     assert bridge.heard(order(GET_MAP), 1) == []
     robot.newest_map = Map(3, 2, 0.05, -1, -2, [0, 100, -1, 0, 0, 0])
-    (answer,) = map(json.loads, bridge.heard(order(GET_MAP), 1))
+    (answer,) = map(of, bridge.heard(order(GET_MAP), 1))
 
     assert answer["header"]["message_id"] == 6
     assert (answer["width"], answer["resolution"], answer["xoffset"]) == (3, 0.05, -1)

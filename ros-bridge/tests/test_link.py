@@ -9,7 +9,7 @@ from typing import Any, Callable, Iterator
 import pytest
 
 from roslink_bridge.bridge import TWIST, Bridge, Identity
-from roslink_bridge.link import UdpLink
+from roslink_bridge.link import Link, UdpLine
 from roslink_bridge.robot import Speeds
 
 from .stand_in import StandIn
@@ -36,7 +36,7 @@ def eventually(what: str, is_so: Callable[[], Any]) -> None:
 
 def test_drives_stops_without_its_cloud_and_stands_at_the_end(cloud: socket.socket) -> None:
     robot = StandIn()
-    link = UdpLink(Bridge(Identity(7, "rk-secret"), robot), cloud.getsockname())
+    link = Link(Bridge(Identity(7, "rk-secret"), robot), UdpLine(cloud.getsockname()))
     runner = threading.Thread(target=link.run)
     runner.start()
     try:

@@ -3,8 +3,9 @@
 import math
 from types import SimpleNamespace as Of
 
-from roslink_bridge.messages import battery_of, map_of, pose_of, put, scan_of
-from roslink_bridge.robot import Map, Scan, Speeds
+from roslink_bridge.frames import Turned
+from roslink_bridge.messages import battery_of, map_of, map_shift_of, pose_of, put, scan_of
+from roslink_bridge.robot import Battery, Map, Scan, Speeds
 
 
 def test_an_odometry_says_where_it_is_and_how_it_stands() -> None:
@@ -14,10 +15,8 @@ def test_an_odometry_says_where_it_is_and_how_it_stands() -> None:
     )
     twist = Of(linear=Of(x=0.3, y=0.1, z=0.0), angular=Of(x=0.0, y=0.0, z=-0.2))
     read = pose_of(Of(pose=Of(pose=pose), twist=Of(twist=twist)))
-    assert read is not None
     assert (read.x, read.y, read.forward, read.left, read.turn) == (1.0, 2.0, 0.3, 0.1, -0.2)
     assert math.isclose(read.yaw, math.pi / 4)
-    assert pose_of(None) is None
 
 
 def test_a_scan_and_a_map_are_taken_as_they_are() -> None:
@@ -29,10 +28,27 @@ def test_a_scan_and_a_map_are_taken_as_they_are() -> None:
     assert map_of(None) is None
 
 
+def battery(share: float, volts: float = 0.0, amperes: float = math.nan) -> object:
+    return Of(percentage=share, voltage=volts, current=amperes)
+
+
 def test_a_battery_that_does_not_know_is_unknown() -> None:
-    assert battery_of(Of(percentage=0.25)) == 25
-    assert battery_of(Of(percentage=math.nan)) is None
+    assert battery_of(battery(0.25)) == Battery(25)
+    assert battery_of(battery(0.25, 12.5, -3.0)) == Battery(25, 12.5, 3.0)
+    assert battery_of(battery(-1.0, 12.5, 0.0)) == Battery(None, 12.5, None)
+    assert battery_of(battery(math.nan, math.nan)) is None
     assert battery_of(None) is None
+
+
+def test_a_transform_says_how_its_odometry_lies_on_the_map() -> None:
+    def told(parent: str, child: str) -> object:
+        shift = Of(translation=Of(x=1.0, y=2.0), rotation=Of(x=0.0, y=0.0, z=1.0, w=0.0))
+        return Of(header=Of(frame_id=parent), child_frame_id=child, transform=shift)
+
+    message = Of(transforms=[told("odom", "base_link"), told("/map", "odom")])
+    assert map_shift_of(message, "odom") == Turned(1.0, 2.0, math.pi)
+    assert map_shift_of(message, "tb3_0/odom") is None
+    assert map_shift_of(Of(transforms=[]), "odom") is None
 
 
 def test_speeds_go_into_a_twist() -> None:

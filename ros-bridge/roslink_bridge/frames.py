@@ -1,0 +1,76 @@
+"""Where a robot is on its map: its odometry drifts, and what localises it says now and then by how much."""
+
+import math
+import threading
+from collections import deque
+from dataclasses import dataclass, replace
+from typing import Deque, Optional, Tuple
+
+from .robot import Pose
+
+#: Of 20 to 50 a second; what localises a robot says what was so less than two seconds ago.
+KEPT = 100
+
+
+@dataclass(frozen=True)
+class Turned:
+    """A place and a turn: of a robot in a frame, or of a frame in another."""
+
+    x: float
+    y: float
+    yaw: float
+
+    def of(self, inner: "Turned") -> "Turned":
+        """What is there in the inner frame, as seen from the outer one."""
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        return Turned(
+            self.x + cos * inner.x - sin * inner.y,
+            self.y + sin * inner.x + cos * inner.y,
+            math.remainder(self.yaw + inner.yaw, math.tau),
+        )
+
+    def inverse(self) -> "Turned":
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        return Turned(-cos * self.x - sin * self.y, sin * self.x - cos * self.y, -self.yaw)
+
+
+class Localiser:
+    """The newest odometry in the frame of the map, once it is known how that lies. Any thread; seconds."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._history: Deque[Tuple[float, Pose]] = deque(maxlen=KEPT)
+        self._shift: Optional[Turned] = None
+        self._told = False
+
+    def odometry(self, pose: Pose, stamp: float) -> None:
+        with self._lock:
+            self._history.append((stamp, pose))
+
+    def transform(self, odometry_in_map: Turned) -> None:
+        """As tf has it: from now on nothing else is needed."""
+        with self._lock:
+            self._told = True
+            self._shift = odometry_in_map
+
+    def placed(self, robot_in_map: Turned, stamp: float) -> None:
+        """As AMCL says it, of a moment that has passed; since then the robot has moved on."""
+        with self._lock:
+            if self._told or not self._history:
+                return
+            _, then = min(self._history, key=lambda one: abs(one[0] - stamp))
+            self._shift = robot_in_map.of(Turned(then.x, then.y, then.yaw).inverse())
+
+    @property
+    def localised(self) -> bool:
+        return self._shift is not None
+
+    def pose(self) -> Optional[Pose]:
+        with self._lock:
+            if not self._history:
+                return None
+            _, newest = self._history[-1]
+            if self._shift is None:
+                return newest
+            there = self._shift.of(Turned(newest.x, newest.y, newest.yaw))
+            return replace(newest, x=there.x, y=there.y, yaw=there.yaw)
