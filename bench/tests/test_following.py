@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from dronemap_bench.following import gpx, report
-from dronemap_bench.following.report import EXACT, FORESEEN, LAST_FIX, PLACE, SLOW, Row
+from dronemap_bench.following.report import EXACT, FORESEEN, LAST_FIX, PLACE, SIMULATED, SLOW, Row
 
 ABOUT = {"at": "now", "java": "java", "revision": "abc", "processor": "two"}
 TRACK = """<gpx xmlns="http://www.topografix.com/GPX/1/1"><trk><trkseg>
@@ -18,9 +18,9 @@ TRACK = """<gpx xmlns="http://www.topografix.com/GPX/1/1"><trk><trkseg>
 </trkseg></trk></gpx>"""
 
 
-def row(walk: str, mean: float, noise: str = EXACT, way: str = FORESEEN) -> Row:
+def row(walk: str, mean: float, noise: str = EXACT, way: str = FORESEEN, vehicle: str = SIMULATED) -> Row:
     quantiles = [mean * percent / 50 for percent in range(101)]
-    return Row(walk, SLOW, noise, way, mean, mean, 3.8, quantiles, 20.0, 0.5, [mean, mean])
+    return Row(walk, SLOW, noise, way, mean, mean, 3.8, quantiles, 20.0, 0.5, [mean, mean], vehicle)
 
 
 def test_a_limit_is_kept_or_missed() -> None:
@@ -34,6 +34,18 @@ def test_a_limit_is_kept_or_missed() -> None:
     assert "| walking, exact phone: mean | 0.50 | 1.00 | kept |" in table
     assert "| walking, phone 3 m wandering, 0.5 m white: mean | 4.90 | 4.80 | **missed** |" in table
     assert "| running: foretold, share of not foretold | 0.50 | 0.70 | kept |" in table
+
+
+def test_a_real_autopilot_has_its_limits_its_column_and_its_curve() -> None:
+    rows = [row("walking", 0.5), row("running", 0.7), row("walking", 1.2, vehicle="ArduCopter 4.5.6")]
+    table = report.table(ABOUT, 3, rows)
+    assert "| walking, exact phone: mean | 0.50 | 1.00 | kept |" in table
+    assert "| walking, exact phone, ArduCopter 4.5.6: mean | 1.20 | 1.00 | **missed** |" in table
+    assert "| walking | 300 ms | exact | foretold | 0.50 | 0.95 | 0.50 | 3.80 | 1.20 (2.28) |" in table
+    assert "| running | 300 ms | exact | foretold | 0.70 | 1.33 | 0.70 | 3.80 | – |" in table
+    page = report.page(ABOUT, 3, rows)
+    assert "foretold, ArduCopter 4.5.6" in page
+    assert page.count("<polyline") == 6
 
 
 def test_a_line_of_a_trial_is_a_row_again(tmp_path: Path) -> None:
@@ -51,6 +63,14 @@ def test_a_track_is_metres_after_seconds() -> None:
     assert first == (0, 0, 0)
     assert second == pytest.approx((8, 0, 11.12), abs=0.01)
     assert third == pytest.approx((20.5, 15.17, 11.12), abs=0.01)
+
+
+def test_a_leap_is_left_out_until_it_could_have_been_run() -> None:
+    times = "".join(
+        f'<trkpt lat="{47 + north / 111_195}" lon="8.0"><time>2026-05-01T10:00:{second:02}Z</time></trkpt>'
+        for second, north in [(0, 0), (1, 4), (2, 90), (3, 94), (4, 98), (5, 102)]
+    )
+    assert [second for second, _, _ in gpx.points(f"<gpx>{times}</gpx>")] == [0, 1, 5]
 
 
 def test_a_file_without_times_is_refused(tmp_path: Path) -> None:

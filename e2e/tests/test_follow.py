@@ -1,4 +1,4 @@
-"""A phone is followed by a simulated copter, as fast as life."""
+"""A phone is followed by a simulated copter."""
 
 import math
 import statistics
@@ -6,12 +6,16 @@ import time
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
+import zeep.exceptions
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
+from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.soap import soap
 from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import rounds, wait_for
 
@@ -20,17 +24,29 @@ METRES_PER_DEGREE = 111_195
 WALKS = 1.4
 DISTANCE = 6
 HEIGHT = 10
+FACE = 1.5
 SECONDS = 30
 SETTLED = 15
 
 
 @pytest.fixture
-def walker(tap: Tap, api: Api, tmp_path: Path) -> Iterator[Json]:
-    """The drone that stands ready. It lives as fast as the phone: speeds count."""
-    address = f"udp://127.0.0.1:{tap.port}"
-    started = Simulator(tmp_path / "sim.log", address, "--count", "1", "--sysid", str(SYSTEM_ID))
-    yield wait_for("the copter is ready", lambda: api.ready(SYSTEM_ID), 90)
+def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
+    """One copter with a gimbal. It lives as fast as the phone: speeds count."""
+    options = ["--count", "1", "--sysid", str(SYSTEM_ID), "--parameter", "MNT1_TYPE=1"]
+    started = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", *options)
+    yield started
     started.stop()
+
+
+@pytest.fixture
+def walker(simulator: Simulator, api: Api) -> Json:
+    """The drone that stands ready."""
+    return wait_for("the copter is ready", lambda: api.ready(SYSTEM_ID), 90)
+
+
+def gaze(simulator: Simulator) -> float:
+    """How far the camera truly looks above the horizon."""
+    return float(simulator.payload(SYSTEM_ID).rpartition("gimbal ")[2])
 
 
 class Phone:
@@ -72,7 +88,9 @@ class Phone:
 
 
 @pytest.mark.soak
-def test_a_copter_walks_beside_a_phone_and_comes_home(api: Api, tap: Tap, walker: Json) -> None:
+def test_a_copter_walks_beside_a_phone_and_comes_home(
+    api: Api, tap: Tap, simulator: Simulator, walker: Json
+) -> None:
     phone = Phone(api, walker["home"])
     here = phone.place(time.time())
     order = {
@@ -98,9 +116,60 @@ def test_a_copter_walks_beside_a_phone_and_comes_home(api: Api, tap: Tap, walker
             errors.append(wanted.metres_to(message.lat / 1e7, message.lon / 1e7))
             assert abs(message.relative_alt / 1000 - HEIGHT) < 2
     assert statistics.fmean(errors) < 2, errors
+    face = -math.degrees(math.atan2(HEIGHT - FACE, DISTANCE))
+    assert abs(gaze(simulator) - face) < 8, f"{gaze(simulator)} and not {face}"
 
     assert api.call("POST", f"/follows/{phone.follow}/pause").ok
     phone.walks_until("paused", 5)
     assert api.call("POST", f"/follows/{phone.follow}/stop").ok
     over = phone.walks_until("over", 120)
     assert "is down" in over["end"], over
+    assert gaze(simulator) == 0, "the camera was not let go"
+
+
+def test_soap_has_a_phone_followed_in_the_order_of_its_sequence(
+    server: Server, api: Api, tap: Tap, copter: Json
+) -> None:
+    service = soap(server, server.local_key(), "FollowerService")
+    home = copter["home"]
+    latitude, longitude = home["latitude"] + 20 / METRES_PER_DEGREE, home["longitude"]
+
+    allocated = service.followRequest(
+        droneId=copter["id"],
+        latitude=latitude,
+        longitude=longitude,
+        place={"side": "fixed", "bearing": 180, "distance": 5, "height": 5},
+    )
+    assert (allocated.state, allocated.droneId) == ("allocated", copter["id"]), allocated
+    with pytest.raises(zeep.exceptions.Fault, match="has not been started"):
+        service.stopTracking(allocated.followId)
+    assert service.startTracking(allocated.followId).state == "starting"
+
+    def comes() -> Any:
+        seen = service.sendNewGPSLocation(allocated.followId, latitude, longitude, 4.0)
+        return seen if seen.state == "tracking" and seen.distance < 15 else None
+
+    wait_for("the drone has come", comes, 40)
+    assert service.disableTracking(allocated.followId).state == "paused"
+    assert service.enableTracking(allocated.followId).state == "starting"
+    wait_for("it follows again", comes, 10)
+    assert service.stopTracking(allocated.followId).state == "returning"
+    wait_for("it flies home", lambda: api.drone(copter["id"])["mode"] == "RTL", 20)
+    down = {
+        400: "arm",
+        22: "take off",
+        20: "home",
+        "SET_POSITION_TARGET_GLOBAL_INT": "location",
+    }
+    sent = [
+        down.get(getattr(one.message, "command", one.kind))
+        for one in tap.heard("COMMAND_LONG", "COMMAND_INT", "SET_POSITION_TARGET_GLOBAL_INT", up=False)
+    ]
+    order = [step for step in dict.fromkeys(sent) if step]
+    assert order[:3] == ["arm", "take off", "location"], order
+    over = wait_for(
+        "it is over",
+        lambda: next((one for one in [service.getFollow(allocated.followId)] if one.state == "over"), None),
+        60,
+    )
+    assert "is down" in over.end, over

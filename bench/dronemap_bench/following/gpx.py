@@ -6,10 +6,12 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 METRES_PER_DEGREE = 111_195.0
+# Whoever seems faster was not where the receiver said.
+FASTEST_METRES_PER_SECOND = 25.0
 
 
 def points(text: str) -> list[tuple[float, float, float]]:
-    """Seconds, metres east and metres north of the first point; times that do not go on are left out."""
+    """Seconds, metres east and metres north of the first point, without leaps and times that do not go on."""
     found: list[tuple[float, float, float]] = []
     origin = None
     for point in ElementTree.fromstring(text).iter():
@@ -24,9 +26,14 @@ def points(text: str) -> list[tuple[float, float, float]]:
         seconds = (at - origin[0]).total_seconds()
         east = (longitude - origin[2]) * METRES_PER_DEGREE * math.cos(math.radians(origin[1]))
         north = (latitude - origin[1]) * METRES_PER_DEGREE
-        if not found or seconds > found[-1][0]:
+        if not found or _reaches(found[-1], (seconds, east, north)):
             found.append((seconds, east, north))
     return found
+
+
+def _reaches(before: tuple[float, float, float], now: tuple[float, float, float]) -> bool:
+    seconds = now[0] - before[0]
+    return seconds > 0 and math.dist(before[1:], now[1:]) <= FASTEST_METRES_PER_SECOND * seconds
 
 
 def written(file: Path, folder: Path) -> str:

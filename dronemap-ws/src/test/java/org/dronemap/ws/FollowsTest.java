@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.http.HttpRequest;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
@@ -18,14 +19,20 @@ import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.Replay;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
 
 /** A phone asks to be followed, by REST. */
 class FollowsTest {
@@ -34,27 +41,44 @@ class FollowsTest {
     private static final Geodetic PHONE = new Geodetic(47.3980, 8.5456);
     private static final String HERE = "\"latitude\":47.3980,\"longitude\":8.5456";
 
-    private TestHouse house;
+    private static TestHouse house;
+    private final List<String> waiting = new ArrayList<>();
+    private List<String> keys;
     private Http phone;
     private Http supervisor;
     private WillingCopter falcon;
+    private String name;
 
-    @BeforeEach
-    void open(@TempDir Path data) {
+    @BeforeAll
+    static void open(@TempDir Path data) {
         house = new TestHouse(data, false);
-        phone = new Http(house, house.key(Role.OPERATOR));
-        supervisor = new Http(house, house.key(Role.SUPERVISOR));
-        falcon = copter(14_701, "Falcon", HOME);
     }
 
-    @AfterEach
-    void close() {
+    @AfterAll
+    static void close() {
         house.close();
     }
 
-    private WillingCopter copter(int port, String name, Geodetic stand) {
-        WillingCopter copter = new WillingCopter(house.cloud(), new DroneKey("10.9.8.7", port, 1), name, stand)
+    @BeforeEach
+    void begin() {
+        keys = List.of(house.key(Role.OPERATOR), house.key(Role.SUPERVISOR));
+        phone = new Http(house, keys.get(0));
+        supervisor = new Http(house, keys.get(1));
+        name = "Falcon " + house.number();
+        falcon = copter(name, HOME);
+    }
+
+    /** What another test chooses is its own. */
+    @AfterEach
+    void end() {
+        waiting.forEach(id -> supervisor.send("/api/v1/warehouse/" + id, HttpRequest.Builder::DELETE));
+    }
+
+    private WillingCopter copter(String name, Geodetic stand) {
+        WillingCopter copter = new WillingCopter(
+                        house.cloud(), new DroneKey("10.9.8.7", 14_700 + house.number(), 1), name, stand)
                 .wellHeard(house.cloud());
+        waiting.add(copter.id());
         Http.Answer waiting = supervisor.send(
                 "/api/v1/warehouse/" + copter.id(),
                 request -> request.header("Content-Type", "application/json")
@@ -111,16 +135,16 @@ class FollowsTest {
 
     @Test
     void leadsTheNearestDroneToThePhoneAndHome() {
-        copter(14_702, "Heron", new Geodetic(47.4040, 8.5456));
+        copter("Heron", new Geodetic(47.4040, 8.5456));
         String follow = asked(",\"place\":{\"side\":\"fixed\",\"bearing\":180,\"distance\":10,\"height\":20}");
         assertThat(phone.get(follow).text("drone")).isEqualTo(falcon.id());
         assertThat(phone.get(follow).json().path("told").path(0).path("words").asString())
-                .startsWith("Falcon was chosen:");
+                .startsWith(name + " was chosen:");
         assertThat(isHeldByAFollow()).isTrue();
 
         phone.post(follow + "/start", "");
         await(follow, "tracking");
-        assertThat(falcon.performed()).hasSize(2).last().isEqualTo(new Command.TakeOff(20));
+        assertThat(falcon.performed()).hasSize(3).last().isEqualTo(new Command.TakeOff(20));
         assertThat(says(phone, follow).status()).isEqualTo(200);
         Setpoint.Track track = Waiting.until(
                 "it is led north",
@@ -139,9 +163,88 @@ class FollowsTest {
                         .filter(Command.ReturnToLaunch.class::isInstance)
                         .findFirst());
         falcon.isOnGround();
-        assertThat(await(follow, "over").text("end")).contains("Falcon is down");
+        assertThat(await(follow, "over").text("end")).contains(name + " is down");
         assertThat(isHeldByAFollow()).isFalse();
         decidesTheSameAgain(follow);
+    }
+
+    @Test
+    void hearsThePhoneAndTellsOfTheDroneOnTheStream() {
+        String follow = following();
+        String id = follow.substring(PATH.length() + 1);
+        String phoneKey = keys.get(0);
+        try (StreamListener mine = StreamListener.withKey(house, phoneKey);
+                StreamListener others = StreamListener.withKey(house, keys.get(1))) {
+            JsonNode all = mine.await(message -> isType(message, "follow"));
+            assertThat(all.path("follow").path("state").asString()).isEqualTo("tracking");
+            assertThat(all.path("follow").path("patience").asInt()).isEqualTo(60);
+            Instant now = Instant.now();
+            mine.send(positions(id, "r1", now, position(1, now.minusSeconds(2)), position(2, now.minusSeconds(1))));
+            assertThat(receipt(mine, "r1")).isEqualTo(id + " up to 2, 2 taken, 0 known");
+            // What was sent twice, as after a gap, counts once.
+            mine.send(positions(id, "r2", now, position(3, now), position(2, now.minusSeconds(1))));
+            assertThat(receipt(mine, "r2")).isEqualTo(id + " up to 3, 1 taken, 1 known");
+            mine.send(positions(id, "r3", now));
+            assertThat(receipt(mine, "r3")).isEqualTo(id + " up to , 0 taken, 0 known");
+            others.send(positions(id, "r4", now, position(9, now)));
+            assertThat(others.await(message -> isAnswer(message, "r4"))
+                            .path("problem")
+                            .path("status")
+                            .asInt())
+                    .isEqualTo(403);
+
+            tellsHowTheDroneComes(others, id);
+            phone.post(follow + "/pause", "");
+            mine.await(message -> isType(message, "follow")
+                    && message.path("follow").path("state").asString().equals("paused"));
+        }
+        assertThat(phone.get(follow).json().path("now").path("phone").path("id").asInt())
+                .isEqualTo(3);
+        Waiting.until(
+                "the phone is gone",
+                () -> Optional.of(phone.get(follow)
+                                .json()
+                                .path("now")
+                                .path("reach")
+                                .asString(""))
+                        .filter("gone"::equals));
+    }
+
+    private void tellsHowTheDroneComes(StreamListener others, String id) {
+        falcon.hasLeft(80);
+        JsonNode live = others.await(message -> isType(message, "followNow")
+                && message.path("now").path("battery").asInt() == 80
+                && message.path("now").path("phone").path("id").asInt() == 3);
+        assertThat(live.path("id").asString()).isEqualTo(id);
+        assertThat(live.path("now").path("distance").asDouble()).isBetween(30.0, 36.0);
+        assertThat(live.path("now").path("height").asDouble()).isEqualTo(20);
+        assertThat(live.path("now").path("secondsLeft").asInt()).isBetween(700, 720);
+    }
+
+    private static String position(int number, Instant at) {
+        return "{\"id\":" + number + ",\"at\":\"" + at + "\"," + HERE + ",\"accuracy\":4}";
+    }
+
+    private static String positions(String follow, String request, Instant sent, String... positions) {
+        return "{\"type\":\"positions\",\"requestId\":\"" + request + "\",\"follow\":\"" + follow + "\",\"sent\":\""
+                + sent + "\",\"positions\":[" + String.join(",", positions) + "]}";
+    }
+
+    private static String receipt(StreamListener stream, String request) {
+        JsonNode answer = stream.await(message -> isAnswer(message, request));
+        JsonNode receipt = answer.path("receipt");
+        return receipt.path("follow").asString("") + " up to "
+                + receipt.path("upTo").asString("") + ", "
+                + receipt.path("taken").asInt() + " taken, "
+                + receipt.path("known").asInt() + " known";
+    }
+
+    private static boolean isType(JsonNode message, String type) {
+        return message.path("type").asString().equals(type);
+    }
+
+    private static boolean isAnswer(JsonNode message, String request) {
+        return message.path("requestId").asString("").equals(request);
     }
 
     @Test
@@ -218,8 +321,40 @@ class FollowsTest {
                                 && Integer.valueOf(30).equals(state.battery().percent())));
         assertThat(detail(phone.post(PATH, "{" + HERE + "}")))
                 .startsWith("409 ")
-                .contains("No drone can follow now.", "Falcon: Its battery has 30 %");
+                .contains("No drone can follow now.", name + ": Its battery has 30 %");
         assertThat(isHeldByAFollow()).isFalse();
+    }
+
+    @Test
+    void reckonsWithTheWindThatItsUserMayKnowAlone() {
+        WillingCopter hidden = copter("Kestrel " + house.number(), HOME);
+        hidden.feelsWind(270, 6);
+        Waiting.until(
+                "the wind is known",
+                () -> house.cloud()
+                        .drone(new DroneId(hidden.id()))
+                        .filter(state -> state.payload().wind() != null));
+        String wind = "a wind of 6 m/s from 270°";
+        String chosen = ",\"drone\":\"" + falcon.id() + "\"";
+        String follow = asked(chosen);
+        assertThat(phone.get(follow).raw().body()).contains(wind);
+        assertThat(phone.post(follow + "/cancel", "").status()).isLessThan(300);
+
+        Member guest = house.member(OrganisationId.HOME, "guest" + house.number(), Role.OPERATOR);
+        Http root = new Http(house, house.key(Role.ADMINISTRATOR));
+        Http.Answer only = root.send(
+                "/api/v1/users/" + guest.name() + "/only-granted",
+                request -> request.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString("{\"onlyGranted\":true}")));
+        assertThat(only.status()).isEqualTo(204);
+        Http.Answer granted = root.post(
+                "/api/v1/grants",
+                "{\"user\":\"" + guest.name() + "\",\"drones\":[\"" + falcon.id()
+                        + "\"],\"operations\":[\"view\",\"plan\",\"command\"]}");
+        assertThat(granted.status()).as(granted.raw().body()).isEqualTo(201);
+        Http.Answer theirs = guest.http().post(PATH, "{" + HERE + chosen + "}");
+        assertThat(theirs.status()).as(theirs.raw().body()).isEqualTo(201);
+        assertThat(theirs.raw().body()).doesNotContain("wind");
     }
 
     @Test

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.follow;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.jspecify.annotations.Nullable;
@@ -14,16 +15,22 @@ import org.jspecify.annotations.Nullable;
 public final class Guidance {
     /** So long after the newest fix came the drone goes on; then it holds. */
     public static final Duration PATIENCE = Duration.ofSeconds(2);
-    /** Whoever hears nothing more goes on as it was told for so long, and then stands. */
+    /** Whoever hears nothing more goes on as it was told for so long, */
     private static final double DEAF_SECONDS = 3;
+    /** and only then begins to brake: a real ArduCopter needs 6.7 m from 5 m/s. */
+    private static final double DEAF_BRAKING = 1.8;
 
     private static final double ACCELERATION = 2.3;
     private static final double BRAKING = 1.3;
+
     private static final double GAIN = 1.2;
     private static final double CLIMB = 2;
     private static final double SINK = 1.2;
     private static final double LEASH_METERS = 8;
     private static final double LOW_METERS = 1;
+    /** It is led no nearer to the lowest height: copters hold theirs within some tenths. */
+    private static final double FLOOR_METERS = 0.3;
+
     private static final double LONGEST_STEP = 1;
     private static final double NANOS = 1e9;
 
@@ -32,9 +39,14 @@ public final class Guidance {
     private @Nullable Carrot carrot;
     private @Nullable Instant before;
     private double heading;
+    /** It has been as high as it has to be. */
+    private boolean risen;
 
     /** How much time passes, and what is to be kept to meanwhile. */
-    private record Step(double seconds, Limits limits, Room room) {}
+    private record Step(double seconds, Limits limits, Surroundings around, Spot drone) {}
+
+    /** What is kept out of the way of: edges, and other drones. */
+    public record Surroundings(Room room, Others others) {}
 
     /** Where the drone shall be, in metres of the plane, and how it shall move, in m/s. */
     private record Carrot(Spot spot, double eastward, double northward, double up, double upward) {}
@@ -49,6 +61,7 @@ public final class Guidance {
     public void letGo() {
         carrot = null;
         before = null;
+        risen = false;
     }
 
     /**
@@ -57,19 +70,25 @@ public final class Guidance {
      * @param heard when the newest fix of the target came; null: none did
      */
     public Aim lead(
-            Instant now, StandOff standOff, Limits limits, Room room, Whereabouts drone, @Nullable Instant heard) {
+            Instant now,
+            StandOff standOff,
+            Limits limits,
+            Surroundings around,
+            Whereabouts drone,
+            @Nullable Instant heard) {
         double seconds = before == null ? 0 : Math.min(LONGEST_STEP, seconds(before, now));
         before = now;
         Instant there = now.plusNanos((long) (limits.downlinkSeconds() * NANOS));
         Carrot from = leashed(carrot == null ? begun(drone) : carrot, drone, there);
         Stance.Wanted wanted = stance.at(there, standOff, seconds);
-        Step step = new Step(seconds, limits, room);
+        Step step = new Step(seconds, limits, around, expected(drone, there));
+        Room room = around.room();
         Carrot next;
         Aim.Doing doing;
         if (wanted == null || heard == null || Duration.between(heard, now).compareTo(PATIENCE) > 0) {
             doing = Aim.Doing.HOLDING;
             next = moved(from, 0, 0, step);
-        } else if (drone.altitudeAmslMeters() < limits.lowestAmslMeters() - LOW_METERS) {
+        } else if (isLow(drone.altitudeAmslMeters(), limits)) {
             doing = Aim.Doing.CLIMBING;
             next = moved(from, 0, 0, step);
         } else {
@@ -79,10 +98,16 @@ public final class Guidance {
             doing = fenced ? Aim.Doing.FENCED : Aim.Doing.FOLLOWING;
             next = chase(from, wanted, at(from.spot(), free, share), fenced, step);
         }
-        next = levelled(next, standOff, seconds, limits);
+        next = levelled(next, standOff, step);
         carrot = next;
         look(wanted, next);
         return aim(next, doing);
+    }
+
+    /** A gust that presses it down a little does not hold it up once it has risen. */
+    private boolean isLow(double amslMeters, Limits limits) {
+        risen |= amslMeters >= limits.lowestAmslMeters();
+        return amslMeters < limits.lowestAmslMeters() - (risen ? LOW_METERS : 0);
     }
 
     private Aim aim(Carrot next, Aim.Doing doing) {
@@ -97,10 +122,7 @@ public final class Guidance {
 
     /** The drone may be blown away, or be slower than it should: then the carrot waits for it. */
     private Carrot leashed(Carrot from, Whereabouts drone, Instant there) {
-        double late = Math.max(0, Math.min(2, seconds(drone.at(), there)));
-        Spot last = plane.spot(drone.point());
-        Spot expected =
-                new Spot(last.eastMeters() + drone.eastward() * late, last.northMeters() + drone.northward() * late);
+        Spot expected = expected(drone, there);
         double apart = expected.distanceMeters(from.spot());
         return apart <= LEASH_METERS
                 ? from
@@ -110,6 +132,12 @@ public final class Guidance {
                         from.northward(),
                         from.up(),
                         from.upward());
+    }
+
+    private Spot expected(Whereabouts drone, Instant there) {
+        double late = Math.max(0, Math.min(2, seconds(drone.at(), there)));
+        Spot last = plane.spot(drone.point());
+        return new Spot(last.eastMeters() + drone.eastward() * late, last.northMeters() + drone.northward() * late);
     }
 
     private static Spot at(Spot from, Spot to, double share) {
@@ -143,12 +171,15 @@ public final class Guidance {
         double moreNorth = northward / faster - from.northward();
         double change = Math.hypot(moreEast, moreNorth);
         double share = change == 0 ? 0 : Math.min(1, ACCELERATION * step.seconds() / change);
-        double east = from.eastward() + moreEast * share;
-        double north = from.northward() + moreNorth * share;
-        // Whoever hears no more must not come past a fence.
-        Spot deaf = new Spot(
-                from.spot().eastMeters() + east * DEAF_SECONDS, from.spot().northMeters() + north * DEAF_SECONDS);
-        double free = step.room().clearShare(from.spot(), deaf);
+        Others.Speed apart = step.around()
+                .others()
+                .allowed(
+                        List.of(from.spot(), step.drone()),
+                        from.up(),
+                        new Others.Speed(from.eastward() + moreEast * share, from.northward() + moreNorth * share));
+        double east = apart.eastward();
+        double north = apart.northward();
+        double free = freely(step.around().room(), from.spot(), east, north);
         return new Carrot(
                 new Spot(
                         from.spot().eastMeters() + east * free * step.seconds(),
@@ -159,12 +190,35 @@ public final class Guidance {
                 from.upward());
     }
 
-    private static Carrot levelled(Carrot from, StandOff standOff, double seconds, Limits limits) {
-        double wanted = Math.max(
-                limits.lowestAmslMeters(), Math.min(limits.highestAmslMeters(), standOff.altitudeAmslMeters()));
-        double rise = wanted - from.up();
-        double upward = seconds == 0 ? 0 : Math.max(-SINK, Math.min(CLIMB, rise / Math.max(1, seconds)));
+    /** The share of a speed at which whoever hears no more comes to a stand before any fence. */
+    private static double freely(Room room, Spot from, double east, double north) {
+        double speed = Math.hypot(east, north);
+        double seconds = DEAF_SECONDS + speed / (2 * DEAF_BRAKING);
+        double share = room.clearShare(
+                from, new Spot(from.eastMeters() + east * seconds, from.northMeters() + north * seconds));
+        if (share >= 1) {
+            return 1;
+        }
+        double meters = share * seconds * speed;
+        double allowed =
+                DEAF_BRAKING * (Math.sqrt(DEAF_SECONDS * DEAF_SECONDS + 2 * meters / DEAF_BRAKING) - DEAF_SECONDS);
+        return Math.min(1, allowed / speed);
+    }
+
+    private static Carrot levelled(Carrot from, StandOff standOff, Step step) {
+        Limits limits = step.limits();
+        double seconds = step.seconds();
+        double wanted = within(limits, standOff.altitudeAmslMeters());
+        // Nor does it evade others into the ground.
+        double rise = within(limits, step.around().others().level(step.drone(), from.up(), wanted)) - from.up();
+        // Whoever hears no more goes on for as long, and no farther than wanted.
+        double upward = seconds == 0 ? 0 : Math.max(-SINK, Math.min(CLIMB, rise / DEAF_SECONDS));
         return new Carrot(from.spot(), from.eastward(), from.northward(), from.up() + upward * seconds, upward);
+    }
+
+    private static double within(Limits limits, double amslMeters) {
+        double lowest = Math.min(limits.highestAmslMeters(), limits.lowestAmslMeters() + FLOOR_METERS);
+        return Math.max(lowest, Math.min(limits.highestAmslMeters(), amslMeters));
     }
 
     private void look(Stance.@Nullable Wanted wanted, Carrot now) {

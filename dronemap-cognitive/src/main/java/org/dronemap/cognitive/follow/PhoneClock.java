@@ -30,6 +30,11 @@ public final class PhoneClock {
      * @param roundTrip from sending one to its answer, as the phone measured it lately; null: it did not
      */
     public void heard(Instant sent, Instant heard, @Nullable Duration roundTrip) {
+        Exchange before = exchanges.peekLast();
+        if (before != null && before.heard().equals(heard)) {
+            // Several positions in one message.
+            return;
+        }
         Duration apart = Duration.between(sent, heard);
         Duration way = roundTrip == null ? USUAL_WAY : roundTrip.dividedBy(2);
         // What says how long it took is worth more than what does not.

@@ -7,9 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.LongFunction;
-import java.util.stream.Collectors;
 import org.dronemap.cognitive.follow.Trial.Noise;
 import org.dronemap.cognitive.follow.Trial.Result;
 import org.dronemap.cognitive.follow.Trial.Setup;
@@ -20,16 +18,14 @@ import org.dronemap.cognitive.follow.Trial.Way;
  * {@code SECONDS EAST NORTH}: a walk that was recorded.
  */
 public final class Experiment {
-    private static final int HUNDRED = 100;
-    private static final int EVERY = 10;
-    private static final double SETTLED = 20;
-    private static final double WIND = 3;
-    private static final StandOff SOUTH = new StandOff(new Side.Fixed(180), 5, SimDrone.HOME_AMSL + 15);
-    private static final List<Link> LINKS = List.of(
-            new Link("300 ms", new Wire.Quality(0.3, 0, 0)),
-            new Link("500 ± 200 ms, 10 % lost", new Wire.Quality(0.5, 0.2, 0.1)));
+    static final double SETTLED = 20;
+    static final double WIND = 3;
+    static final StandOff SOUTH = new StandOff(new Side.Fixed(180), 5, SimDrone.HOME_AMSL + 15);
+    static final Link SLOW = new Link("300 ms", new Wire.Quality(0.3, 0, 0));
+    private static final List<Link> LINKS =
+            List.of(SLOW, new Link("500 ± 200 ms, 10 % lost", new Wire.Quality(0.5, 0.2, 0.1)));
 
-    private record Link(String name, Wire.Quality quality) {}
+    record Link(String name, Wire.Quality quality) {}
 
     private record Case(Way way, Noise noise, Link link) {}
 
@@ -67,45 +63,13 @@ public final class Experiment {
     }
 
     private static void write(PrintStream out, LongFunction<Walk> walks, Case what, int seeds) {
-        Result all = new Result(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
-        List<Double> first = List.of();
+        List<Result> flown = new ArrayList<>();
         for (long seed = 1; seed <= seeds; seed++) {
-            Result one = Trial.fly(
+            flown.add(Trial.fly(
                     walks.apply(seed),
-                    new Setup(what.way(), SOUTH, what.noise(), what.link().quality(), WIND, seed, SETTLED));
-            first = seed == 1 ? one.error() : first;
-            all.error().addAll(one.error());
-            all.reported().addAll(one.reported());
-            all.noise().addAll(one.noise());
+                    new Setup(what.way(), SOUTH, what.noise(), what.link().quality(), WIND, seed, SETTLED)));
         }
-        List<Double> quantiles = new ArrayList<>();
-        for (int percent = 0; percent <= HUNDRED; percent++) {
-            quantiles.add(all.quantile(percent / 100.0));
-        }
-        List<Double> series = new ArrayList<>();
-        for (int sample = 0; sample < first.size(); sample += EVERY) {
-            series.add(first.get(sample));
-        }
-        out.printf(
-                Locale.ROOT,
-                "{\"walk\":\"%s\",\"link\":\"%s\",\"noise\":\"%s\",\"way\":\"%s\",\"mean\":%.3f,\"reported\":%.3f,"
-                        + "\"phone\":%.3f,\"quantiles\":%s,\"settled\":%.1f,\"step\":%.2f,\"series\":%s}%n",
-                walks.apply(1).name(),
-                what.link().name(),
-                what.noise(),
-                what.way(),
-                all.mean(),
-                Result.mean(all.reported()),
-                Result.mean(all.noise()),
-                json(quantiles),
-                SETTLED,
-                EVERY * Walk.STEP_SECONDS,
-                json(series));
-    }
-
-    private static String json(List<Double> values) {
-        return values.stream()
-                .map(value -> String.format(Locale.ROOT, "%.2f", value))
-                .collect(Collectors.joining(",", "[", "]"));
+        String walk = walks.apply(1).name();
+        out.println(new Line("simulated", walk, what.link().name(), what.noise(), what.way(), SETTLED, flown).json());
     }
 }

@@ -85,14 +85,14 @@ class FollowingTest {
         List<Double> speeds = new ArrayList<>();
         Walk walk = Walk.asleep(1);
         double[] last = new double[3];
-        Result result =
-                Trial.fly(walk, setup(Way.FORESEEN, Noise.NONE, SLOW, 1), Room.EVERYWHERE, (now, drone, target) -> {
-                    if (now > 108 && now < 130) {
-                        speeds.add(Math.hypot(drone.east() - last[0], drone.north() - last[1]) / Walk.STEP_SECONDS);
-                    }
-                    last[0] = drone.east();
-                    last[1] = drone.north();
-                });
+        Setup setup = setup(Way.FORESEEN, Noise.NONE, SLOW, 1);
+        Result result = Trial.fly(walk, setup, Trial.Place.open(setup), (now, drone, target) -> {
+            if (now > 108 && now < 130) {
+                speeds.add(Math.hypot(drone.east() - last[0], drone.north() - last[1]) / Walk.STEP_SECONDS);
+            }
+            last[0] = drone.east();
+            last[1] = drone.north();
+        });
         assertThat(Result.mean(speeds)).isLessThan(0.15);
         int size = result.error().size();
         assertThat(Result.mean(result.error().subList(size - 400, size))).isLessThan(1.5);

@@ -9,7 +9,6 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Navigation;
 import org.dronemap.sim.personality.AutopilotKind;
@@ -23,18 +22,16 @@ import org.dronemap.sim.physics.Position;
 import org.dronemap.sim.physics.Wind;
 
 /** A simulated ArduCopter in the air, told by real frames where to be, on a clock that the trial turns. */
-final class SimDrone {
+final class SimDrone implements Copter {
     static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
     static final double HOME_AMSL = 488;
 
-    private static final int POSITION_AND_VELOCITY = 0x9C0;
-    private static final int POSITION_ONLY = 0xDF8;
     private static final int ARM = 400;
     private static final int TAKE_OFF = 22;
     private static final int SET_MODE = 176;
     private static final int GUIDED = 4;
 
-    private final LocalFrame frame = new LocalFrame(HOME.latitudeDegrees(), HOME.longitudeDegrees(), HOME_AMSL);
+    private final LocalFrame frame;
     private final Craft craft;
     private final SimulatedVehicle vehicle;
     private final FrameReader toVehicle = new FrameReader();
@@ -44,6 +41,12 @@ final class SimDrone {
 
     /** In the air over its home at that height, in a wind of so many m/s. */
     SimDrone(double meters, double wind, long seed) {
+        this(HOME, meters, wind, seed);
+    }
+
+    /** The same over another home. */
+    SimDrone(Geodetic home, double meters, double wind, long seed) {
+        frame = new LocalFrame(home.latitudeDegrees(), home.longitudeDegrees(), HOME_AMSL);
         craft = new Craft(frame, new Battery(50_000), new Wind(wind, seed % 7, seed), new Navigation(3_000));
         vehicle = new SimulatedVehicle(
                 new VehicleSettings(1, 1, 2, -1, 1500, 0, true, 0, Map.of("WPNAV_SPEED", 1_500.0)),
@@ -58,7 +61,8 @@ final class SimDrone {
         zero = millis;
     }
 
-    void live(double seconds) {
+    @Override
+    public void live(double seconds) {
         long until = millis + Math.round(seconds * 1_000);
         while (millis < until) {
             if (millis % 1_000 < 20) {
@@ -73,38 +77,18 @@ final class SimDrone {
         toVehicle.read(ByteBuffer.wrap(ground.frame(message)), vehicle::receive);
     }
 
-    /** What a cloud says to an ArduCopter that it leads. */
-    void hear(Aim aim) {
-        send(target(aim, POSITION_AND_VELOCITY));
+    @Override
+    public void hear(Aim aim) {
+        send(AimWords.moving(aim));
     }
 
-    /** The same without how the place moves. */
-    void hearPlace(Aim aim) {
-        send(target(aim, POSITION_ONLY));
+    @Override
+    public void hearPlace(Aim aim) {
+        send(AimWords.place(aim));
     }
 
-    private static SetPositionTargetGlobalInt target(Aim aim, int mask) {
-        return new SetPositionTargetGlobalInt(
-                0,
-                1,
-                1,
-                5,
-                mask,
-                (int) Math.round(aim.point().latitudeDegrees() * 1e7),
-                (int) Math.round(aim.point().longitudeDegrees() * 1e7),
-                (float) aim.altitudeAmslMeters(),
-                (float) aim.northward(),
-                (float) aim.eastward(),
-                (float) -aim.upward(),
-                0,
-                0,
-                0,
-                (float) Math.toRadians(aim.headingDegrees()),
-                0);
-    }
-
-    /** Metres north and east of home, really. */
-    Position position() {
+    @Override
+    public Position position() {
         return craft.body().position();
     }
 
@@ -112,7 +96,8 @@ final class SimDrone {
         return Math.toDegrees(craft.body().yaw());
     }
 
-    Whereabouts whereabouts(Instant at) {
+    @Override
+    public Whereabouts whereabouts(Instant at) {
         Body body = craft.body();
         Position here = body.position();
         return new Whereabouts(
@@ -123,8 +108,8 @@ final class SimDrone {
                 body.velocityNorth());
     }
 
-    /** Where a place so many metres east and north of home is. */
-    Geodetic place(double east, double north) {
+    @Override
+    public Geodetic place(double east, double north) {
         Position there = new Position(north, east, 0);
         return new Geodetic(frame.latitudeOf(there), frame.longitudeOf(there));
     }

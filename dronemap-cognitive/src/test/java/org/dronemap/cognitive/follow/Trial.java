@@ -17,6 +17,8 @@ public final class Trial {
     /** The phone's clock goes before the cloud's. */
     private static final Duration PHONE_AHEAD = Duration.ofMillis(2_700);
 
+    static final double LOWEST_METERS = 5;
+
     private static final int SAMPLE_MILLIS = 50;
     private static final int SETPOINT_MILLIS = 100;
     private static final int TELEMETRY_MILLIS = 200;
@@ -50,6 +52,13 @@ public final class Trial {
         }
     }
 
+    /** Where it flies; {@code beginsMeters}: how high it is above its home when it is first led. */
+    record Place(Room room, double beginsMeters) {
+        static Place open(Setup setup) {
+            return new Place(Room.EVERYWHERE, height(setup));
+        }
+    }
+
     /** Metres, one a sample; {@code reported}: from the place that the newest report asks for. */
     public record Result(List<Double> error, List<Double> reported, List<Double> noise) {
         public double mean() {
@@ -74,7 +83,7 @@ public final class Trial {
 
     private final Walk walk;
     private final Setup setup;
-    private final SimDrone drone;
+    private final Copter drone;
     private final Wire<Report> up;
     private final Wire<Said> down;
     private final Wire<Whereabouts> telemetry;
@@ -90,23 +99,23 @@ public final class Trial {
     private @Nullable Report newest;
     private double[] off = {0, 0};
 
-    private Trial(Walk walk, Setup setup, Room room) {
+    private Trial(Walk walk, Setup setup, Room room, Copter drone) {
         this.walk = walk;
         this.setup = setup;
         this.room = room;
-        drone = new SimDrone(setup.standOff().altitudeAmslMeters() - SimDrone.HOME_AMSL, setup.wind(), setup.seed());
+        this.drone = drone;
         up = new Wire<>(setup.link(), setup.seed() + 1);
         down = new Wire<>(setup.link(), setup.seed() + 2);
         telemetry = new Wire<>(setup.link(), setup.seed() + 3);
         phone = new PhoneNoise(setup.seed() + 4, setup.noise() != Noise.NONE);
         guidance = new Guidance(setup.way() == Way.FORESEEN ? filter : last);
         double downlink = setup.way() == Way.FORESEEN ? setup.link().seconds() : 0;
-        limits = new Limits(15, SimDrone.HOME_AMSL + 5, SimDrone.HOME_AMSL + 120, downlink);
+        limits = new Limits(15, SimDrone.HOME_AMSL + LOWEST_METERS, SimDrone.HOME_AMSL + 120, downlink);
         seen = drone.whereabouts(ZERO);
     }
 
     public static Result fly(Walk walk, Setup setup) {
-        return fly(walk, setup, Room.EVERYWHERE, Track.NONE);
+        return fly(walk, setup, Place.open(setup), Track.NONE);
     }
 
     /** Hears of each sample. */
@@ -116,8 +125,19 @@ public final class Trial {
         void sample(double seconds, Position drone, Walk.Point target);
     }
 
-    static Result fly(Walk walk, Setup setup, Room room, Track track) {
-        return new Trial(walk, setup, room).fly(track);
+    static Result fly(Walk walk, Setup setup, Place place, Track track) {
+        Copter drone = new SimDrone(place.beginsMeters(), setup.wind(), setup.seed());
+        return new Trial(walk, setup, place.room(), drone).fly(track);
+    }
+
+    /** With a copter that stands in the air over its home. */
+    static Result fly(Walk walk, Setup setup, Copter drone) {
+        return new Trial(walk, setup, Room.EVERYWHERE, drone).fly(Track.NONE);
+    }
+
+    /** Above the home of who follows, in metres. */
+    static double height(Setup setup) {
+        return setup.standOff().altitudeAmslMeters() - SimDrone.HOME_AMSL;
     }
 
     private Result fly(Track track) {
@@ -194,7 +214,8 @@ public final class Trial {
 
     private void say(double now) {
         if (setup.way() != Way.FORWARDED) {
-            Aim aim = guidance.lead(at(now), setup.standOff(), limits, room, seen, heard);
+            Aim aim = guidance.lead(
+                    at(now), setup.standOff(), limits, new Guidance.Surroundings(room, Others.NONE), seen, heard);
             down.send(now, new Said(aim, false));
         }
     }

@@ -3,10 +3,12 @@ package org.dronemap.cognitive.follow;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 
 /** Where a person really is, twenty times a second, in metres east and north of where it begins. Immutable. */
 public final class Walk {
     public static final double STEP_SECONDS = 0.05;
+    private static final int KINDS = 6;
 
     private final String name;
     private final List<Point> points;
@@ -34,7 +36,20 @@ public final class Walk {
     }
 
     public static List<Walk> all(long seed) {
-        return List.of(walking(seed), running(seed), cycling(seed), stopAndGo(seed), asleep(seed), sharply(seed));
+        return IntStream.range(0, KINDS).mapToObj(kind -> one(kind, seed)).toList();
+    }
+
+    /** The one that stands at that place in {@link #all}. */
+    static Walk one(int kind, long seed) {
+        return switch (kind) {
+            case 0 -> walking(seed);
+            case 1 -> running(seed);
+            case 2 -> cycling(seed);
+            case 3 -> stopAndGo(seed);
+            case 4 -> asleep(seed);
+            case 5 -> sharply(seed);
+            default -> throw new IllegalArgumentException("kinds are 0 to 5: " + kind);
+        };
     }
 
     public static Walk walking(long seed) {

@@ -19,6 +19,7 @@ import org.dronemap.core.operation.Decision;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.Scene;
 import org.dronemap.core.operation.Sighting;
@@ -109,8 +110,9 @@ final class Conducted<S, I> {
         inbox.addFirst(kind.machine().resumed(means.clock().instant()));
     }
 
-    void interrupted(DroneId drone, String why) {
-        if (reins.lose(drone, why)) {
+    /** Looks at its next turn, however slow its rhythm is. */
+    void interrupted(DroneId drone) {
+        if (reins.wants(drone)) {
             lookedNanos -= kind.machine().rhythm().toNanos();
         }
     }
@@ -146,8 +148,14 @@ final class Conducted<S, I> {
         S state = now.state();
         Set<DroneId> drones = new HashSet<>(kind.machine().drones(state));
         drones.addAll(kind.machine().watched(state));
-        Scene scene = means.scenery().of(now.saved().owner(), reins, drones);
-        take(kind.machine().looked(state, wheel == null ? scene : wheel.turn(state, scene)));
+        String owner = now.saved().owner();
+        Scene scene = means.scenery().of(owner, reins, drones);
+        take(kind.machine()
+                .looked(
+                        state,
+                        wheel == null
+                                ? scene
+                                : wheel.turn(state, means.scenery().around(owner, scene, drones))));
     }
 
     private void hearEnds() {
@@ -170,9 +178,26 @@ final class Conducted<S, I> {
         }
     }
 
-    /** False when nobody here steers by what is seen, or too much waits already. Any thread. */
-    boolean sighted(Sighting sighting) {
-        return wheel != null && wheel.sighted(sighting);
+    /** Any thread. */
+    Reception sighted(Sighting sighting) {
+        return wheel == null ? Reception.UNHEARD : wheel.sighted(sighting);
+    }
+
+    /** Any thread. */
+    void reached(Reach how) {
+        if (wheel != null) {
+            wheel.reached(how);
+        }
+    }
+
+    /** Any thread. */
+    Optional<Reach> reach() {
+        return Optional.ofNullable(wheel).map(Wheel::reach);
+    }
+
+    /** Any thread. */
+    Optional<Sighting> sighting() {
+        return Optional.ofNullable(wheel).map(Wheel::newest);
     }
 
     /** A user's wish; why it is not taken, as a sentence. */

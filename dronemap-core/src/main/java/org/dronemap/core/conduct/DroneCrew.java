@@ -51,7 +51,10 @@ final class DroneCrew {
     String takenBy(Holder.Operation by, DroneId drone) {
         Control control = cloud.controls().control(drone);
         boolean has = control.tenure() != null && control.tenure().holder().isOperation(by.id());
-        return has ? null : control.sentence();
+        if (has) {
+            return null;
+        }
+        return control.interruption() == null ? control.sentence() : control.interruption();
     }
 
     /** Somebody, or something, has control. */

@@ -139,8 +139,8 @@ final class OperationBook {
         conducted.values().removeIf(Conducted::isOver);
     }
 
-    void interrupted(DroneId drone, String why) {
-        conducted.values().forEach(one -> one.interrupted(drone, why));
+    void interrupted(DroneId drone) {
+        conducted.values().forEach(one -> one.interrupted(drone));
     }
 
     long failedCount() {

@@ -5,21 +5,21 @@ import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.command.Command;
-import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
-import org.dronemap.core.command.EmergencyStop;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.Sighting;
 import org.dronemap.core.organisation.OrganisationId;
@@ -42,14 +42,6 @@ public final class Operations implements CloudListener, AutoCloseable {
     private static final long TIDYING_HOURS = 6;
     private static final int COMPUTING_THREADS = 2;
     private static final int MOST_WAITING = 16;
-
-    /** What supervisors and safety rules may command without control. */
-    private static final Set<String> INTERRUPTING = Set.of(
-            Command.Land.class.getSimpleName(),
-            Command.ReturnToLaunch.class.getSimpleName(),
-            Command.Hold.class.getSimpleName(),
-            EmergencyStop.class.getSimpleName(),
-            Command.PauseMission.class.getSimpleName());
 
     private final CloudManager cloud;
     private final OperationStore store;
@@ -144,9 +136,26 @@ public final class Operations implements CloudListener, AutoCloseable {
         });
     }
 
-    /** Tells an operation where what it is about was seen; false when it is not under way, or too much waits already. */
-    public <S, I> boolean sighted(OperationKind<S, I> kind, OperationId id, Sighting sighting) {
-        return book.find(kind, id).filter(one -> one.sighted(sighting)).isPresent();
+    /** Tells an operation where what it is about was seen. */
+    public <S, I> Reception sighted(OperationKind<S, I> kind, OperationId id, Sighting sighting) {
+        return book.find(kind, id).map(one -> one.sighted(sighting)).orElse(Reception.UNHEARD);
+    }
+
+    /** Tells an operation how whoever tells it of sightings is reached; false when it is not under way. */
+    public <S, I> boolean reached(OperationKind<S, I> kind, OperationId id, Reach how) {
+        Optional<Conducted<S, I>> conducted = book.find(kind, id);
+        conducted.ifPresent(one -> one.reached(how));
+        return conducted.isPresent();
+    }
+
+    /** How that one is reached; empty: it is not known, or the operation is not under way. */
+    public <S, I> Optional<Reach> reach(OperationKind<S, I> kind, OperationId id) {
+        return book.find(kind, id).flatMap(Conducted::reach);
+    }
+
+    /** Where that was seen last since the process began; empty: nowhere, or the operation is not under way. */
+    public <S, I> Optional<Sighting> sighting(OperationKind<S, I> kind, OperationId id) {
+        return book.find(kind, id).flatMap(Conducted::sighting);
     }
 
     /** Under way or over. */
@@ -191,13 +200,15 @@ public final class Operations implements CloudListener, AutoCloseable {
 
     @Override
     public void commandChanged(CommandRecord command) {
-        if (command.face().equals(FACE)) {
-            if (command.outcome() != null) {
-                wake();
-            }
-        } else if (command.phase() == CommandPhase.SENT && INTERRUPTING.contains(command.type())) {
-            thread.soon(() ->
-                    book.interrupted(command.drone(), command.by() + " told the drone: " + command.summary() + "."));
+        if (command.face().equals(FACE) && command.outcome() != null) {
+            wake();
+        }
+    }
+
+    @Override
+    public void controlChanged(DroneId drone, Control now, ControlChange change) {
+        if (now.interruption() != null) {
+            thread.soon(() -> book.interrupted(drone));
         }
     }
 

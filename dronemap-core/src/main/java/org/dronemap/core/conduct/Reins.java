@@ -1,9 +1,7 @@
 package org.dronemap.core.conduct;
 
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
@@ -17,7 +15,6 @@ import org.jspecify.annotations.Nullable;
 final class Reins {
     private final DroneCrew crew;
     private final Holder.Operation holder;
-    private final Map<DroneId, String> lost = new HashMap<>();
     private Set<DroneId> wanted = Set.of();
 
     Reins(DroneCrew crew, Holder.Operation holder) {
@@ -43,7 +40,6 @@ final class Reins {
         Set<DroneId> all = new HashSet<>(wanted);
         for (DroneId drone : drones) {
             if (all.add(drone)) {
-                lost.remove(drone);
                 // Whoever has it is seen in the next scene.
                 Optional<String> unused = crew.engage(holder, drone);
             }
@@ -59,21 +55,14 @@ final class Reins {
         letGo(others);
     }
 
-    /** Somebody who goes first commands it: control is given back. False when it had none to lose. */
-    boolean lose(DroneId drone, String why) {
-        if (!wanted.contains(drone) || crew.takenBy(holder, drone) != null) {
-            return false;
-        }
-        lost.put(drone, why);
-        crew.release(holder, drone);
-        return true;
+    boolean wants(DroneId drone) {
+        return wanted.contains(drone);
     }
 
     /** Why there is no control of it, as a sentence; null: there is. */
     @Nullable
     String takenBy(DroneId drone) {
-        String why = lost.get(drone);
-        return why != null ? why : crew.takenBy(holder, drone);
+        return crew.takenBy(holder, drone);
     }
 
     private void letGo(List<DroneId> drones) {

@@ -14,6 +14,7 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Wind;
 import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.Candidate;
 import org.dronemap.core.virtual.Choice;
@@ -26,6 +27,7 @@ import org.dronemap.core.virtual.Sight;
 import org.dronemap.core.virtual.Step;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
+import org.jspecify.annotations.Nullable;
 
 /** Drives all runs a step at a time: bound ones go on, waiting ones are bound in turn. Owned by the conductor's thread. */
 final class Runs {
@@ -156,15 +158,23 @@ final class Runs {
             book.put(drone.with(machine.stop(run, clock.instant())));
             return;
         }
+        List<DroneState> serving = cloud.drones().stream()
+                .filter(state ->
+                        book.warehouse().contains(state.id()) && rights.mayServe(drone.organisation(), state.id()))
+                .toList();
         Selection selection = Selection.of(
-                new Demand(drone.needs(), run.tour(), run.flown()),
-                cloud.drones().stream()
-                        .filter(state -> book.warehouse().contains(state.id())
-                                && rights.mayServe(drone.organisation(), state.id()))
-                        .toList(),
+                new Demand(drone.needs(), run.tour(), run.flown(), wind(run, serving)),
+                serving,
                 (state, share) -> objection(drone, run, state, share));
         waitingFor.put(drone.id(), selection.unfit());
         selection.choice().ifPresent(choice -> bind(drone, run, choice, selection));
+    }
+
+    /** Of others' drones nothing is told, not even what wind they feel. */
+    private @Nullable Wind wind(Run run, List<DroneState> drones) {
+        int next = Math.min(run.flown(), run.total() - 1);
+        return Wind.near(run.tour().waypoints().get(next).point(), drones, clock.instant())
+                .orElse(null);
     }
 
     private Optional<String> objection(VirtualDrone drone, Run run, DroneState state, Share share) {

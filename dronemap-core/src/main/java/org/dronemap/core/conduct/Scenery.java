@@ -1,8 +1,11 @@
 package org.dronemap.core.conduct;
 
 import java.time.Clock;
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.LongSupplier;
@@ -10,20 +13,31 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.operation.Scene;
-import org.jspecify.annotations.Nullable;
+import org.dronemap.core.operation.Surroundings;
+import org.dronemap.core.zone.Zone;
 
 /** What operations see of their drones. Owned by the conductor's thread. */
 final class Scenery {
+    /** Zones that begin so soon are heeded already. */
+    private static final Duration SOON = Duration.ofHours(1);
+
+    private static final long KEPT_NANOS = 40_000_000L;
+
     private final CloudManager cloud;
     private final OperationRights rights;
     private final Clock clock;
     private final Silence silence;
     private final Stillness stillness;
+    private final LongSupplier nanoTime;
+    private List<DroneState> aloft = List.of();
+    private long aloftNanos;
 
     Scenery(CloudManager cloud, OperationRights rights, Clock clock, LongSupplier nanoTime) {
         this.cloud = cloud;
         this.rights = rights;
         this.clock = clock;
+        this.nanoTime = nanoTime;
+        this.aloftNanos = nanoTime.getAsLong() - KEPT_NANOS;
         this.silence = new Silence(nanoTime);
         this.stillness = new Stillness(nanoTime);
     }
@@ -34,13 +48,35 @@ final class Scenery {
         drones.forEach(id -> cloud.drone(id).ifPresent(state -> states.put(id.value(), state)));
         List<Scene.Seen> seen = new ArrayList<>();
         for (DroneState state : states.values()) {
-            seen.add(new Scene.Seen(state, takenBy(owner, reins, state.id()), silence.of(state), stillness.of(state)));
+            seen.add(new Scene.Seen(state, sway(owner, reins, state.id()), silence.of(state), stillness.of(state)));
         }
         return new Scene(clock.instant(), seen);
     }
 
-    private @Nullable String takenBy(String owner, Reins reins, DroneId drone) {
-        String taken = reins.takenBy(drone);
-        return taken != null ? taken : rights.whyNot(owner, drone).orElse(null);
+    /** The same with what is around these drones. */
+    Scene around(String owner, Scene scene, Set<DroneId> drones) {
+        Map<DroneId, List<Zone>> zones = new HashMap<>();
+        drones.forEach(id -> zones.put(
+                id, cloud.zones().binding(owner, id, scene.now(), scene.now().plus(SOON))));
+        List<DroneState> others =
+                aloft().stream().filter(drone -> !drones.contains(drone.id())).toList();
+        return new Scene(scene.now(), scene.drones(), new Surroundings(zones, others));
+    }
+
+    /** Found once for all operations that look at about the same time. */
+    private List<DroneState> aloft() {
+        long now = nanoTime.getAsLong();
+        if (now - aloftNanos >= KEPT_NANOS) {
+            aloftNanos = now;
+            aloft = cloud.drones().stream().filter(DroneState::airborne).toList();
+        }
+        return aloft;
+    }
+
+    private Scene.Sway sway(String owner, Reins reins, DroneId drone) {
+        return new Scene.Sway(
+                reins.takenBy(drone),
+                rights.whyNot(owner, drone).orElse(null),
+                cloud.controls().control(drone).tenure() == null);
     }
 }

@@ -1,32 +1,38 @@
 package org.dronemap.core.conduct;
 
 import java.time.Instant;
+import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.Set;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.BlockingQueue;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.operation.Guide;
+import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.Scene;
 import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.operation.Surroundings;
 import org.jspecify.annotations.Nullable;
 
-/** Hands what the guide of one operation says to the gate for setpoints. Owned by the conductor's thread, but for {@link #sighted}. */
+/** Hands what the guide of one operation says to the gate for setpoints. Owned by the conductor's thread, but for {@link #sighted} and {@link #newest}. */
 final class Wheel<S> {
-    /** Between two turns of the conductor some few come. */
-    private static final int MOST_WAITING = 64;
+    /** Between two turns of the conductor some few come, or what a phone kept while it was cut off. */
+    private static final int MOST_WAITING = 128;
 
     private final DroneCrew crew;
     private final Holder.Operation holder;
     private final Guide<S> guide;
-    private final BlockingQueue<Sighting> sightings = new ArrayBlockingQueue<>(MOST_WAITING);
+    private final Queue<Sighting> sightings = new ArrayDeque<>();
     private final Map<DroneId, String> refusals = new HashMap<>();
     private Set<DroneId> steered = Set.of();
     private @Nullable Instant heard;
+    private volatile @Nullable Reach reach;
+    // This and what waits are guarded by what waits.
+    private @Nullable Sighting newest;
 
     Wheel(DroneCrew crew, Holder.Operation holder, Guide<S> guide) {
         this.crew = crew;
@@ -34,24 +40,65 @@ final class Wheel<S> {
         this.guide = guide;
     }
 
-    /** False when too many wait already. Any thread. */
-    boolean sighted(Sighting sighting) {
-        return sightings.offer(sighting);
+    /** Any thread. */
+    Reception sighted(Sighting sighting) {
+        synchronized (sightings) {
+            Sighting before = newest;
+            if (before != null && sighting.number() <= before.number()) {
+                return Reception.KNOWN;
+            }
+            if (sightings.size() >= MOST_WAITING) {
+                return Reception.CROWDED;
+            }
+            sightings.add(sighting);
+            newest = sighting;
+            return Reception.TAKEN;
+        }
+    }
+
+    /** The newest that was taken since the process began; null: none was. Any thread. */
+    @Nullable
+    Sighting newest() {
+        synchronized (sightings) {
+            return newest;
+        }
+    }
+
+    /** How whoever tells of sightings is reached from now on. Any thread. */
+    void reached(Reach how) {
+        reach = how;
+    }
+
+    /** Null: not known. Any thread. */
+    @Nullable
+    Reach reach() {
+        return reach;
+    }
+
+    private List<Sighting> taken() {
+        synchronized (sightings) {
+            List<Sighting> all = List.copyOf(sightings);
+            sightings.clear();
+            return all;
+        }
     }
 
     /** Tells the guide what came in, and the gate what the guide says; the scene with what became of it. */
     Scene turn(S state, Scene scene) {
-        for (Sighting one = sightings.poll(); one != null; one = sightings.poll()) {
+        for (Sighting one : taken()) {
             guide.sighted(one);
-            heard = heard == null || one.heard().isAfter(heard) ? one.heard() : heard;
+            // What was kept while nobody could be told shows where it was, and not that it still says so.
+            if (one.isFresh() && (heard == null || one.heard().isAfter(heard))) {
+                heard = one.heard();
+            }
         }
-        Scene now = new Scene(scene.now(), scene.drones(), heard, Map.of());
+        Scene now = new Scene(scene.now(), scene.drones(), heard, reach, scene.around(), Map.of());
         Map<DroneId, Setpoint> said = guide.steer(state, now);
         refusals.clear();
         said.forEach(
                 (drone, setpoint) -> crew.steer(holder, drone, setpoint).ifPresent(why -> refusals.put(drone, why)));
         letGo(said.keySet());
-        return new Scene(scene.now(), scene.drones(), heard, refusals);
+        return new Scene(scene.now(), scene.drones(), heard, reach, Surroundings.NONE, refusals);
     }
 
     /** Of all others at once: they stand still. */

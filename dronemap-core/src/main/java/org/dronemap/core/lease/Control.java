@@ -15,14 +15,16 @@ import org.jspecify.annotations.Nullable;
  * @param tenure null: nobody
  * @param requests oldest first
  * @param lapse null unless a holder was lost
+ * @param interruption who ended the last tenure for safety's sake, and how, as a sentence; null: it ended otherwise
  */
 public record Control(
         long epoch,
         @Nullable Tenure tenure,
         List<ControlRequest> requests,
-        @Nullable Lapse lapse) {
+        @Nullable Lapse lapse,
+        @Nullable String interruption) {
     /** Nobody has ever commanded it. */
-    public static final Control FREE = new Control(0, null, List.of(), null);
+    public static final Control FREE = new Control(0, null, List.of(), null, null);
 
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss 'UTC'", Locale.ROOT)
             .withZone(ZoneOffset.UTC);
@@ -54,7 +56,8 @@ public record Control(
     /** Who has control, since when, and what can be done about it. */
     public String sentence() {
         if (tenure == null) {
-            return "Nobody has control; take it.";
+            String free = "Nobody has control; take it.";
+            return interruption == null ? free : interruption + " " + free;
         }
         return tenure.holder().words() + " has had control of it since " + TIME.format(tenure.since())
                 + (tenure.holder() instanceof Holder.Pilot
@@ -65,11 +68,11 @@ public record Control(
     }
 
     Control with(@Nullable Tenure now) {
-        return new Control(epoch, now, requests, lapse);
+        return new Control(epoch, now, requests, lapse, interruption);
     }
 
     Control withRequests(List<ControlRequest> now) {
-        return new Control(epoch, tenure, now, lapse);
+        return new Control(epoch, tenure, now, lapse, interruption);
     }
 
     Control without(String user) {

@@ -36,6 +36,9 @@ public sealed interface LeaseEvent {
     /** An operation is over. */
     record Disengage(String operation) implements LeaseEvent {}
 
+    /** Somebody who goes first commands the drone: an operation that has it loses it; {@code why} is a sentence. */
+    record Interrupt(String why) implements LeaseEvent {}
+
     /** This user may command no more. */
     record Expel(String user) implements LeaseEvent {}
 

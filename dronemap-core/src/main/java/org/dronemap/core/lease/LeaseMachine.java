@@ -28,7 +28,7 @@ public final class LeaseMachine {
     public Control restored(SavedLease lease, Moment now) {
         Tenure tenure = new Tenure(
                 new Holder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS, lease.epoch());
-        return new Control(epochs.getAsLong(), tenure, List.of(), null);
+        return new Control(epochs.getAsLong(), tenure, List.of(), null, null);
     }
 
     public LeaseStep apply(Control control, LeaseEvent event, Moment now) {
@@ -74,6 +74,9 @@ public final class LeaseMachine {
         }
         if (event instanceof LeaseEvent.Disengage disengage) {
             return disengage(control, disengage.operation());
+        }
+        if (event instanceof LeaseEvent.Interrupt interrupt) {
+            return interrupt(control, interrupt.why());
         }
         if (event instanceof LeaseEvent.PilotActed pilot) {
             return pilotActed(control, pilot.what(), now);
@@ -221,6 +224,16 @@ public final class LeaseMachine {
                 : LeaseStep.granted(freed(control.epoch(), null), change(Kind.RELEASED, tenure.holder(), null));
     }
 
+    /** With a new epoch: what the operation has sent and is not at the vehicle yet must not undo what interrupts it. */
+    private LeaseStep interrupt(Control control, String why) {
+        Tenure tenure = control.tenure();
+        return tenure == null || !(tenure.holder() instanceof Holder.Operation)
+                ? LeaseStep.granted(control)
+                : LeaseStep.granted(
+                        new Control(epochs.getAsLong(), null, List.of(), null, why),
+                        change(Kind.RELEASED, tenure.holder(), null));
+    }
+
     private LeaseStep pilotActed(Control control, String what, Moment now) {
         Tenure tenure = control.tenure();
         if (tenure == null) {
@@ -301,7 +314,7 @@ public final class LeaseMachine {
         }
         Lapse returned = new Lapse(lapse.user(), lapse.sinceNanos(), true);
         return LeaseStep.granted(
-                new Control(control.epoch(), null, control.requests(), returned),
+                new Control(control.epoch(), null, control.requests(), returned, null),
                 change(Kind.RETURN_DUE, new Holder.Person(lapse.user()), null));
     }
 
@@ -309,12 +322,13 @@ public final class LeaseMachine {
         List<ControlRequest> others = holder instanceof Holder.Person person
                 ? before.without(person.name()).requests()
                 : List.of();
-        return new Control(epochs.getAsLong(), new Tenure(holder, explicit, now.at(), now.nanos(), null), others, null);
+        Tenure tenure = new Tenure(holder, explicit, now.at(), now.nanos(), null);
+        return new Control(epochs.getAsLong(), tenure, others, null, null);
     }
 
     /** Whoever waited can take it now. */
     private static Control freed(long epoch, @Nullable Lapse lapse) {
-        return new Control(epoch, null, List.of(), lapse);
+        return new Control(epoch, null, List.of(), lapse, null);
     }
 
     private static ControlChange change(Kind kind, Holder by, @Nullable Holder other) {

@@ -12,18 +12,29 @@ import org.jspecify.annotations.Nullable;
 /**
  * What is seen of an operation's drones at one moment; a drone that was removed is not among them.
  *
- * @param sighted when the newest {@link Sighting} came; null: none came since the process began
+ * @param sighted when the newest {@link Sighting} came that was fresh; null: none came since the process began
+ * @param reach of who tells of them; null: not known, as when they come one by one
+ * @param around nothing where nobody steers
  * @param unsteered drones that could not be steered, and why, as sentences
  */
 public record Scene(
-        Instant now, List<Seen> drones, @Nullable Instant sighted, Map<DroneId, String> unsteered) {
+        Instant now,
+        List<Seen> drones,
+        @Nullable Instant sighted,
+        @Nullable Reach reach,
+        Surroundings around,
+        Map<DroneId, String> unsteered) {
     public Scene {
         drones = List.copyOf(drones);
         unsteered = Map.copyOf(unsteered);
     }
 
     public Scene(Instant now, List<Seen> drones) {
-        this(now, drones, null, Map.of());
+        this(now, drones, Surroundings.NONE);
+    }
+
+    public Scene(Instant now, List<Seen> drones, Surroundings around) {
+        this(now, drones, null, null, around, Map.of());
     }
 
     public Optional<Seen> of(DroneId drone) {
@@ -33,9 +44,22 @@ public record Scene(
     /**
      * One drone.
      *
-     * @param takenBy why the operation has no control of it, as a sentence; null: it has
      * @param silence for how long nothing was heard, zero while its link is live
      * @param still for how long it has not moved from its place
      */
-    public record Seen(DroneState state, @Nullable String takenBy, Duration silence, Duration still) {}
+    public record Seen(DroneState state, Sway sway, Duration silence, Duration still) {
+        /** Why the operation may not command it, as a sentence; null: it may. */
+        public @Nullable String takenBy() {
+            return sway.takenBy() == null ? sway.barred() : sway.takenBy();
+        }
+    }
+
+    /**
+     * Who has control of a drone.
+     *
+     * @param takenBy why the operation has not, as a sentence; null: it has
+     * @param barred why drones are not commanded for its user any more, as a sentence, whoever has control; null: they are
+     * @param free nobody has
+     */
+    public record Sway(@Nullable String takenBy, @Nullable String barred, boolean free) {}
 }

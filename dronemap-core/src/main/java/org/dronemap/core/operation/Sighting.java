@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  * Where something was that an operation is about and that is no drone, as whoever sees it says. Told once or more a second, and
  * not written down.
  *
+ * @param number rises from one to the next, so that what is said twice counts once
  * @param at by the clock of who says it
  * @param sent when it was said, by the same clock
  * @param heard when it came, by the cloud's
@@ -17,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param motion how it moves; null: not said
  */
 public record Sighting(
+        long number,
         Instant at,
         Instant sent,
         Instant heard,
@@ -24,6 +26,14 @@ public record Sighting(
         Geodetic point,
         double accuracyMeters,
         @Nullable Motion motion) {
+    /** What was seen longer ago than this says nothing of now. */
+    private static final Duration STALE = Duration.ofSeconds(5);
+
+    /** It was said soon after it was seen. */
+    public boolean isFresh() {
+        return Duration.between(at, sent).compareTo(STALE) <= 0;
+    }
+
     /** Over the ground, m/s, and degrees clockwise from north. */
     public record Motion(double speed, double courseDegrees) {}
 }

@@ -35,7 +35,7 @@ final class Lead {
 
     Optional<Command> of(Setpoint setpoint) {
         if (setpoint instanceof Setpoint.Track track) {
-            return Optional.of(new Command.GoTo(track.point(), track.altitude()));
+            return Optional.of(ahead(track));
         }
         Geodetic here = position == null ? null : position.point();
         if (setpoint instanceof Setpoint.Velocity velocity && (here == null || turnsUnknown(velocity))) {
@@ -50,6 +50,21 @@ final class Lead {
         return altitude == null
                 ? Optional.empty()
                 : Optional.of(new Command.GoTo(new LocalPlane(here).place(moved(wanted)), altitude));
+    }
+
+    /** Whoever hears nothing more goes on as the place moved, and then stands. */
+    private Command ahead(Setpoint.Track track) {
+        Setpoint.Velocity moving = track.moving();
+        if (moving == null) {
+            return new Command.GoTo(track.point(), track.altitude());
+        }
+        Altitude altitude = track.altitude();
+        double meters = altitude.meters() - moving.down() * AHEAD_SECONDS;
+        return new Command.GoTo(
+                new LocalPlane(track.point()).place(moved(moving)),
+                Math.abs(meters) <= Altitude.HIGHEST_PLANNED_METERS
+                        ? new Altitude(meters, altitude.reference())
+                        : altitude);
     }
 
     private boolean turnsUnknown(Setpoint.Velocity velocity) {

@@ -115,7 +115,8 @@ final class Watch implements Operation<Watch.State, String> {
         String[] words = input.split(" ", 3);
         return switch (words[0]) {
             case "note" -> new Decision<>(state.heard(input.substring(5)), List.of(), "It heard " + input.substring(5));
-            case "arm" -> arm(state);
+            case "arm" -> give(state, new Command.Arm());
+            case "home" -> give(state, new Command.ReturnToLaunch());
             case "compute" ->
                 new Decision<>(state.heard("asked"), List.of(new Action.Compute<>(new Work(words[1]))), null);
             case "taken" -> taken(state, words[1], words[2]);
@@ -126,12 +127,12 @@ final class Watch implements Operation<Watch.State, String> {
         };
     }
 
-    private Decision<State, String> arm(State state) {
+    private Decision<State, String> give(State state, Command command) {
         List<Action<String>> actions = new ArrayList<>();
         int given = state.given();
         for (String drone : state.drones()) {
             given += step;
-            actions.add(new Action.Give<>(new DroneId(drone), new CommandId("command-" + given), new Command.Arm()));
+            actions.add(new Action.Give<>(new DroneId(drone), new CommandId("command-" + given), command));
         }
         return new Decision<>(new State(state.drones(), state.heard(), given, false), actions, null);
     }

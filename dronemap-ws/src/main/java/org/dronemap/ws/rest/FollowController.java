@@ -5,6 +5,7 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.FollowReceipt;
 import org.dronemap.ws.service.FollowRequest;
 import org.dronemap.ws.service.FollowService;
 import org.dronemap.ws.service.FollowView;
@@ -73,8 +74,10 @@ public class FollowController {
     @PostMapping("/{id}/positions")
     @Operation(
             summary = "Say where the phone is (operator)",
-            description = "Once a second or so. Only the user who asked to be followed says that.")
-    public FollowView positions(@PathVariable String id, @RequestBody FollowRequest.PositionsRequest request) {
+            description =
+                    "Once a second or so. What was said before may be said again: it counts once. Only the user who asked"
+                            + " to be followed says that. 409 when the follow is over.")
+    public FollowReceipt positions(@PathVariable String id, @RequestBody FollowRequest.PositionsRequest request) {
         return follows.positions(current.principal(), id, request);
     }
 

@@ -1,8 +1,6 @@
 package org.dronemap.ws.service;
 
-import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -13,28 +11,25 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Wind;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.geo.LocalPlane;
-import org.dronemap.core.geo.Spot;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.virtual.Demand;
 import org.dronemap.core.virtual.Needs;
 import org.dronemap.core.virtual.Selection;
 import org.dronemap.core.virtual.Share;
 import org.dronemap.core.virtual.Tour;
-import org.dronemap.core.zone.Zone;
+import org.jspecify.annotations.Nullable;
 
 /** Finds the drone that follows a phone, by the same reckoning as for virtual drones, and what binds it. */
 final class FollowDrones {
-    private static final Duration AHEAD = Duration.ofHours(1);
-    private static final int CORNERS = 36;
     private static final double SECONDS = 60;
     private static final Needs NEEDS =
             new Needs(null, Set.of(Capability.TAKE_OFF, Capability.TRACK, Capability.RETURN_TO_LAUNCH), null, null);
@@ -47,31 +42,40 @@ final class FollowDrones {
 
     /** What it has to do: come, stay for so many minutes, go home. */
     record Task(Geodetic near, FollowOrder.Place place, double minutes) {
-        private Demand demand() {
+        private Demand demand(@Nullable Wind wind) {
             Altitude height = new Altitude(place.heightMeters(), Altitude.Reference.HOME);
             MissionItem.Waypoint there = new MissionItem.Waypoint(near, height, minutes * SECONDS);
-            return new Demand(NEEDS, new Tour(place.heightMeters(), List.of(there), false), 0);
+            return new Demand(NEEDS, new Tour(place.heightMeters(), List.of(there), false), 0, wind);
         }
     }
 
+    /** {@code chosen}: empty, and {@code why} each cannot. */
+    record Found(Optional<FollowOrder.Chosen> chosen, String why) {}
+
     /** Among these; a conflict with why each cannot when none can. */
-    FollowOrder.Chosen choose(Principal principal, List<DroneState> drones, Task task) {
-        Selection selection = Selection.of(task.demand(), drones, (drone, share) -> objection(principal, drone, share));
+    FollowOrder.Chosen choose(Principal principal, List<DroneState> drones, Task task, Instant now) {
+        Found found = find(principal, drones, task, now);
+        return found.chosen()
+                .orElseThrow(() -> Rejection.conflict(
+                        drones.isEmpty()
+                                ? "No drone of the warehouse is yours to command; name one that you look after."
+                                : "No drone can follow now. " + found.why()));
+    }
+
+    Found find(Principal principal, List<DroneState> drones, Task task, Instant now) {
+        Wind wind = Wind.near(task.near(), seen(principal), now).orElse(null);
+        Selection selection =
+                Selection.of(task.demand(wind), drones, (drone, share) -> objection(principal, drone, share));
         Function<DroneId, String> names = id -> drones.stream()
                 .filter(drone -> drone.id().equals(id))
                 .map(DroneState::name)
                 .findFirst()
                 .orElse(id.value());
-        return selection
-                .choice()
-                .map(choice -> chosen(choice.chosen(), choice.sentence(names)))
-                .orElseThrow(() -> Rejection.conflict(
-                        drones.isEmpty()
-                                ? "No drone of the warehouse is yours to command; name one that you look after."
-                                : "No drone can follow now. "
-                                        + selection.unfit().stream()
-                                                .map(one -> names.apply(one.drone()) + ": " + one.why())
-                                                .collect(Collectors.joining(" "))));
+        return new Found(
+                selection.choice().map(choice -> chosen(choice.chosen(), choice.sentence(names))),
+                selection.unfit().stream()
+                        .map(one -> names.apply(one.drone()) + ": " + one.why())
+                        .collect(Collectors.joining(" ")));
     }
 
     private FollowOrder.Chosen chosen(DroneId id, String why) {
@@ -92,35 +96,32 @@ final class FollowDrones {
         return cloud.gate().whyNot(principal, drone, new Command.UploadMission(share.mission()));
     }
 
+    /** It stands in the air and waits for what it is told, and nobody has control of it. */
+    boolean isLeftAloft(DroneId id) {
+        return cloud.controls().control(id).tenure() == null
+                && cloud.drone(id)
+                        .filter(DroneState::airborne)
+                        .filter(drone -> drone.capabilities()
+                                .steering(drone.mode())
+                                .filter(Steering::takesOrders)
+                                .isPresent())
+                        .isPresent();
+    }
+
+    /** In the hands of no one, nor of their user. */
+    boolean isFree(DroneId id) {
+        return cloud.controls().control(id).tenure() == null;
+    }
+
     List<DroneState> commandable(Principal principal) {
-        return cloud.drones().stream()
-                .filter(drone -> principal.sees(drone.id()) && principal.may(Role.OPERATOR, drone.id()))
+        return seen(principal).stream()
+                .filter(drone -> principal.may(Role.OPERATOR, drone.id()))
                 .toList();
     }
 
-    /** The zones that bind it now or soon, at whatever height. */
-    FollowOrder.Fences fences(String user, DroneId drone, Instant now) {
-        List<FollowOrder.Area> stayIn = new ArrayList<>();
-        List<FollowOrder.Area> keepOut = new ArrayList<>();
-        for (Zone zone : cloud.zones().binding(user, drone, now, now.plus(AHEAD))) {
-            (zone.shape().inside() ? stayIn : keepOut).add(new FollowOrder.Area(corners(zone.shape())));
-        }
-        return new FollowOrder.Fences(stayIn, keepOut);
-    }
-
-    /** Of a circle within which it stays the area is a little smaller, of one that it keeps out of a little larger. */
-    private static List<Geodetic> corners(FenceZone shape) {
-        if (shape instanceof FenceZone.Polygon polygon) {
-            return polygon.corners();
-        }
-        FenceZone.Circle circle = (FenceZone.Circle) shape;
-        double radius = circle.inside() ? circle.radiusMeters() : circle.radiusMeters() / Math.cos(Math.PI / CORNERS);
-        LocalPlane plane = new LocalPlane(circle.center());
-        List<Geodetic> corners = new ArrayList<>();
-        for (int corner = 0; corner < CORNERS; corner++) {
-            double angle = 2 * Math.PI * corner / CORNERS;
-            corners.add(plane.place(new Spot(radius * Math.sin(angle), radius * Math.cos(angle))));
-        }
-        return corners;
+    private List<DroneState> seen(Principal principal) {
+        return cloud.drones().stream()
+                .filter(drone -> principal.sees(drone.id()))
+                .toList();
     }
 }

@@ -3,6 +3,7 @@ package org.dronemap.ws.service;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import org.dronemap.cognitive.follow.Side;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
@@ -14,13 +15,18 @@ import org.jspecify.annotations.Nullable;
 final class FollowReader {
     private static final FollowOrder.Place USUAL = new FollowOrder.Place(new Side.Behind(), 8, 15);
     private static final int LONGEST_NAME = 60;
-    private static final int MOST_POSITIONS = 20;
+    private static final int MOST_POSITIONS = 60;
+    /** All that a page's numbers tell apart. */
+    private static final long MOST_ID = (1L << 53) - 1;
+
+    private static final Instant EARLIEST = Instant.EPOCH;
+    private static final Instant LATEST = Instant.parse("2200-01-01T00:00:00Z");
     private static final double USUAL_MINUTES = 10;
     private static final double USUAL_SPEED = 12;
     private static final double USUAL_PATIENCE = 60;
     private static final double USUAL_ACCURACY = 10;
     private static final String SIDES = "behind, ahead, fixed or orbit";
-    private static final String COUNT = "1 to " + MOST_POSITIONS + " positions";
+    private static final String COUNT = "up to " + MOST_POSITIONS + " positions";
 
     private FollowReader() {}
 
@@ -96,7 +102,7 @@ final class FollowReader {
         if (positions == null) {
             throw InvalidInput.missing("positions", COUNT);
         }
-        if (positions.isEmpty() || positions.size() > MOST_POSITIONS) {
+        if (positions.size() > MOST_POSITIONS) {
             throw InvalidInput.outside("positions", COUNT, positions.size());
         }
         Double roundTrip = request.roundTrip();
@@ -105,9 +111,18 @@ final class FollowReader {
                 : Duration.ofMillis((long) Ranges.checked("roundTrip", roundTrip, 0, 60_000, "milliseconds"));
         List<Sighting> sightings = new ArrayList<>();
         for (int index = 0; index < positions.size(); index++) {
-            sightings.add(sighting(positions.get(index), "positions[" + index + "]", new Said(sent, heard, measured)));
+            sightings.add(sighting(
+                    positions.get(index), "positions[" + index + "]", new Said(time("sent", sent), heard, measured)));
         }
+        sightings.sort(Comparator.comparingLong(Sighting::number));
         return sightings;
+    }
+
+    private static Instant time(String field, Instant time) {
+        if (time.isBefore(EARLIEST) || time.isAfter(LATEST)) {
+            throw InvalidInput.outside(field, EARLIEST + " to " + LATEST, time.toString());
+        }
+        return time;
     }
 
     private record Said(
@@ -117,10 +132,17 @@ final class FollowReader {
         if (position == null || position.at() == null) {
             throw InvalidInput.missing(field + ".at", "a time");
         }
+        Instant at = time(field + ".at", position.at());
+        Long id = position.id();
+        if (id != null && (id < 0 || id > MOST_ID)) {
+            throw InvalidInput.outside(field + ".id", "0 to " + MOST_ID, id);
+        }
         Double speed = position.speed();
         Double course = position.course();
         return new Sighting(
-                position.at(),
+                id == null ? at.toEpochMilli() : id,
+                // Some receivers are ahead of their own phone.
+                at.isAfter(said.sent()) ? said.sent() : at,
                 said.sent(),
                 said.heard(),
                 said.roundTrip(),

@@ -66,12 +66,22 @@ public final class FollowRequest {
             @Schema(description = "Milliseconds from sending one to its answer, as measured lately") @Nullable
             Double roundTrip,
 
-            @Schema(description = "1 to 20", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            @Schema(
+                    description = "Up to 60. None: the phone is there, and does not know where it is",
+                    requiredMode = Schema.RequiredMode.REQUIRED)
+            @Nullable
             List<@Nullable PositionRequest> positions) {}
 
     /** One position. */
     @Schema(description = "Where the phone was once.")
     public record PositionRequest(
+            @Schema(
+                    description =
+                            "Rises from one to the next as long as the follow lasts, so that a position that is said"
+                                    + " twice counts once; left out: milliseconds of its time")
+            @Nullable
+            Long id,
+
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             Instant at,
 

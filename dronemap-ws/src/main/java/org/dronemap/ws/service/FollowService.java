@@ -2,22 +2,29 @@ package org.dronemap.ws.service;
 
 import java.time.Clock;
 import java.time.Instant;
+import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.cognitive.operation.follow.FollowState;
+import org.dronemap.cognitive.operation.follow.Stage;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.OperationListener;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.Operations.Picture;
+import org.dronemap.core.conduct.Reception;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.Reach;
+import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.Sighting;
 
 /** Use cases around follows: ask for one, start, tell where the phone is, pause, change, stop. Any thread. */
@@ -26,6 +33,7 @@ public final class FollowService {
     private final OperationKind<FollowState, FollowInput> kind;
     private final OperationDesk<FollowState, FollowInput> desk;
     private final FollowDrones drones;
+    private final FollowViews views;
     private final Warehouse warehouse;
 
     /** What follows are conducted by. */
@@ -41,31 +49,33 @@ public final class FollowService {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
         this.drones = new FollowDrones(conduct.cloud());
+        this.views = new FollowViews(conduct);
         this.warehouse = warehouse;
         desk = new OperationDesk<>(
                 operations,
                 kind,
                 conduct.cloud(),
                 new OperationDesk.Words('f', "follow", "a follow flies"),
-                (principal, follow) -> principal.sees(follow.state().drone()),
+                FollowService::isShownTo,
                 clock);
     }
 
     /** Those under way and the newest that are over, the newest first. */
     public List<FollowView> all(Principal principal) {
         Roles.require(principal, Role.VIEWER);
-        return desk.all(principal).stream().map(FollowView::of).toList();
+        return desk.all(principal).stream().map(views::view).toList();
     }
 
     public FollowView one(Principal principal, String id) {
         Roles.require(principal, Role.VIEWER);
-        return FollowView.of(desk.find(principal, id));
+        return views.view(desk.find(principal, id));
     }
 
     /** A drone is chosen and kept for it; it stays on the ground until it is started. */
     public FollowView open(Principal principal, FollowRequest.OpenRequest request) {
         Roles.require(principal, Role.OPERATOR);
         desk.requireWithoutBounds(principal);
+        List<DroneState> candidates = candidates(principal, request);
         String name = FollowReader.name(request);
         Geodetic near = FollowReader.near(request);
         FollowOrder.Place place = FollowReader.place(request);
@@ -73,13 +83,12 @@ public final class FollowService {
         double speed = FollowReader.speed(request);
         int patience = FollowReader.patience(request);
         desk.requireRoom(principal);
-        FollowOrder.Chosen chosen = drones.choose(principal, candidates(principal, request), task);
         Instant at = desk.now();
-        FollowOrder order = new FollowOrder(
-                chosen, near, place, speed, drones.fences(principal.name(), chosen.drone(), at), patience);
+        FollowOrder.Chosen chosen = drones.choose(principal, candidates, task, at);
+        FollowOrder order = new FollowOrder(chosen, near, place, speed, patience);
         OperationId id = desk.newId();
         FollowState state = FollowState.begin(id, order, at);
-        return FollowView.of(desk.begin(principal, id, name, state, at));
+        return views.view(desk.begin(principal, id, name, state, at));
     }
 
     private List<DroneState> candidates(Principal principal, FollowRequest.OpenRequest request) {
@@ -113,7 +122,14 @@ public final class FollowService {
         return wish(principal, id, (by, at) -> new FollowInput.GoOn(at, by), true);
     }
 
+    /** A drone that nobody has any more, and that stands in the air, is taken for that. */
     public FollowView stop(Principal principal, String id) {
+        Roles.require(principal, Role.OPERATOR);
+        Picture<FollowState> follow = desk.find(principal, id);
+        if (follow.state().stage() == Stage.SUSPENDED
+                && drones.isLeftAloft(follow.state().drone())) {
+            goOn(principal, id);
+        }
         return wish(principal, id, (by, at) -> new FollowInput.Stop(at, by));
     }
 
@@ -125,22 +141,64 @@ public final class FollowService {
     }
 
     /** Where the phone is; whoever asked to be followed says that, and nobody else. */
-    public FollowView positions(Principal principal, String id, FollowRequest.PositionsRequest request) {
+    public FollowReceipt positions(Principal principal, String id, FollowRequest.PositionsRequest request) {
         Roles.require(principal, Role.OPERATOR);
         Picture<FollowState> follow = desk.find(principal, id);
         if (!follow.saved().owner().equals(principal.name())) {
             throw Rejection.forbidden("Only " + follow.saved().owner() + " says where the phone is.");
         }
-        if (follow.saved().endedAt() != null) {
-            throw Rejection.conflict("This follow is over.");
-        }
+        FollowReceipt.Count count = new FollowReceipt.Count();
         for (Sighting sighting : FollowReader.sightings(request, desk.now())) {
-            if (!operations.sighted(kind, follow.saved().id(), sighting)) {
-                throw new Rejection(
-                        RejectionKind.UNAVAILABLE, "The server is overloaded; say only where the phone is now.");
+            Reception reception = operations.sighted(kind, follow.saved().id(), sighting);
+            if (reception == Reception.UNHEARD) {
+                throw Rejection.conflict("This follow is over.");
+            }
+            if (!count.add(sighting.number(), reception)) {
+                break;
             }
         }
-        return FollowView.of(follow);
+        return count.receipt(follow.saved().id().value(), desk.now());
+    }
+
+    /** Hears of follows and of all other operations. */
+    public void addListener(OperationListener listener) {
+        operations.addListener(listener);
+    }
+
+    /** How its phone is reached from now on; false when it is not under way. */
+    public boolean reached(String id, Reach how) {
+        return operations.reached(kind, new OperationId(id), how);
+    }
+
+    /** Where the phone is at this moment, for those who say it with nothing between. */
+    public void isAt(Principal principal, String id, FollowRequest.PositionRequest where) {
+        Instant now = desk.now();
+        FollowRequest.PositionRequest here = new FollowRequest.PositionRequest(
+                null, now, where.latitude(), where.longitude(), where.accuracy(), where.speed(), where.course());
+        FollowReceipt receipt = positions(
+                principal, id, new FollowRequest.PositionsRequest(now, null, Collections.singletonList(here)));
+        if (receipt.upTo() == null) {
+            throw new Rejection(RejectionKind.UNAVAILABLE, "The server is busy; say again where the phone is.");
+        }
+    }
+
+    /** Those under way. */
+    public List<Picture<FollowState>> underWay() {
+        return operations.underWay(kind);
+    }
+
+    /** As it was stored; empty: it is another kind of operation. */
+    public Optional<Picture<FollowState>> picture(SavedOperation saved) {
+        return desk.picture(saved);
+    }
+
+    public FollowView view(Picture<FollowState> follow) {
+        return views.view(follow);
+    }
+
+    public static boolean isShownTo(Principal principal, Picture<FollowState> follow) {
+        return principal.organisation().equals(follow.saved().organisation())
+                && principal.sees(follow.state().drone());
     }
 
     private FollowView wish(Principal principal, String id, BiFunction<String, Instant, FollowInput> what) {
@@ -157,9 +215,10 @@ public final class FollowService {
         if (follow.saved().endedAt() != null) {
             throw Rejection.conflict("This follow is over.");
         }
+        FollowInput input = what.apply(principal.name(), desk.now());
         if (hands) {
-            desk.giveBack(principal, follow.state().drone());
+            desk.takeBack(principal, follow.state(), input, follow.state().drone());
         }
-        return FollowView.of(desk.wish(follow, what.apply(principal.name(), desk.now())));
+        return views.view(desk.wish(follow, input));
     }
 }

@@ -40,8 +40,31 @@ public record FollowView(
         String droneName,
         PlaceView place,
 
+        @Schema(description = "seconds without a position before the drone flies home")
+        int patience,
+
         @Schema(description = "What it said, the newest 30, the oldest first; first why this drone was chosen")
-        List<ToldView> told) {
+        List<ToldView> told,
+
+        @Schema(
+                description =
+                        "Other drones of it: one that comes to replace this one, or that was replaced and flies home")
+        List<OtherView> others,
+
+        @Schema(description = "How drone and phone are to each other now; null: it is over") @Nullable
+        NowView now) {
+    /** Another drone of the same follow. */
+    @Schema(name = "FollowOtherView")
+    public record OtherView(
+            String drone,
+            String droneName,
+
+            @Schema(description = "starting, tracking, suspended or returning, as of a follow")
+            String state,
+
+            @Schema(description = "It is on its way to replace the drone that follows; false: it flies home")
+            boolean comes) {}
+
     /** Where the drone stays. */
     @Schema(name = "FollowPlaceView")
     public record PlaceView(
@@ -59,11 +82,55 @@ public record FollowView(
             @Schema(description = "metres above the drone's home")
             double height) {}
 
+    /** What changes all the time; what nobody knows is null. */
+    @Schema(name = "FollowNowView", description = "What changes all the time; null: nobody knows it.")
+    public record NowView(
+            @Nullable PointView droneAt,
+
+            @Schema(description = "metres above its home") @Nullable
+            Double height,
+
+            @Schema(description = "metres on the ground from the drone to where the phone said last that it is")
+            @Nullable
+            Double distance,
+
+            @Schema(description = "per cent") @Nullable Integer battery,
+
+            @Schema(
+                    description =
+                            "until the drone has to fly home with what is in its battery, if it stays as far away")
+            @Nullable
+            Integer secondsLeft,
+
+            @Nullable PhoneView phone,
+
+            @Schema(
+                    description =
+                            "How the phone is reached on the stream: speaks; asleep, its page stands still; cut, it"
+                                    + " has no network; gone, its page was closed. null: it does not speak there")
+            @Nullable
+            String reach) {}
+
+    /** Degrees. */
+    @Schema(name = "FollowPointView")
+    public record PointView(double latitude, double longitude) {}
+
+    /** Where the phone said last that it is. */
+    @Schema(name = "FollowPhoneView")
+    public record PhoneView(
+            PointView at,
+
+            @Schema(description = "metres") double accuracy,
+
+            @Schema(description = "The id of that position") long id,
+
+            @Schema(description = "When the cloud heard it") Instant heard) {}
+
     /** A sentence of it. */
     @Schema(name = "FollowToldView")
     public record ToldView(Instant at, String words) {}
 
-    static FollowView of(Picture<FollowState> follow) {
+    static FollowView of(Picture<FollowState> follow, @Nullable NowView now) {
         FollowState state = follow.state();
         Instant ended = follow.saved().endedAt();
         return new FollowView(
@@ -79,9 +146,18 @@ public record FollowView(
                 state.drone().value(),
                 state.order().chosen().name(),
                 place(state.order().place()),
+                state.order().patienceSeconds(),
                 state.told().stream()
                         .map(one -> new ToldView(millis(one.at()), one.words()))
-                        .toList());
+                        .toList(),
+                state.crew().others().stream()
+                        .map(other -> new OtherView(
+                                other.drone().value(),
+                                other.droneName(),
+                                WireNames.camel(other.stage()),
+                                other.comes(state)))
+                        .toList(),
+                now);
     }
 
     private static PlaceView place(FollowOrder.Place place) {

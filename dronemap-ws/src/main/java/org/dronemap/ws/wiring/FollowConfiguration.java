@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import org.dronemap.ws.rest.FollowController;
+import org.dronemap.ws.service.FollowReliefs;
 import org.dronemap.ws.service.FollowService;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -13,8 +14,21 @@ import org.springframework.context.annotation.Import;
 public class FollowConfiguration {
     @Bean
     FollowService followService(House house, Clock clock) {
-        FollowService.Conduct conduct = new FollowService.Conduct(
-                house.runs().operations(), house.runs().follows(), house.cloud());
-        return new FollowService(conduct, house.virtuals()::warehouse, clock);
+        return new FollowService(conduct(house), house.virtuals()::warehouse, clock);
+    }
+
+    @Bean
+    FollowReliefs followReliefs(House house, Clock clock) {
+        FollowReliefs reliefs = new FollowReliefs(
+                conduct(house),
+                house.virtuals()::warehouse,
+                new AccountRights(house.access(), house.grantBook()),
+                clock);
+        reliefs.start();
+        return reliefs;
+    }
+
+    private static FollowService.Conduct conduct(House house) {
+        return new FollowService.Conduct(house.runs().operations(), house.runs().follows(), house.cloud());
     }
 }

@@ -1,9 +1,11 @@
 package org.dronemap.cognitive.operation.follow;
 
 import java.time.Instant;
+import java.util.List;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.Reach;
 import org.jspecify.annotations.Nullable;
 
 /** What befalls a follow. */
@@ -15,13 +17,50 @@ public sealed interface FollowInput {
      *
      * @param drone null: it was removed
      * @param sighted when the newest position of the phone came; null: none did
+     * @param reach how the phone is reached; null: not known
      * @param unsteered why the drone could not be steered, as a sentence; null: it was, or nobody wanted to
+     * @param others the follow's other drones
      */
     record Looked(
             Instant at,
             @Nullable Look drone,
             @Nullable Instant sighted,
-            @Nullable String unsteered) implements FollowInput {}
+            @Nullable Reach reach,
+            @Nullable String unsteered,
+            List<Other> others)
+            implements FollowInput {
+        public Looked {
+            others = List.copyOf(others);
+        }
+
+        public Looked(
+                Instant at,
+                @Nullable Look drone,
+                @Nullable Instant sighted,
+                @Nullable Reach reach,
+                @Nullable String unsteered) {
+            this(at, drone, sighted, reach, unsteered, List.of());
+        }
+
+        /** The same for that one of the others. */
+        Looked of(DroneId drone) {
+            Look look = others.stream()
+                    .filter(other -> other.drone().equals(drone))
+                    .findFirst()
+                    .map(Other::look)
+                    .orElse(null);
+            return new Looked(at, look, sighted, reach, null);
+        }
+    }
+
+    /**
+     * A drone that comes to replace the one that leads, or that was replaced.
+     *
+     * @param look null: it was removed
+     * @param apartMeters on the ground from the one that leads; null: not known, or it still rises
+     */
+    record Other(
+            DroneId drone, @Nullable Look look, @Nullable Double apartMeters) {}
 
     /**
      * The drone.
@@ -32,6 +71,7 @@ public sealed interface FollowInput {
      * @param homing it comes home or down by itself
      * @param mode as people call it; null: not known
      * @param homeMeters how far it is from its home; null: not known
+     * @param grip null: nothing of that
      */
     record Look(
             @Nullable String takenBy,
@@ -42,12 +82,42 @@ public sealed interface FollowInput {
             boolean homing,
             @Nullable String mode,
             @Nullable Integer batteryPercent,
-            @Nullable Double homeMeters) {}
+            @Nullable Double homeMeters,
+            @Nullable Grip grip) {
+        /** In the follow's hands, or in those of whoever it was taken by. */
+        public Look(
+                @Nullable String takenBy,
+                int silentSeconds,
+                boolean armed,
+                boolean airborne,
+                boolean guided,
+                boolean homing,
+                @Nullable String mode,
+                @Nullable Integer batteryPercent,
+                @Nullable Double homeMeters) {
+            this(takenBy, silentSeconds, armed, airborne, guided, homing, mode, batteryPercent, homeMeters, null);
+        }
+    }
+
+    /**
+     * In whose hands the drone is when they are not the follow's alone.
+     *
+     * @param barred why drones are not commanded for whoever asked any more, as a sentence; null: they are
+     * @param adrift nobody has control of it, and it waits for somebody with its motors running
+     * @param steered it is in a mode for a pilot's sticks
+     */
+    record Grip(@Nullable String barred, boolean adrift, boolean steered) {}
 
     record CommandEnded(Instant at, DroneId drone, CommandId command, Outcome outcome) implements FollowInput {}
 
     /** The process was started again. */
     record Resumed(Instant at) implements FollowInput {}
+
+    /** That drone is sent to replace the one that leads. */
+    record Relieve(Instant at, FollowOrder.Chosen chosen) implements FollowInput {}
+
+    /** No drone can be sent for that; {@code why} as one or more sentences. */
+    record Unrelieved(Instant at, String why) implements FollowInput {}
 
     /** What somebody wants of it. */
     sealed interface Wish extends FollowInput {

@@ -1,6 +1,5 @@
 package org.dronemap.cognitive.operation.follow;
 
-import java.util.List;
 import org.dronemap.cognitive.follow.Side;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
@@ -9,10 +8,9 @@ import org.dronemap.core.geo.Geodetic;
  * What is asked for.
  *
  * @param near where the phone was when it asked
- * @param fences what the drone keeps within and out of
  * @param patienceSeconds without positions, before it flies home
  */
-public record FollowOrder(Chosen chosen, Geodetic near, Place place, double speed, Fences fences, int patienceSeconds) {
+public record FollowOrder(Chosen chosen, Geodetic near, Place place, double speed, int patienceSeconds) {
     /** Lower than this nobody is followed: metres above the drone's home. */
     public static final double LOWEST_METERS = 5;
 
@@ -34,22 +32,11 @@ public record FollowOrder(Chosen chosen, Geodetic near, Place place, double spee
      */
     public record Place(Side side, double distanceMeters, double heightMeters) {}
 
-    /** Areas by their corners. */
-    public record Fences(List<Area> stayIn, List<Area> keepOut) {
-        public Fences {
-            stayIn = List.copyOf(stayIn);
-            keepOut = List.copyOf(keepOut);
-        }
-    }
-
-    /** An area. */
-    public record Area(List<Geodetic> corners) {
-        public Area {
-            corners = List.copyOf(corners);
-        }
+    FollowOrder by(Chosen other) {
+        return new FollowOrder(other, near, place, speed, patienceSeconds);
     }
 
     FollowOrder at(Place other) {
-        return new FollowOrder(chosen, near, other, speed, fences, patienceSeconds);
+        return new FollowOrder(chosen, near, other, speed, patienceSeconds);
     }
 }

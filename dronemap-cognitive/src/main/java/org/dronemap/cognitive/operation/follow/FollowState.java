@@ -15,9 +15,11 @@ import org.jspecify.annotations.Nullable;
  * @param waits from when on positions are waited for
  * @param errand the command that is under way
  * @param tries how it went with the present step
+ * @param missing why the phone's positions do not come; null: they do
  * @param note what is not as it should be, as a sentence
  * @param told the newest {@value #MOST_TOLD}, oldest first
  * @param end how it ended, as a sentence; null: it goes on
+ * @param relay the other drones; null: there were none yet
  */
 public record FollowState(
         OperationId id,
@@ -27,9 +29,11 @@ public record FollowState(
         Instant waits,
         @Nullable Errand errand,
         Tries tries,
+        @Nullable Missing missing,
         @Nullable String note,
         List<Told> told,
-        @Nullable String end) {
+        @Nullable String end,
+        @Nullable Relay relay) {
     public static final int MOST_TOLD = 30;
 
     public FollowState {
@@ -43,6 +47,7 @@ public record FollowState(
     public record Errand(CommandId command, Kind kind) {
         /** What it is for. */
         public enum Kind {
+            CLOUD_LOSS,
             MODE,
             ARM,
             TAKE_OFF,
@@ -58,34 +63,68 @@ public record FollowState(
      * @param failed in a row
      * @param notBefore nothing is tried before; null: it may be at once
      */
-    public record Tries(int given, int failed, @Nullable Instant notBefore) {}
+    public record Tries(int given, int failed, @Nullable Instant notBefore) {
+        static final Tries NONE = new Tries(0, 0, null);
+    }
 
     /** A drone is there for it. */
     public static FollowState begin(OperationId id, FollowOrder order, Instant at) {
+        List<Told> why = List.of(new Told(at, order.chosen().why()));
+        return new FollowState(id, order, Stage.ALLOCATED, at, at, null, Tries.NONE, null, null, why, null, null);
+    }
+
+    /** One that comes to replace the drone of this follow. */
+    FollowState relief(FollowOrder.Chosen chosen, Instant at) {
         return new FollowState(
                 id,
-                order,
-                Stage.ALLOCATED,
+                order.by(chosen),
+                Stage.STARTING,
                 at,
                 at,
                 null,
-                new Tries(0, 0, null),
+                Tries.NONE,
                 null,
-                List.of(new Told(at, order.chosen().why())),
-                null);
+                null,
+                List.of(),
+                null,
+                Relay.ofNumber(crew().sent() + 1));
     }
 
     public DroneId drone() {
         return order.chosen().drone();
     }
 
+    /** As people call its drone. */
+    public String droneName() {
+        return order.chosen().name();
+    }
+
     public boolean isOver() {
         return stage == Stage.OVER;
     }
 
+    public Relay crew() {
+        return relay == null ? Relay.NONE : relay;
+    }
+
+    /** On its way to take over from the drone that leads. */
+    public boolean comes(FollowState leader) {
+        return crew().number() > leader.crew().number() && (stage == Stage.STARTING || stage == Stage.TRACKING);
+    }
+
+    /** A drone is on its way to take over. */
+    public boolean isRelieved() {
+        return crew().others().stream().anyMatch(other -> other.comes(this));
+    }
+
+    /** Another drone could take over, if there were one. */
+    public boolean isRelievable() {
+        boolean leads = stage == Stage.TRACKING && missing == null;
+        return (leads || (stage == Stage.RETURNING && crew().vacant())) && !isRelieved();
+    }
+
     FollowState to(Stage next, Instant at, String words) {
-        List<Told> all = new ArrayList<>(told);
-        all.add(new Told(at, words));
+        List<Told> all = telling(at, words);
         return new FollowState(
                 id,
                 order,
@@ -95,23 +134,56 @@ public record FollowState(
                 null,
                 new Tries(tries.given(), 0, null),
                 null,
-                all.subList(Math.max(0, all.size() - MOST_TOLD), all.size()),
-                next == Stage.OVER ? words : null);
+                null,
+                all,
+                next == Stage.OVER ? words : null,
+                relay == null ? null : relay.vacant(false));
+    }
+
+    /** It leads from then on, in the place of the one that led before. */
+    FollowState leads(FollowState before, Instant at, Relay crew) {
+        return new FollowState(id, order, stage, at, at, errand, tries, missing, note, before.told(), null, crew);
+    }
+
+    /** It says so, and is reached or not from then on. */
+    FollowState missing(@Nullable Missing why, Instant at, String words, @Nullable String noted) {
+        return new FollowState(
+                id, order, stage, since, waits, errand, tries, why, noted, telling(at, words), end, relay);
+    }
+
+    FollowState saying(Instant at, String words) {
+        return new FollowState(
+                id, order, stage, since, waits, errand, tries, missing, note, telling(at, words), end, relay);
+    }
+
+    private List<Told> telling(Instant at, String words) {
+        List<Told> all = new ArrayList<>(told);
+        all.add(new Told(at, words));
+        return all.subList(Math.max(0, all.size() - MOST_TOLD), all.size());
+    }
+
+    /** What it said was passed on. */
+    FollowState silently() {
+        return new FollowState(id, order, stage, since, waits, errand, tries, missing, note, List.of(), end, relay);
     }
 
     FollowState with(FollowOrder other) {
-        return new FollowState(id, other, stage, since, waits, errand, tries, note, told, end);
+        return new FollowState(id, other, stage, since, waits, errand, tries, missing, note, told, end, relay);
+    }
+
+    FollowState with(@Nullable Relay other) {
+        return new FollowState(id, order, stage, since, waits, errand, tries, missing, note, told, end, other);
     }
 
     FollowState noted(@Nullable String what) {
-        return new FollowState(id, order, stage, since, waits, errand, tries, what, told, end);
+        return new FollowState(id, order, stage, since, waits, errand, tries, missing, what, told, end, relay);
     }
 
     FollowState waiting(Instant from) {
-        return new FollowState(id, order, stage, since, from, errand, tries, note, told, end);
+        return new FollowState(id, order, stage, since, from, errand, tries, missing, note, told, end, relay);
     }
 
     FollowState on(@Nullable Errand what, Tries now) {
-        return new FollowState(id, order, stage, since, waits, what, now, note, told, end);
+        return new FollowState(id, order, stage, since, waits, what, now, missing, note, told, end, relay);
     }
 }

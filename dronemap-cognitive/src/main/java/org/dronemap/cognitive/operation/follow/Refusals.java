@@ -9,7 +9,20 @@ final class Refusals {
 
     private Refusals() {}
 
-    static Optional<String> of(Stage stage, FollowInput input) {
+    static Optional<String> of(FollowState state, FollowInput input) {
+        if (input instanceof FollowInput.Relieve relieve) {
+            return relieve(state, relieve.chosen());
+        }
+        Stage stage = state.stage();
+        boolean ends = input instanceof FollowInput.Stop || input instanceof FollowInput.Cancel;
+        if (ends && stage == Stage.RETURNING && (state.crew().vacant() || state.isRelieved())) {
+            // Whoever comes in its place is called off.
+            return Optional.empty();
+        }
+        return of(stage, input);
+    }
+
+    private static Optional<String> of(Stage stage, FollowInput input) {
         if (input instanceof FollowInput.Start) {
             return start(stage);
         }
@@ -26,6 +39,15 @@ final class Refusals {
             return stop(stage);
         }
         return input instanceof FollowInput.Change && stage == Stage.RETURNING ? Optional.of(HOME) : Optional.empty();
+    }
+
+    private static Optional<String> relieve(FollowState state, FollowOrder.Chosen chosen) {
+        boolean known = state.drone().equals(chosen.drone())
+                || state.crew().others().stream()
+                        .anyMatch(other -> other.drone().equals(chosen.drone()));
+        return state.isRelievable() && !known
+                ? Optional.empty()
+                : Optional.of("Nobody has to replace " + state.droneName() + " now.");
     }
 
     private static Optional<String> start(Stage stage) {

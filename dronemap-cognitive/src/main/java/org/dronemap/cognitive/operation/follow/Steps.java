@@ -10,11 +10,15 @@ import org.dronemap.cognitive.operation.follow.FollowState.Tries;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.operation.Action;
 import org.jspecify.annotations.Nullable;
 
 /** The commands that a drone is given, one after the other. */
 final class Steps {
+    /** What it ends with that a follow's only drone is down. */
+    static final String IT_IS_OVER = "; it is over.";
+
     private static final String GUIDED = "GUIDED";
     private static final Duration PAUSE = Duration.ofSeconds(3);
     private static final int MOST_TRIES = 3;
@@ -39,7 +43,9 @@ final class Steps {
         if (isBusy(at)) {
             return;
         }
-        if (!look.guided()) {
+        if (state.tries().given() == 0) {
+            give(Errand.Kind.CLOUD_LOSS, new ReturnOnLoss());
+        } else if (!look.guided()) {
             give(Errand.Kind.MODE, new Command.SetMode(GUIDED));
         } else if (!look.armed()) {
             give(Errand.Kind.ARM, new Command.Arm());
@@ -53,7 +59,7 @@ final class Steps {
     /** Home, and then it is over. */
     void home(Look look, Instant at) {
         if (!look.armed()) {
-            state = state.to(Stage.OVER, at, state.order().chosen().name() + " is down; it is over.");
+            state = state.to(Stage.OVER, at, state.order().chosen().name() + " is down" + IT_IS_OVER);
         } else if (!isBusy(at)) {
             if (!look.airborne()) {
                 give(Errand.Kind.DISARM, new Command.Disarm(false));
@@ -70,9 +76,15 @@ final class Steps {
 
     private void give(Errand.Kind kind, Command command) {
         Tries tries = state.tries();
-        CommandId id = new CommandId(state.id() + "-" + (tries.given() + 1));
+        CommandId id = new CommandId(state.id() + hand() + (tries.given() + 1));
         state = state.on(new Errand(id, kind), new Tries(tries.given() + 1, tries.failed(), null));
         actions.add(new Action.Give<>(state.drone(), id, command));
+    }
+
+    /** Commands of different drones of a follow are different ones. */
+    private String hand() {
+        int number = state.crew().number();
+        return number == 0 ? "-" : "-" + number + "-";
     }
 
     /** A command ended; what is done about it is decided at the next look. */
@@ -83,6 +95,11 @@ final class Steps {
         }
         String why = failure(ended.outcome());
         Tries tries = state.tries();
+        if (errand.kind() == Errand.Kind.CLOUD_LOSS) {
+            state = state.on(null, new Tries(tries.given(), 0, null));
+            state = why == null ? state : state.saying(ended.at(), stays(why));
+            return;
+        }
         if (why == null) {
             // What is heard of the vehicle takes a moment to say the same.
             state = state.on(null, new Tries(tries.given(), 0, ended.at().plusMillis(500)));
@@ -95,6 +112,11 @@ final class Steps {
         } else {
             state = state.noted("It is tried again: " + why);
         }
+    }
+
+    private String stays(String why) {
+        return state.order().chosen().name() + " could not be told to come home when the cloud is lost (" + why
+                + "): it would then stay where it is until its battery is low.";
     }
 
     private static @Nullable String failure(Outcome outcome) {

@@ -1,0 +1,22 @@
+package org.dronemap.cognitive.follow;
+
+/** How far drones that follow stay from all others in the air: at least one of the two, on the ground and in height. */
+public record Apart(double groundMeters, double heightMeters) {
+    public static final double LEAST_GROUND_METERS = 5;
+    public static final double MOST_GROUND_METERS = 50;
+    public static final double LEAST_HEIGHT_METERS = 3;
+    public static final double MOST_HEIGHT_METERS = 30;
+
+    public static final Apart USUAL = new Apart(10, 5);
+
+    public Apart {
+        if (!(groundMeters >= LEAST_GROUND_METERS && groundMeters <= MOST_GROUND_METERS)) {
+            throw new IllegalArgumentException("a separation on the ground is " + LEAST_GROUND_METERS + " to "
+                    + MOST_GROUND_METERS + " metres: " + groundMeters);
+        }
+        if (!(heightMeters >= LEAST_HEIGHT_METERS && heightMeters <= MOST_HEIGHT_METERS)) {
+            throw new IllegalArgumentException("a separation in height is " + LEAST_HEIGHT_METERS + " to "
+                    + MOST_HEIGHT_METERS + " metres: " + heightMeters);
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package org.dronemap.cognitive.follow;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+
+/**
+ * Drones that one which is led keeps apart from, on the ground or in height, as they are at one moment. The nearer it is, the
+ * slower it may come closer; it gives way to who comes on, and past each other both keep right. Immutable.
+ */
+public final class Others {
+    public static final Others NONE = new Others(List.of(), 0, 0);
+
+    /** How hard it counts on braking, m/s². */
+    private static final double BRAKING = 0.5;
+
+    private static final double GIVING_WAY = 1;
+    private static final double FASTEST_AWAY = 6;
+    /** Of what keeps it from going straight, so much goes to its right. */
+    private static final double SIDEWAYS = 0.7;
+
+    /** Within so much of what is kept on the way they evade each other upwards and downwards. */
+    private static final double TOO_NEAR_METERS = 2;
+
+    /** m/s that another one goes on with, and the share of what it has beyond. */
+    private static final double RELIED_ON = 4;
+
+    private static final double RELIED_ON_BEYOND = 0.4;
+    private static final double SAME_HEIGHT_METERS = 0.5;
+    private static final int ROUNDS = 8;
+    private static final double FAR = 200;
+    /** Kept in addition, half of it in height: receivers err, and what is heard of others is late. */
+    private static final double WANDER_METERS = 4;
+
+    private final List<Neighbor> neighbors;
+    private final double horizontalMeters;
+    private final double verticalMeters;
+
+    private record Neighbor(Spot spot, double eastward, double northward, double amslMeters) {}
+
+    /** Eastward and northward, m/s. */
+    record Speed(double eastward, double northward) {}
+
+    private Others(List<Neighbor> neighbors, double horizontalMeters, double verticalMeters) {
+        this.neighbors = List.copyOf(neighbors);
+        this.horizontalMeters = horizontalMeters;
+        this.verticalMeters = verticalMeters;
+    }
+
+    /** As they are in {@code seconds} after each was there. */
+    public static Others of(LocalPlane plane, List<Whereabouts> all, List<Double> seconds, Apart apart) {
+        List<Neighbor> neighbors = new ArrayList<>();
+        for (int i = 0; i < all.size(); i++) {
+            Whereabouts one = all.get(i);
+            Spot spot = plane.spot(one.point());
+            double later = seconds.get(i);
+            neighbors.add(new Neighbor(
+                    new Spot(spot.eastMeters() + one.eastward() * later, spot.northMeters() + one.northward() * later),
+                    one.eastward(),
+                    one.northward(),
+                    one.altitudeAmslMeters()));
+        }
+        return new Others(neighbors, apart.groundMeters() + WANDER_METERS, apart.heightMeters() + WANDER_METERS / 2);
+    }
+
+    /** The nearest to that speed by which it keeps apart, if it may be at any of these spots at that height. */
+    Speed allowed(List<Spot> here, double amslMeters, Speed wanted) {
+        Speed speed = wanted;
+        for (int round = 0; round < ROUNDS; round++) {
+            Speed before = speed;
+            for (Neighbor one : neighbors) {
+                if (Math.abs(one.amslMeters() - amslMeters) < verticalMeters) {
+                    for (Spot spot : here) {
+                        speed = kept(one, spot, speed, round == 0);
+                    }
+                }
+            }
+            if (speed.equals(before)) {
+                break;
+            }
+        }
+        return speed;
+    }
+
+    private Speed kept(Neighbor other, Spot here, Speed wanted, boolean sideways) {
+        double meters = other.spot().distanceMeters(here);
+        if (meters > FAR) {
+            return wanted;
+        }
+        // From the other to here; right above each other any way out is as good.
+        double east = meters < 0.1 ? 1 : (here.eastMeters() - other.spot().eastMeters()) / meters;
+        double north = meters < 0.1 ? 0 : (here.northMeters() - other.spot().northMeters()) / meters;
+        double comes = other.eastward() * east + other.northward() * north;
+        double most = closing(meters) + (comes > 0 ? -comes : lasting(-comes));
+        double closer = -(wanted.eastward() * east + wanted.northward() * north);
+        if (closer <= most) {
+            return wanted;
+        }
+        double less = closer - Math.max(-FASTEST_AWAY, most);
+        double right = sideways ? SIDEWAYS * Math.min(less, Math.max(0, closer)) : 0;
+        return new Speed(
+                wanted.eastward() + east * less - north * right, wanted.northward() + north * less + east * right);
+    }
+
+    /** Of a speed at which the other flies ahead: one that is fast may brake before that is heard of. */
+    private static double lasting(double ahead) {
+        return Math.min(ahead, RELIED_ON + (ahead - RELIED_ON) * RELIED_ON_BEYOND);
+    }
+
+    /** How fast the two may come closer, m/s. */
+    private double closing(double meters) {
+        double room = meters - horizontalMeters;
+        return room >= 0 ? Math.sqrt(2 * BRAKING * room) : room * GIVING_WAY;
+    }
+
+    /** Upwards or downwards as far as nobody is there; from who is too near all the same the higher one goes up, the other down. */
+    double level(Spot here, double amslMeters, double wantedMeters) {
+        double least = Double.NEGATIVE_INFINITY;
+        double most = Double.POSITIVE_INFINITY;
+        for (Neighbor one : neighbors) {
+            double meters = one.spot().distanceMeters(here);
+            double above = amslMeters - one.amslMeters();
+            boolean evades = meters < horizontalMeters - TOO_NEAR_METERS && Math.abs(above) < verticalMeters;
+            if (meters < horizontalMeters && isHigher(one, here, above)) {
+                double over = one.amslMeters() + verticalMeters;
+                least = Math.max(least, evades ? over : Math.min(amslMeters, over));
+            } else if (meters < horizontalMeters) {
+                double under = one.amslMeters() - verticalMeters;
+                most = Math.min(most, evades ? under : Math.max(amslMeters, under));
+            }
+        }
+        return Math.max(Math.min(wantedMeters, most), least);
+    }
+
+    /** At one height it is the more eastern one, so that both say the same. */
+    private static boolean isHigher(Neighbor other, Spot here, double above) {
+        return Math.abs(above) < SAME_HEIGHT_METERS
+                ? here.eastMeters() > other.spot().eastMeters()
+                : above > 0;
+    }
+}

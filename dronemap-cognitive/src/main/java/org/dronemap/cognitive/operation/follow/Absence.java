@@ -1,0 +1,67 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dronemap.cognitive.operation.follow.FollowInput.Look;
+import org.dronemap.cognitive.operation.follow.FollowInput.Looked;
+
+/** What comes of a follow whose drone had to do without the cloud, since the process ended and was started again. */
+final class Absence {
+    /** The ways home that a fail-safe takes; who lands where it is has other reasons. */
+    private static final String HOMEWARD = "RTL";
+
+    private Absence() {}
+
+    /** The process was started again: what the phone says is heard anew. */
+    static FollowState over(FollowState state, Instant at) {
+        boolean late =
+                Duration.between(state.since(), at).toSeconds() > state.order().patienceSeconds();
+        if (state.stage() == Stage.STARTING && late) {
+            // Nobody who pressed a button long ago expects motors to start now.
+            return state.to(
+                    Stage.RETURNING,
+                    at,
+                    "The server was stopped while " + state.order().chosen().name()
+                            + " took off, and came back too late; it flies home.");
+        }
+        return state.waiting(at);
+    }
+
+    /** Since it came to this stage the process was started again, and the phone has not been heard beside its drone yet. */
+    static boolean isRecent(FollowState state) {
+        return state.waits().isAfter(state.since());
+    }
+
+    private static boolean isHeard(FollowState state, Looked looked) {
+        return looked.sighted() != null && !looked.sighted().isBefore(state.waits());
+    }
+
+    /** It waits for nothing any more that has to do with a restart. */
+    static FollowState backAgain(FollowState state, Looked looked) {
+        return isRecent(state) && isHeard(state, looked) ? state.waiting(state.since()) : state;
+    }
+
+    /** In a mode in which it is not led: vehicles that miss the cloud come home, and can be led again. */
+    static FollowState astray(FollowState state, Looked looked, Look look) {
+        Instant at = looked.at();
+        String name = state.order().chosen().name();
+        String mode = String.valueOf(look.mode());
+        boolean missed = isRecent(state) && look.homing() && mode.endsWith(HOMEWARD);
+        if (missed && state.stage() == Stage.TRACKING) {
+            if (isHeard(state, looked)) {
+                return state.to(
+                        Stage.STARTING, at, name + " came home since it had missed the cloud; it follows again.");
+            }
+            if (Duration.between(state.waits(), at).toSeconds() < state.order().patienceSeconds()) {
+                return state.noted(name + " comes home since it missed the cloud; it follows again as soon as the phone"
+                        + " says where it is.");
+            }
+        }
+        return state.to(
+                Stage.RETURNING,
+                at,
+                missed
+                        ? name + " comes home since it missed the cloud."
+                        : name + " went into " + mode + "; it flies home.");
+    }
+}

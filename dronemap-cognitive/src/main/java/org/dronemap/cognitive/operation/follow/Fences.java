@@ -1,0 +1,43 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.cognitive.follow.Room;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.zone.Zone;
+
+/** Zones as edges of the room that a drone is led in, at whatever height they begin and end. */
+final class Fences {
+    private static final double MARGIN_METERS = 5;
+    private static final int CORNERS = 36;
+
+    private Fences() {}
+
+    static Room room(Geodetic near, List<Zone> zones) {
+        List<List<Geodetic>> stayIn = new ArrayList<>();
+        List<List<Geodetic>> keepOut = new ArrayList<>();
+        for (Zone zone : zones) {
+            (zone.shape().inside() ? stayIn : keepOut).add(corners(zone.shape()));
+        }
+        return Room.of(near, stayIn, keepOut, MARGIN_METERS);
+    }
+
+    /** Of a circle within which it stays the area is a little smaller, of one that it keeps out of a little larger. */
+    private static List<Geodetic> corners(FenceZone shape) {
+        if (shape instanceof FenceZone.Polygon polygon) {
+            return polygon.corners();
+        }
+        FenceZone.Circle circle = (FenceZone.Circle) shape;
+        double radius = circle.inside() ? circle.radiusMeters() : circle.radiusMeters() / Math.cos(Math.PI / CORNERS);
+        LocalPlane plane = new LocalPlane(circle.center());
+        List<Geodetic> corners = new ArrayList<>();
+        for (int corner = 0; corner < CORNERS; corner++) {
+            double angle = 2 * Math.PI * corner / CORNERS;
+            corners.add(plane.place(new Spot(radius * Math.sin(angle), radius * Math.cos(angle))));
+        }
+        return corners;
+    }
+}

@@ -1,0 +1,112 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.cognitive.follow.Aim;
+import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.cognitive.follow.Guidance;
+import org.dronemap.cognitive.follow.Limits;
+import org.dronemap.cognitive.follow.Others;
+import org.dronemap.cognitive.follow.Room;
+import org.dronemap.cognitive.follow.StandOff;
+import org.dronemap.cognitive.follow.TargetFilter;
+import org.dronemap.cognitive.follow.Whereabouts;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.operation.Scene;
+import org.dronemap.core.zone.Zone;
+import org.jspecify.annotations.Nullable;
+
+/** Leads one drone beside the phone. Owned by the conductor's thread. */
+final class Lead {
+    private static final double LONGEST_AHEAD = 2;
+    /** Where nothing is known of the link. */
+    private static final double USUAL_DOWNLINK_SECONDS = 0.1;
+
+    private static final double MILLIS = 1_000;
+
+    private final TargetFilter target;
+    private final Geodetic near;
+    private final Apart apart;
+    private final Guidance guidance;
+    private final Pursuits pursuits = new Pursuits();
+    private List<Zone> zones = List.of();
+    private Room room = Room.EVERYWHERE;
+
+    /** {@code target} belongs to the follow, and was made with {@code near}. */
+    Lead(TargetFilter target, Geodetic near, Apart apart) {
+        this.target = target;
+        this.near = near;
+        this.apart = apart;
+        guidance = new Guidance(target);
+    }
+
+    /** What it is told, so that it comes to that place beside the phone; null: nothing. {@code aloft}: all others in the air. */
+    @Nullable
+    Setpoint steer(FollowState state, FollowOrder.Place place, Scene scene, List<DroneState> aloft) {
+        DroneState drone = scene.of(state.drone())
+                .filter(seen -> seen.takenBy() == null)
+                .map(Scene.Seen::state)
+                .orElse(null);
+        Whereabouts here = drone == null ? null : pursuits.of(drone);
+        if (drone == null || here == null || state.stage() != Stage.TRACKING || target.last() == null) {
+            guidance.letGo();
+            return null;
+        }
+        FollowOrder order = state.order();
+        double home = order.chosen().homeAmslMeters();
+        Aim aim = guidance.lead(
+                scene.now(),
+                new StandOff(place.side(), place.distanceMeters(), home + place.heightMeters()),
+                new Limits(
+                        order.speed(),
+                        home + FollowOrder.LOWEST_METERS,
+                        home + FollowOrder.HIGHEST_METERS,
+                        downlink(drone)),
+                new Guidance.Surroundings(room(scene, state.drone()), others(scene, drone, aloft)),
+                here,
+                scene.sighted());
+        return setpoint(aim, Gaze.degrees(target, scene.now(), here, home));
+    }
+
+    private static Setpoint setpoint(Aim aim, double gazeDegrees) {
+        return new Setpoint.Track(
+                aim.point(),
+                new Altitude(aim.altitudeAmslMeters(), Altitude.Reference.AMSL),
+                new Setpoint.Velocity(
+                        Setpoint.Frame.EARTH, aim.northward(), aim.eastward(), -aim.upward(), Setpoint.Facing.ANY),
+                new Setpoint.Facing.Heading(aim.headingDegrees()),
+                gazeDegrees);
+    }
+
+    private static double downlink(DroneState drone) {
+        Double roundTrip = drone.link().quality().roundTripMillis();
+        return roundTrip == null ? USUAL_DOWNLINK_SECONDS : Math.min(2, roundTrip / 2 / MILLIS);
+    }
+
+    /** Made anew when the zones are others: what binds the drone may come and go while it follows. */
+    private Room room(Scene scene, DroneId drone) {
+        List<Zone> now = scene.around().zones().getOrDefault(drone, List.of());
+        if (!now.equals(zones)) {
+            zones = now;
+            room = Fences.room(near, now);
+        }
+        return room;
+    }
+
+    private Others others(Scene scene, DroneState drone, List<DroneState> aloft) {
+        List<Whereabouts> all = pursuits.of(aloft, drone);
+        List<Double> seconds = all.stream()
+                .map(one -> Math.max(0, Math.min(LONGEST_AHEAD, seconds(one.at(), scene.now()) + downlink(drone))))
+                .toList();
+        return Others.of(target.plane(), all, seconds, apart);
+    }
+
+    private static double seconds(Instant from, Instant to) {
+        return Duration.between(from, to).toMillis() / MILLIS;
+    }
+}

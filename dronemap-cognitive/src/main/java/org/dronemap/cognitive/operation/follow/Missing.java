@@ -1,0 +1,37 @@
+package org.dronemap.cognitive.operation.follow;
+
+import org.dronemap.core.operation.Reach;
+import org.jspecify.annotations.Nullable;
+
+/** Why a phone's positions do not come. */
+public enum Missing {
+    /** It is there, and finds no position. */
+    BLIND("The phone does not know where it is: it lets its page find no position."),
+    ASLEEP("The phone's page stands still: the screen is off, or something else is in front of it."),
+    CUT("The phone cannot be reached: it has no network."),
+    GONE("The phone's page was closed, or has crashed."),
+    /** How it is reached is not known. */
+    SILENT("The phone says nothing any more.");
+
+    private final String words;
+
+    Missing(String words) {
+        this.words = words;
+    }
+
+    String words() {
+        return words;
+    }
+
+    static Missing of(@Nullable Reach reach) {
+        if (reach == null) {
+            return SILENT;
+        }
+        return switch (reach) {
+            case SPEAKS -> BLIND;
+            case ASLEEP -> ASLEEP;
+            case CUT -> CUT;
+            case GONE -> GONE;
+        };
+    }
+}

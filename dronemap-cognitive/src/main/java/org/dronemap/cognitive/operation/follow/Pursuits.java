@@ -1,0 +1,61 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.cognitive.follow.Whereabouts;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
+
+/** How drones move, as is seen from where they were before: what vehicles tell has no direction. Owned by the conductor's thread. */
+final class Pursuits {
+    private static final double FAR_METERS = 300;
+
+    private final Map<DroneId, Whereabouts> known = new HashMap<>();
+
+    /** Null: where it is, is not known. */
+    @Nullable
+    Whereabouts of(DroneState drone) {
+        Position position = drone.position();
+        Geodetic point = position == null ? null : position.point();
+        Double amsl = position == null ? null : position.altitudeAmslMeters();
+        if (point == null || amsl == null) {
+            return null;
+        }
+        Whereabouts before = known.get(drone.id());
+        Instant at = drone.lastUpdate();
+        if (before == null) {
+            before = new Whereabouts(at, point, amsl, 0, 0);
+        } else if (!before.point().equals(point) || before.altitudeAmslMeters() != amsl) {
+            before = before.moved(at, point, amsl);
+        }
+        known.put(drone.id(), before);
+        return before;
+    }
+
+    /** Those that are near this one; the others are forgotten. */
+    List<Whereabouts> of(List<DroneState> others, DroneState drone) {
+        Position position = drone.position();
+        Geodetic here = position == null ? null : position.point();
+        List<Whereabouts> near = new ArrayList<>();
+        List<DroneId> kept = new ArrayList<>(List.of(drone.id()));
+        for (DroneState other : others) {
+            Position there = other.position();
+            Geodetic point = there == null ? null : there.point();
+            boolean isNear = here != null && point != null && Geodesy.distanceMeters(here, point) < FAR_METERS;
+            Whereabouts one = isNear ? of(other) : null;
+            if (one != null) {
+                near.add(one);
+                kept.add(other.id());
+            }
+        }
+        known.keySet().retainAll(kept);
+        return near;
+    }
+}

@@ -1,0 +1,81 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.core.drone.DroneId;
+
+/**
+ * The drones of a follow besides the one that leads it.
+ *
+ * @param number which drone of the follow leads, or is this one, from 0 in the order in which they came
+ * @param sent how many came after the first one
+ * @param others on their way there or home, each with what it remembers by itself, and without others
+ * @param failed came and did not take over
+ * @param vacant the drone that leads had to leave, and another one may take over still
+ * @param alone it was said that none can come
+ */
+public record Relay(
+        int number, int sent, List<FollowState> others, List<DroneId> failed, boolean vacant, boolean alone) {
+    /** One drone, as most follows have. */
+    public static final Relay NONE = new Relay(0, 0, List.of(), List.of(), false, false);
+
+    /** More than what drones keep apart: who waits there is not pushed aside. */
+    private static final double ROOM_METERS = 6;
+
+    private static final double FARTHEST_METERS = 200;
+    private static final double BESIDE_METERS = 15;
+
+    public Relay {
+        others = List.copyOf(others);
+        failed = List.copyOf(failed);
+    }
+
+    static Relay ofNumber(int number) {
+        return new Relay(number, number, List.of(), List.of(), false, false);
+    }
+
+    Relay with(List<FollowState> drones) {
+        return new Relay(number, sent, drones, failed, vacant, alone);
+    }
+
+    Relay vacant(boolean now) {
+        return new Relay(number, sent, others, failed, now, alone);
+    }
+
+    Relay toldAlone() {
+        return new Relay(number, sent, others, failed, vacant, true);
+    }
+
+    Relay sending(FollowState drone) {
+        List<FollowState> all = new ArrayList<>(others);
+        all.add(drone);
+        return new Relay(number, drone.crew().number(), all, failed, vacant, false);
+    }
+
+    Relay failing(DroneId drone) {
+        List<DroneId> all = new ArrayList<>(failed);
+        all.add(drone);
+        return new Relay(number, sent, others, all, vacant, alone);
+    }
+
+    /** That drone leads, with all that is known of the others. */
+    Relay ledBy(int other, List<FollowState> drones) {
+        return new Relay(other, sent, drones, failed, false, false);
+    }
+
+    /** Where a drone waits to take over: on the same side, so much farther that two have room. */
+    static FollowOrder.Place standBy(FollowOrder.Place place, Apart apart) {
+        double more = apart.groundMeters() + ROOM_METERS;
+        double distance = place.distanceMeters() + more;
+        return new FollowOrder.Place(
+                place.side(),
+                distance <= FARTHEST_METERS ? distance : place.distanceMeters() - more,
+                place.heightMeters());
+    }
+
+    /** Metres between two drones from which on one takes over. */
+    static double nearMeters(Apart apart) {
+        return apart.groundMeters() + ROOM_METERS + BESIDE_METERS;
+    }
+}

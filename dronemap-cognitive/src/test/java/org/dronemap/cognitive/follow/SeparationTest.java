@@ -1,0 +1,50 @@
+package org.dronemap.cognitive.follow;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** Simulated copters that follow at the same height come no closer to each other than they may. */
+class SeparationTest {
+    private static final Apart USUAL = Apart.USUAL;
+
+    @Test
+    void keepsThreeRoundOneTargetApart() {
+        Swarm swarm = Swarm.three(USUAL, 1, false);
+        assertThat(swarm.fly(60)).isGreaterThan(USUAL.groundMeters());
+        assertThat(swarm.fromTargets(60)).isLessThan(20);
+    }
+
+    @Test
+    void keepsThreeApartThatWantToBeAtOnePlace() {
+        assertThat(Swarm.three(USUAL, 2, true).fly(45)).isGreaterThan(USUAL.groundMeters());
+        assertThat(Swarm.three(null, 2, true).fly(45)).as("nobody looking out").isLessThan(5);
+    }
+
+    @Test
+    void keepsTenFollowsApart() {
+        assertThat(Swarm.ten(USUAL, 1).fly(60)).isGreaterThan(USUAL.groundMeters());
+    }
+
+    @Test
+    void keepsThemAsFarApartAsIsSet() {
+        Apart wide = new Apart(20, 8);
+        assertThat(Swarm.ten(wide, 1).fly(40)).isGreaterThan(wide.groundMeters());
+    }
+
+    @Test
+    @Tag("soak")
+    void keepsManyFollowsApart() {
+        for (double meters : new double[] {5, 10, 20}) {
+            Tracks.Tally tally = Tracks.swarms(0, 60, new Apart(meters, 5));
+            assertThat(tally.failed()).as("closer than %.0f m", meters).isEmpty();
+        }
+    }
+
+    @Test
+    @Tag("soak")
+    void noneOfTenThousandPassesAFenceOrFliesTooLow() {
+        assertThat(Tracks.fenced(0, 10_000).failed()).isEmpty();
+    }
+}

@@ -1,0 +1,218 @@
+package org.dronemap.cognitive.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.jspecify.annotations.Nullable;
+
+/** Several drones follow at once, each its target, over one poor network, and keep apart by what the cloud hears of them. */
+final class Swarm {
+    private static final Instant ZERO = Instant.parse("2026-05-01T12:00:00Z");
+    private static final LocalPlane PLANE = new LocalPlane(SimDrone.HOME);
+    private static final double HIGH = 15;
+    private static final double LOW = 6;
+    private static final Wire.Quality LINK = new Wire.Quality(0.3, 0.1, 0.05);
+    private static final double WIND = 4;
+    private static final int SAMPLE_MILLIS = 50;
+
+    private final List<Follower> followers = new ArrayList<>();
+    private final @Nullable Apart apart;
+    private final SplittableRandom random;
+    private final double meters;
+    private double lowest = Double.POSITIVE_INFINITY;
+
+    /** {@code apart}: what is to be kept; null: nobody looks out for others. */
+    private Swarm(@Nullable Apart apart, SplittableRandom random) {
+        this.apart = apart;
+        this.random = random;
+        // Where there is little room below them they evade each other all the same.
+        meters = random.nextBoolean() ? HIGH : LOW;
+    }
+
+    /** Three round one target, from different sides or all behind it; where they stand is on its way. */
+    static Swarm three(@Nullable Apart apart, long seed, boolean sameSide) {
+        Swarm swarm = new Swarm(apart, new SplittableRandom(seed));
+        double stands = 3 * widest(apart);
+        for (int drone = 0; drone < 3; drone++) {
+            Side side = sameSide ? new Side.Behind() : new Side.Fixed(120 * drone);
+            swarm.add(Walk.running(seed), new Spot(0, 0), new Spot(stands * (drone - 1), -20), side);
+        }
+        return swarm;
+    }
+
+    /** Ten targets that begin in a ring and go wherever they like, across each other. */
+    static Swarm ten(@Nullable Apart apart, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        Swarm swarm = new Swarm(apart, random);
+        double ring = 4 * widest(apart);
+        for (int drone = 0; drone < 10; drone++) {
+            double angle = 2 * Math.PI * drone / 10;
+            Spot begins = new Spot(ring * Math.sin(angle), ring * Math.cos(angle));
+            Walk walk = Walk.one(random.nextInt(4), seed * 10 + drone);
+            swarm.add(walk, begins, begins, new Side.Fixed(random.nextDouble(360)));
+        }
+        return swarm;
+    }
+
+    /** They begin no nearer than they are to stay. */
+    private static double widest(@Nullable Apart apart) {
+        return Math.max(10, apart == null ? 0 : apart.groundMeters());
+    }
+
+    /** One drone and whom it follows, from a stand of its own. */
+    private static final class Follower {
+        private final Walk walk;
+        private final Spot begins;
+        private final StandOff standOff;
+        private final SimDrone drone;
+        private final TargetFilter filter = new TargetFilter(SimDrone.HOME);
+        private final Guidance guidance = new Guidance(filter);
+        private final Wire<PhoneFix> up;
+        private final Wire<Aim> down;
+        private final Wire<Whereabouts> telemetry;
+        private final PhoneNoise noise;
+        private Whereabouts seen;
+        private @Nullable Instant heard;
+
+        Follower(Walk walk, Spot begins, Spot home, StandOff standOff, long seed) {
+            this.walk = walk;
+            this.begins = begins;
+            this.standOff = standOff;
+            drone = new SimDrone(PLANE.place(home), standOff.altitudeAmslMeters() - SimDrone.HOME_AMSL, WIND, seed);
+            up = new Wire<>(LINK, seed + 1);
+            down = new Wire<>(LINK, seed + 2);
+            telemetry = new Wire<>(LINK, seed + 3);
+            noise = new PhoneNoise(seed + 4, true);
+            seen = drone.whereabouts(ZERO);
+        }
+
+        void phone(double now) {
+            double[] off = noise.next(1);
+            Walk.Point truth = walk.at(now);
+            Spot said = new Spot(
+                    begins.eastMeters() + truth.east() + off[0], begins.northMeters() + truth.north() + off[1]);
+            up.send(now, new PhoneFix(at(now), PLANE.place(said), 5));
+        }
+
+        void hear(double now) {
+            up.deliver(now, fix -> {
+                filter.take(fix);
+                heard = at(now);
+            });
+            telemetry.deliver(now, there -> seen = there.at().isAfter(seen.at()) ? there : seen);
+        }
+
+        void say(double now, Others others) {
+            Limits limits =
+                    new Limits(12, SimDrone.HOME_AMSL + Trial.LOWEST_METERS, SimDrone.HOME_AMSL + 120, LINK.seconds());
+            down.send(
+                    now,
+                    guidance.lead(
+                            at(now),
+                            standOff,
+                            limits,
+                            new Guidance.Surroundings(Room.EVERYWHERE, others),
+                            seen,
+                            heard));
+        }
+
+        void live(double now, boolean tells) {
+            down.deliver(now, drone::hear);
+            drone.live(SAMPLE_MILLIS / 1_000.0);
+            if (tells) {
+                telemetry.send(now, drone.whereabouts(at(now)));
+            }
+        }
+    }
+
+    private void add(Walk walk, Spot begins, Spot home, Side side) {
+        followers.add(new Follower(
+                walk,
+                begins,
+                home,
+                new StandOff(side, 10, SimDrone.HOME_AMSL + meters),
+                random.nextLong(Integer.MAX_VALUE)));
+    }
+
+    /** The least that two were apart, in metres on the ground, while they were not one above the other. */
+    double fly(double seconds) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int millis = 0; millis < seconds * 1_000; millis += SAMPLE_MILLIS) {
+            double now = millis / 1_000.0;
+            for (Follower one : followers) {
+                if (millis % 1_000 == 0) {
+                    one.phone(now);
+                }
+                one.hear(now);
+            }
+            for (Follower one : followers) {
+                if (millis % 100 == 0) {
+                    one.say(now, others(one, now));
+                }
+                one.live(now, millis % 200 == 0);
+            }
+            least = Math.min(least, nearest(now));
+        }
+        return least;
+    }
+
+    private Others others(Follower one, double now) {
+        if (apart == null) {
+            return Others.NONE;
+        }
+        List<Whereabouts> all = followers.stream()
+                .filter(other -> other != one)
+                .map(other -> other.seen)
+                .toList();
+        List<Double> late = all.stream()
+                .map(other -> Math.min(2, Duration.between(other.at(), at(now)).toMillis() / 1e3 + LINK.seconds()))
+                .toList();
+        return Others.of(PLANE, all, late, apart);
+    }
+
+    private double nearest(double now) {
+        double least = Double.POSITIVE_INFINITY;
+        double level = apart == null ? Apart.USUAL.heightMeters() : apart.heightMeters();
+        List<Whereabouts> real =
+                followers.stream().map(one -> one.drone.whereabouts(at(now))).toList();
+        for (int i = 0; i < real.size(); i++) {
+            lowest = Math.min(lowest, real.get(i).altitudeAmslMeters() - SimDrone.HOME_AMSL);
+            for (int k = 0; k < i; k++) {
+                double up = real.get(i).altitudeAmslMeters() - real.get(k).altitudeAmslMeters();
+                if (Math.abs(up) < level) {
+                    Spot one = PLANE.spot(real.get(i).point());
+                    least = Math.min(
+                            least, one.distanceMeters(PLANE.spot(real.get(k).point())));
+                }
+            }
+        }
+        return least;
+    }
+
+    /** Metres above its home that any was at the least. */
+    double lowest() {
+        return lowest;
+    }
+
+    /** Mean metres of the drones from their targets, as they are now. */
+    double fromTargets(double now) {
+        return followers.stream()
+                .mapToDouble(one -> {
+                    Spot here = PLANE.spot(one.drone.whereabouts(at(now)).point());
+                    Walk.Point truth = one.walk.at(now);
+                    return Math.hypot(
+                            here.eastMeters() - one.begins.eastMeters() - truth.east(),
+                            here.northMeters() - one.begins.northMeters() - truth.north());
+                })
+                .average()
+                .orElse(Double.NaN);
+    }
+
+    private static Instant at(double seconds) {
+        return ZERO.plusNanos(Math.round(seconds * 1e9));
+    }
+}

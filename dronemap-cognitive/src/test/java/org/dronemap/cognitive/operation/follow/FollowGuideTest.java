@@ -1,0 +1,220 @@
+package org.dronemap.cognitive.operation.follow;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.cognitive.follow.Side;
+import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Standing;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.Scene;
+import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.operation.Surroundings;
+import org.dronemap.core.zone.AltitudeBand;
+import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.BreachAction;
+import org.dronemap.core.zone.Validity;
+import org.dronemap.core.zone.Zone;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+/** What a follow's drone is told, with what comes to be around it meanwhile; it does as it is told at once. */
+class FollowGuideTest {
+    private static final Instant ZERO = Instant.parse("2026-05-01T12:00:00Z");
+    private static final DroneId FALCON = new DroneId("d1");
+    private static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
+    /** 60 m north of there. */
+    private static final Geodetic PHONE = new Geodetic(47.39824, 8.5456);
+
+    private static final double AMSL = 503;
+
+    private final FollowState state = FollowState.begin(
+                    new OperationId("follow-1"),
+                    new FollowOrder(
+                            new FollowOrder.Chosen(FALCON, "Falcon", HOME, 488, "Falcon was chosen."),
+                            PHONE,
+                            new FollowOrder.Place(new Side.Fixed(0), 0, 15),
+                            12,
+                            60),
+                    ZERO)
+            .to(Stage.TRACKING, ZERO, "It follows.");
+    private FollowGuide guide = new FollowGuide(state.order().near(), Apart.USUAL);
+    private Geodetic falcon = HOME;
+    private List<Zone> zones = List.of();
+    private List<DroneState> aloft = List.of();
+    private int tenths;
+    private @Nullable Double gaze;
+
+    private static final Scene.Sway OURS = new Scene.Sway(null, null, false);
+
+    private static DroneState drone(String id, Geodetic point, Instant at) {
+        return drone(id, point, AMSL, at);
+    }
+
+    private static DroneState drone(String id, Geodetic point, double amsl, Instant at) {
+        LinkStatus link = new LinkStatus(
+                new DroneKey("127.0.0.1", 1, 1), "udp", LinkState.LIVE, at, LinkQuality.UNKNOWN, List.of());
+        return new DroneState(
+                new DroneId(id),
+                id,
+                false,
+                link,
+                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", null, null),
+                Standing.UNPROVED,
+                Capabilities.NONE,
+                "GUIDED",
+                true,
+                true,
+                FlightPhase.IN_AIR,
+                new Position(point, amsl, amsl - 488),
+                null,
+                null,
+                null,
+                new Battery(90, null, null),
+                null,
+                new Home(HOME, 488),
+                null,
+                Payload.UNKNOWN,
+                MissionProgress.UNKNOWN,
+                List.of(),
+                at,
+                0);
+    }
+
+    private static Zone circle(Geodetic center, double meters) {
+        return new Zone(
+                "z1",
+                "the stage",
+                new FenceZone.Circle(false, center, meters),
+                AltitudeBand.ALL,
+                Binding.EVERYBODY,
+                Validity.ALWAYS,
+                BreachAction.HOLD,
+                "ann",
+                ZERO);
+    }
+
+    /** For so long; the nearest that it came to a place. */
+    private double led(double seconds, Geodetic place) {
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int end = tenths + (int) (seconds * 10); tenths < end; tenths++) {
+            Instant now = ZERO.plus(Duration.ofMillis(100L * tenths));
+            guide.sighted(new Sighting(tenths, now, now, now, Duration.ZERO, PHONE, 3, null));
+            Scene.Seen seen = new Scene.Seen(drone("d1", falcon, now), OURS, Duration.ZERO, Duration.ZERO);
+            Surroundings around = new Surroundings(Map.of(FALCON, zones), aloft);
+            Scene scene = new Scene(now, List.of(seen), now, null, around, Map.of());
+            Setpoint.Track said = (Setpoint.Track) guide.steer(state, scene).get(FALCON);
+            falcon = said.point();
+            gaze = said.gazeDegrees();
+            nearest = Math.min(nearest, Geodesy.distanceMeters(falcon, place));
+        }
+        return nearest;
+    }
+
+    @Test
+    void heedsAZoneThatAppearsOnItsWay() {
+        led(4, PHONE);
+        double before = Geodesy.distanceMeters(falcon, PHONE);
+        assertThat(before).isBetween(35.0, 58.0);
+        zones = List.of(circle(PHONE, 15));
+        assertThat(led(40, PHONE)).isGreaterThan(19.5).isLessThan(25);
+        zones = List.of();
+        assertThat(led(30, PHONE)).isLessThan(1);
+    }
+
+    @Test
+    void keepsApartFromADroneThatStandsWhereItWouldBe() {
+        aloft = List.of(drone("d2", PHONE, ZERO));
+        assertThat(led(40, PHONE)).isBetween(13.0, 18.0);
+        aloft = List.of();
+        assertThat(led(30, PHONE)).isLessThan(1);
+    }
+
+    private static Scene both(Geodetic kestrel, double amsl) {
+        return new Scene(
+                ZERO,
+                List.of(
+                        new Scene.Seen(drone("d1", HOME, ZERO), OURS, Duration.ZERO, Duration.ZERO),
+                        new Scene.Seen(drone("d2", kestrel, amsl, ZERO), OURS, Duration.ZERO, Duration.ZERO)));
+    }
+
+    @Test
+    void isNotThereForTheOtherOneBeforeItHasRisen() {
+        FollowOrder.Chosen kestrel = new FollowOrder.Chosen(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        Follow follow = new Follow(Apart.USUAL);
+        FollowState relieved =
+                follow.decide(state, new FollowInput.Relieve(ZERO, kestrel)).next();
+        FollowInput.Looked low = (FollowInput.Looked) follow.looked(relieved, both(PHONE, 490));
+        assertThat(low.others()).extracting(FollowInput.Other::apartMeters).containsOnlyNulls();
+        FollowInput.Looked up = (FollowInput.Looked) follow.looked(relieved, both(PHONE, AMSL));
+        assertThat(up.others().get(0).apartMeters()).isCloseTo(Geodesy.distanceMeters(HOME, PHONE), within(0.01));
+    }
+
+    @Test
+    void leadsTheOtherOneToWhereBothHaveRoom() {
+        FollowOrder.Chosen kestrel = new FollowOrder.Chosen(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
+        FollowState relieved = new Follow(Apart.USUAL)
+                .decide(state, new FollowInput.Relieve(ZERO, kestrel))
+                .next();
+        FollowState rising = relieved.crew().others().get(0);
+        FollowState both =
+                relieved.with(relieved.crew().with(List.of(rising.to(Stage.TRACKING, ZERO, "It is in the air."))));
+        Geodetic first = PHONE;
+        Geodetic second = new Geodetic(47.39870, 8.5456);
+        double least = Double.POSITIVE_INFINITY;
+        for (int tenth = 0; tenth < 400; tenth++) {
+            Instant now = ZERO.plusMillis(100L * tenth);
+            guide.sighted(new Sighting(tenth, now, now, now, Duration.ZERO, PHONE, 3, null));
+            List<Scene.Seen> seen = List.of(
+                    new Scene.Seen(drone("d1", first, now), OURS, Duration.ZERO, Duration.ZERO),
+                    new Scene.Seen(drone("d2", second, now), OURS, Duration.ZERO, Duration.ZERO));
+            Map<DroneId, Setpoint> said =
+                    guide.steer(both, new Scene(now, seen, now, null, new Surroundings(Map.of(), List.of()), Map.of()));
+            first = ((Setpoint.Track) said.get(FALCON)).point();
+            second = ((Setpoint.Track) said.get(new DroneId("d2"))).point();
+            least = Math.min(least, Geodesy.distanceMeters(first, second));
+        }
+        assertThat(least).isGreaterThan(13.5);
+        assertThat(Geodesy.distanceMeters(first, PHONE)).isLessThan(1);
+        assertThat(Geodesy.distanceMeters(second, PHONE)).isBetween(15.0, 17.0);
+    }
+
+    @Test
+    void hasTheCameraLookAtWhoIsFollowed() {
+        led(0.2, PHONE);
+        double away = Geodesy.distanceMeters(HOME, PHONE);
+        assertThat(gaze).isCloseTo(-Math.toDegrees(Math.atan2(AMSL - 488 - 1.5, away)), within(0.5));
+        led(40, PHONE);
+        assertThat(gaze).as("right above").isLessThan(-85);
+    }
+
+    @Test
+    void keepsAsFarApartAsIsSet() {
+        guide = new FollowGuide(state.order().near(), new Apart(25, 5));
+        aloft = List.of(drone("d2", PHONE, ZERO));
+        assertThat(led(60, PHONE)).isBetween(28.0, 33.0);
+    }
+}

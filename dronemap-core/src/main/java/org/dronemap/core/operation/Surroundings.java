@@ -1,0 +1,22 @@
+package org.dronemap.core.operation;
+
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.zone.Zone;
+
+/**
+ * What the drones of an operation have around them, for who steers them.
+ *
+ * @param zones that bind each drone now or soon
+ * @param aloft all others that are in the air, or were when they were heard last
+ */
+public record Surroundings(Map<DroneId, List<Zone>> zones, List<DroneState> aloft) {
+    public static final Surroundings NONE = new Surroundings(Map.of(), List.of());
+
+    public Surroundings {
+        zones = Map.copyOf(zones);
+        aloft = List.copyOf(aloft);
+    }
+}

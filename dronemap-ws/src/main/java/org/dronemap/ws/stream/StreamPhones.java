@@ -1,0 +1,99 @@
+package org.dronemap.ws.stream;
+
+import java.util.Iterator;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import org.dronemap.core.operation.Reach;
+import org.java_websocket.framing.CloseFrame;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The phones that are followed and say so on the stream, and how each is reached: a page that stands still leaves its
+ * connection answering, a network that is gone does not, a page that is closed ends it. Any thread; rounds belong to the pump.
+ */
+final class StreamPhones {
+    /** With this code a page ends a connection that seems dead to it, to connect anew. */
+    static final int CONNECTS_ANEW = 4000;
+
+    private static final long ROUND_NANOS = TimeUnit.SECONDS.toNanos(1);
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(2_500);
+    private static final long DEAF_NANOS = TimeUnit.MILLISECONDS.toNanos(3_500);
+
+    private final Follows follows;
+    private final Map<String, Phone> phones = new ConcurrentHashMap<>();
+    // Owned by the pump.
+    private long roundNanos = System.nanoTime();
+
+    /** Who wants to know how phones are reached. */
+    @FunctionalInterface
+    interface Follows {
+        /** False when that follow is not under way. */
+        boolean reached(String follow, Reach how);
+    }
+
+    /** {@code told}: how it was said to be reached last; null: not yet. */
+    private record Phone(
+            StreamClient client, long saidNanos, @Nullable Reach told) {
+        Phone told(Reach reach) {
+            return new Phone(client, saidNanos, reach);
+        }
+    }
+
+    StreamPhones(Follows follows) {
+        this.follows = follows;
+    }
+
+    /** This client said where the phone of that follow is, or that it is there. */
+    void spoke(StreamClient client, String follow, long nowNanos) {
+        Phone before = phones.put(follow, new Phone(client, nowNanos, Reach.SPEAKS));
+        if (before == null || before.told() != Reach.SPEAKS) {
+            follows.reached(follow, Reach.SPEAKS);
+        }
+    }
+
+    /** Its connection has ended; {@code remote}: at its own wish. */
+    void left(StreamClient client, int code, boolean remote) {
+        boolean lost = !remote && code == CloseFrame.ABNORMAL_CLOSE;
+        if (code == CONNECTS_ANEW || (!remote && !lost)) {
+            // It did not wish to go: it is back soon, or rounds find out that it is not.
+            return;
+        }
+        phones.forEach((follow, phone) -> {
+            // One that has connected anew meanwhile is not gone.
+            if (phone.client() == client && phones.remove(follow, phone)) {
+                follows.reached(follow, lost ? Reach.CUT : Reach.GONE);
+            }
+        });
+    }
+
+    /** Asks each connection for a sign of life once a second, and says what has changed. */
+    void round(long nowNanos) {
+        if (nowNanos - roundNanos < ROUND_NANOS) {
+            return;
+        }
+        roundNanos = nowNanos;
+        for (Iterator<Map.Entry<String, Phone>> all = phones.entrySet().iterator(); all.hasNext(); ) {
+            Map.Entry<String, Phone> one = all.next();
+            Phone phone = one.getValue();
+            phone.client().probe();
+            Reach reach = reach(phone, nowNanos);
+            if (reach != phone.told()) {
+                phones.replace(one.getKey(), phone, phone.told(reach));
+            }
+            if (!follows.reached(one.getKey(), reach)) {
+                all.remove();
+            }
+        }
+    }
+
+    private static Reach reach(Phone phone, long nowNanos) {
+        if (nowNanos - phone.saidNanos() < QUIET_NANOS) {
+            return Reach.SPEAKS;
+        }
+        long answered = Math.max(phone.saidNanos(), phone.client().answeredNanos());
+        // A browser reads no further for a page that stands still, and a phone that sleeps ends its network some time.
+        boolean slept = answered - phone.saidNanos() >= DEAF_NANOS;
+        return slept || nowNanos - answered < DEAF_NANOS ? Reach.ASLEEP : Reach.CUT;
+    }
+}

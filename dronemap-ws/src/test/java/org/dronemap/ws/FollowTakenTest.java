@@ -1,0 +1,227 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.http.HttpRequest;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.house.Faces;
+import org.dronemap.ws.house.FollowStages;
+import org.dronemap.ws.house.FollowStages.Staged;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Member;
+import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.house.Waiting;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A drone is taken from its follow at each stage, or whoever asked loses the right to it: each face shows what docs/following.md
+ * says, and somebody looks after the drone.
+ */
+class FollowTakenTest {
+    private TestHouse house;
+    private Faces faces;
+    private Member root;
+    private Member supervisor;
+    private FollowStages stages;
+
+    /** How it comes about. */
+    private enum Deed {
+        TAKE_OVER("taken"),
+        HOLD("taken"),
+        LAND("taken"),
+        PILOT("taken"),
+        GRANT("revoked"),
+        ACCOUNT("revoked"),
+        /** The account stays, and with it the follow. */
+        KEY("");
+
+        private final String row;
+
+        Deed(String row) {
+            this.row = row;
+        }
+
+        /** One that is not armed takes no orders. */
+        boolean does(String stage) {
+            return !stage.equals("allocated") || (this != HOLD && this != LAND);
+        }
+
+        /** On the ground there is no pilot to be seen. */
+        boolean isPossible(String stage) {
+            return this != PILOT || !(stage.equals("allocated") || stage.equals("starting"));
+        }
+    }
+
+    private record Case(Staged follow, Deed deed, Member owner, String next) {
+        @Override
+        public String toString() {
+            return deed + " at " + follow.stage();
+        }
+    }
+
+    @BeforeEach
+    void open(@TempDir Path data) {
+        house = new TestHouse(data, false);
+        faces = new Faces(house);
+        root = house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR);
+        supervisor = house.member(OrganisationId.HOME, "sue", Role.SUPERVISOR);
+        stages = new FollowStages(house, supervisor.http());
+    }
+
+    @AfterEach
+    void close() {
+        house.close();
+    }
+
+    @Test
+    void leavesNoDroneWithNobodyWhoLooksAfterIt() throws IOException {
+        Map<String, Map<String, String>> table = FollowStages.table();
+        List<Case> cases = new ArrayList<>();
+        for (String stage : table.keySet()) {
+            for (Deed deed : Deed.values()) {
+                if (!deed.isPossible(stage)) {
+                    continue;
+                }
+                Member owner = house.member(OrganisationId.HOME, "owner" + house.number(), Role.OPERATOR);
+                String next = deed.does(stage) && !deed.row.isEmpty()
+                        ? table.get(stage).get(deed.row)
+                        : stage;
+                cases.add(new Case(stages.open(stage, owner.http()), deed, owner, next));
+            }
+        }
+        try (StreamListener stream = StreamListener.withKey(house, supervisor.key())) {
+            stages.bring();
+            cases.forEach(this::happens);
+            cases.forEach(one -> shows(one, stream));
+            cases.forEach(this::isLookedAfter);
+        }
+    }
+
+    private void happens(Case one) {
+        switch (one.deed()) {
+            case TAKE_OVER -> {
+                stages.takeOver(one.follow());
+                assertThat(holder(one)).isEqualTo(new Holder.Person(supervisor.name()));
+            }
+            case HOLD -> orders(one, "hold");
+            case LAND -> orders(one, "land");
+            case PILOT -> one.follow().copter().isIn("LOITER");
+            case GRANT ->
+                changed("PUT", "/api/v1/users/" + one.owner().name() + "/only-granted", "{\"onlyGranted\":true}");
+            case ACCOUNT -> changed("PATCH", "/api/v1/users/" + one.owner().name(), "{\"state\":\"disabled\"}");
+            case KEY ->
+                assertThat(root.http()
+                                .send(
+                                        "/api/v1/users/" + one.owner().name() + "/access-keys/key-"
+                                                + one.owner().name(),
+                                        HttpRequest.Builder::DELETE)
+                                .status())
+                        .isEqualTo(204);
+        }
+    }
+
+    private void orders(Case one, String type) {
+        int status = supervisor
+                .http()
+                .post(
+                        "/api/v1/drones/" + one.follow().copter().id() + "/commands?wait=30",
+                        "{\"type\":\"" + type + "\"}")
+                .status();
+        assertThat(status)
+                .as(one.toString())
+                .isEqualTo(one.deed().does(one.follow().stage()) ? 200 : 409);
+    }
+
+    private void changed(String method, String path, String body) {
+        Http.Answer answer = root.http()
+                .send(
+                        path,
+                        request -> request.header("Content-Type", "application/json")
+                                .method(method, HttpRequest.BodyPublishers.ofString(body)));
+        assertThat(answer.status()).as(answer.raw().body()).isLessThan(300);
+    }
+
+    /** By REST, by SOAP and on the stream; whoever lost the right sees nothing of it any more. */
+    private void shows(Case one, StreamListener stream) {
+        Staged follow = one.follow();
+        stages.await(follow, one.next());
+        assertThat(faces.soap(supervisor.http(), "getFollow", Map.of("followId", follow.id())))
+                .as(one.toString())
+                .contains("<state>" + one.next() + "</state>");
+        stream.await(message -> message.path("follow").path("id").asString("").equals(follow.id())
+                && message.path("follow").path("state").asString("").equals(one.next()));
+        int sees = one.owner().http().get(follow.path()).status();
+        assertThat(sees)
+                .as(one.toString())
+                .isEqualTo(
+                        switch (one.deed()) {
+                            case GRANT -> 404;
+                            case ACCOUNT, KEY -> 401;
+                            default -> 200;
+                        });
+    }
+
+    /** Null: nobody has control. */
+    private @Nullable Holder holder(Case one) {
+        Tenure tenure = house.cloud()
+                .controls()
+                .control(new DroneId(one.follow().copter().id()))
+                .tenure();
+        return tenure == null ? null : tenure.holder();
+    }
+
+    private void isLookedAfter(Case one) {
+        boolean own = holder(one) instanceof Holder.Operation by
+                && by.id().equals(one.follow().id());
+        switch (one.next()) {
+            case "over" -> assertThat(own).as(one.toString()).isFalse();
+            case "suspended" -> {
+                assertThat(own).as(one.toString()).isFalse();
+                isLeftTo(one);
+            }
+            default -> assertThat(own).as(one.toString()).isTrue();
+        }
+        if (one.next().equals("returning") && !one.follow().stage().equals("starting")) {
+            Waiting.until(
+                    one + ": it is called home",
+                    () -> one.follow().copter().performed().stream()
+                            .filter(Command.ReturnToLaunch.class::isInstance)
+                            .findFirst());
+        }
+    }
+
+    /** What nobody has, and comes down by itself or is brought home after a while, has a plan. */
+    private void isLeftTo(Case one) {
+        List<Command> performed = one.follow().copter().performed();
+        if (one.deed() == Deed.LAND) {
+            assertThat(performed).as(one.toString()).contains(new Command.Land());
+        } else if (one.deed() == Deed.HOLD) {
+            assertThat(performed).as(one.toString()).contains(new Command.Hold());
+            if (!one.follow().stage().equals("suspended")) {
+                Waiting.until(
+                        one + ": it says what comes of it",
+                        () -> Optional.of(supervisor
+                                        .http()
+                                        .get(one.follow().path())
+                                        .text("note"))
+                                .filter(note -> note.startsWith("Nobody has Copter")));
+            }
+        }
+    }
+}

@@ -1,0 +1,290 @@
+"""Many people at once, each followed by a drone, who walk, run and ride across fences, over a bad network."""
+
+import heapq
+import json
+import math
+import random
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path
+
+from .api import Api, Json
+from .big_trial import boot_seconds, fix, local, place
+from .impairer import CLEAR, Impairer, Weather
+from .runs import known
+from .server import Server
+from .simulator import Simulator
+from .tap import Tap
+from .trajectories import Disc
+from .waiting import rounds, wait_for
+
+FIRST_SYSTEM_ID = 1
+DELAYED = Weather(delay=0.3, jitter=0.2, loss=0.1)
+# The simulator's vehicles stand so far from each other, in rows.
+SPACING_METRES = 60.0
+EDGE_METRES = 45.0
+DISCS = 4
+BESIDE_HOMES_METRES = 22.0
+GOES_METRES = 40.0
+SPEEDS = (1.4, 4.0, 8.0)
+HEIGHTS = (5, 5, 6, 8, 12, 20)
+LOWEST_METRES = 5.0
+WANDERS_METRES, WANDERS_SECONDS, WHITE_METRES = 3.0, 60.0, 0.5
+TICK_SECONDS = 0.1
+SEPARATION = {"metres": 10.0, "height": 5.0}
+
+
+@dataclass
+class Field:
+    """What is flown in, in metres east and north of the first home."""
+
+    homes: list[tuple[float, float]]
+    west: float
+    south: float
+    east: float
+    north: float
+    discs: list[Disc] = field(default_factory=list)
+
+    @staticmethod
+    def around(drones: list[Json], origin: Json, chance: random.Random) -> "Field":
+        homes = [_local(origin, drone["home"]) for drone in drones]
+        easts, norths = [h[0] for h in homes], [h[1] for h in homes]
+        made = Field(
+            homes,
+            min(easts) - EDGE_METRES,
+            min(norths) - EDGE_METRES,
+            max(easts) + EDGE_METRES,
+            max(norths) + EDGE_METRES,
+        )
+        while len(made.discs) < DISCS:
+            disc = Disc(
+                f"Pond {len(made.discs) + 1}",
+                chance.uniform(made.west, made.east),
+                chance.uniform(made.south, made.north),
+                chance.uniform(8, 14),
+                math.inf,
+            )
+            if all(
+                math.hypot(h[0] - disc.east, h[1] - disc.north) > disc.radius + BESIDE_HOMES_METRES
+                for h in homes
+            ):
+                made.discs.append(disc)
+        return made
+
+    def zones(self, origin: Json) -> list[Json]:
+        """As the server is told of them."""
+
+        def at(east: float, north: float) -> list[float]:
+            there = place(origin, east, north)
+            return [there["longitude"], there["latitude"]]
+
+        corners = [
+            (self.west, self.south),
+            (self.east, self.south),
+            (self.east, self.north),
+            (self.west, self.north),
+        ]
+        ring = [at(*corner) for corner in [*corners, corners[0]]]
+        stay_in = {
+            "type": "Feature",
+            "geometry": {"type": "Polygon", "coordinates": [ring]},
+            "properties": {"name": "Field", "kind": "inclusion"},
+        }
+        keep_out = [
+            {
+                "type": "Feature",
+                "geometry": {"type": "Point", "coordinates": at(disc.east, disc.north)},
+                "properties": {"name": disc.name, "kind": "exclusion", "radius": disc.radius},
+            }
+            for disc in self.discs
+        ]
+        return [stay_in, *keep_out]
+
+
+class Phone:
+    """Goes from place to place, as often as not where no drone may come, and says where it is."""
+
+    def __init__(self, ground: Field, number: int, chance: random.Random) -> None:
+        self._field = ground
+        self._random = chance
+        home = ground.homes[number]
+        self._east, self._north = home[0] + chance.uniform(-8, 8), home[1] + chance.uniform(-8, 8)
+        self._goal = (self._east, self._north)
+        self._speed = chance.choice(SPEEDS)
+        self._off = [chance.gauss(0, WANDERS_METRES) for _ in range(2)]
+        self._due: list[tuple[float, int, Json]] = []
+        self._said = 0
+        self.walks = False
+        self.follow = ""
+
+    def here(self) -> tuple[float, float]:
+        return self._east, self._north
+
+    def go(self, seconds: float) -> None:
+        if not self.walks:
+            return
+        east, north = self._goal[0] - self._east, self._goal[1] - self._north
+        away = math.hypot(east, north)
+        step = self._speed * seconds
+        if away <= step:
+            self._goal = self._next()
+        else:
+            self._east += east / away * step
+            self._north += north / away * step
+
+    def _next(self) -> tuple[float, float]:
+        """In a disc, beyond the edge, or anywhere."""
+        kind = self._random.random()
+        if kind < 0.4:
+            disc = self._random.choice(self._field.discs)
+            return disc.east, disc.north
+        beyond = GOES_METRES if kind < 0.7 else 0.0
+        return (
+            self._random.uniform(self._field.west - beyond, self._field.east + beyond),
+            self._random.uniform(self._field.south - beyond, self._field.north + beyond),
+        )
+
+    def say(self, origin: Json, now: float, weather: Weather) -> None:
+        """On its way from now on; what is lost is lost."""
+        keep = math.exp(-1 / WANDERS_SECONDS)
+        fresh = WANDERS_METRES * math.sqrt(1 - keep * keep)
+        self._off = [off * keep + self._random.gauss(0, fresh) for off in self._off]
+        east, north = (
+            true + off + self._random.gauss(0, WHITE_METRES)
+            for true, off in zip(self.here(), self._off, strict=True)
+        )
+        at = datetime.fromtimestamp(time.time(), UTC).isoformat()
+        self._said += 1
+        position = {"id": self._said, "at": at, "accuracy": 5} | place(origin, east, north)
+        if self._random.random() >= weather.loss:
+            delay = weather.delay + self._random.uniform(-weather.jitter, weather.jitter)
+            heapq.heappush(self._due, (now + delay, self._said, {"sent": at, "positions": [position]}))
+
+    def arrived(self, now: float) -> list[Json]:
+        found = []
+        while self._due and self._due[0][0] <= now:
+            found.append(heapq.heappop(self._due)[2])
+        return found
+
+
+class Chase:
+    """One round: a server, a fleet in the wind, and as many phones."""
+
+    def __init__(self, folder: Path, seed: int, follows: int, wind: float) -> None:
+        self.random = random.Random(seed)
+        self.follows = follows
+        self.folder = folder
+        self.server = Server(folder / "data")
+        self.server.start()
+        self.link = Impairer(self.server.udp_port, seed)
+        self.tap = Tap(self.link.port, ("GLOBAL_POSITION_INT",))
+        self.simulator = Simulator(
+            folder / "sim.log",
+            f"udp://127.0.0.1:{self.tap.port}",
+            *("--count", str(follows), "--sysid", str(FIRST_SYSTEM_ID), "--seed", str(seed)),
+            *("--wind", f"{wind:g}"),
+        )
+        self.api = Api(self.server.address, self.server.local_key())
+
+    def close(self) -> None:
+        self.simulator.stop()
+        self.tap.close()
+        self.link.close()
+        self.server.stop()
+
+    def fly(self, seconds: float) -> Json:
+        """What the judge found, who sees only where the vehicles were."""
+        drones = [
+            wait_for("all is known", partial(known, self.api, FIRST_SYSTEM_ID + n), 180)
+            for n in range(self.follows)
+        ]
+        origin: Json = drones[0]["home"]
+        ground = Field.around(drones, origin, self.random)
+        for zone in ground.zones(origin):
+            answer = self.api.call("POST", "/zones", zone)
+            assert answer.status_code == 201, answer.text
+        phones = [Phone(ground, number, self.random) for number in range(self.follows)]
+        for phone, drone in zip(phones, drones, strict=True):
+            self._ask(phone, drone, origin)
+        self.link.weather = DELAYED
+        self._talk(phones, origin, 180, lambda: self._all(phones, "tracking"))
+        begun = time.monotonic()
+        for phone in phones:
+            phone.walks = True
+        self._talk(phones, origin, seconds)
+        ended = time.monotonic()
+        states = [self.api.get(f"/follows/{phone.follow}") for phone in phones]
+        self.link.weather = CLEAR
+        return self._judged(origin, ground, (begun, ended)) | {"states": [one["state"] for one in states]}
+
+    def _ask(self, phone: Phone, drone: Json, origin: Json) -> None:
+        sides: list[Json] = [
+            {"side": "behind"},
+            {"side": "ahead"},
+            {"side": "fixed", "bearing": self.random.randrange(360)},
+        ]
+        beside: Json = {"distance": self.random.randrange(3, 16), "height": self.random.choice(HEIGHTS)}
+        order = place(origin, *phone.here()) | {
+            "drone": drone["id"],
+            "place": self.random.choice(sides) | beside,
+        }
+        answer = self.api.call("POST", "/follows", order)
+        assert answer.status_code == 201, answer.text
+        phone.follow = answer.json()["id"]
+        assert self.api.call("POST", f"/follows/{phone.follow}/start").ok
+
+    def _all(self, phones: list[Phone], state: str) -> bool:
+        seen = {one["id"]: one["state"] for one in self.api.get("/follows")["follows"]}
+        return all(seen[phone.follow] == state for phone in phones)
+
+    def _talk(
+        self, phones: list[Phone], origin: Json, seconds: float, until: Callable[[], bool] | None = None
+    ) -> None:
+        """Lets them go and say where they are, for so long or until that is so."""
+        said = [time.monotonic() - self.random.random() for _ in phones]
+        looked = 0.0
+        for _ in rounds(time.monotonic() + seconds, TICK_SECONDS):
+            for number, phone in enumerate(phones):
+                now = time.monotonic()
+                phone.go(TICK_SECONDS)
+                if now - said[number] >= 1:
+                    said[number] += 1
+                    phone.say(origin, now, DELAYED)
+                for message in phone.arrived(now):
+                    answer = self.api.call("POST", f"/follows/{phone.follow}/positions", message)
+                    assert answer.ok, answer.text
+            if until is not None and time.monotonic() - looked > 1:
+                looked = time.monotonic()
+                if until():
+                    return
+        assert until is None, f"not all follow after {seconds:.0f} s: {self.api.get('/follows')}"
+
+    def _judged(self, origin: Json, ground: Field, when: tuple[float, float]) -> Json:
+        tracks: dict[int, list[list[float]]] = {}
+        for one in self.tap.heard("GLOBAL_POSITION_INT", up=True):
+            if when[0] <= one.at <= when[1]:
+                here = fix(origin, one)
+                row = [boot_seconds(one), here.east, here.north, here.up, here.above_home]
+                tracks.setdefault(one.message.get_srcSystem(), []).append(row)
+        truth = {
+            "inside": [ground.west, ground.south, ground.east, ground.north],
+            "discs": [[disc.east, disc.north, disc.radius] for disc in ground.discs],
+            "lowest": LOWEST_METRES,
+            "separation": SEPARATION,
+            "tracks": tracks,
+        }
+        file = self.folder / "truth.json"
+        file.write_text(json.dumps(truth))
+        judge = [sys.executable, "-m", "dronemap_e2e.chase_judge", str(file)]
+        root = Path(__file__).resolve().parents[1]
+        found: Json = json.loads(subprocess.run(judge, capture_output=True, check=True, cwd=root).stdout)
+        return found
+
+
+def _local(origin: Json, there: Json) -> tuple[float, float]:
+    return local(origin, there["latitude"], there["longitude"])

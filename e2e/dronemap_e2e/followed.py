@@ -1,0 +1,188 @@
+"""Phones that stand still, each followed by a simulated copter; what every face and the wire say of it."""
+
+import json
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from typing import Any
+
+from websockets.sync.client import connect
+
+from .api import Api, Json
+from .flight import ARMED, COPTER_RTL, Point
+from .server import Server
+from .soap import soap
+from .tap import Heard, Tap
+from .waiting import wait_for
+from .walker import beside
+
+DISTANCE = 5
+TAKE_OFF = 22
+COPTER_LAND = 9
+# A drone on its way there needs nobody.
+HOMEWARD = (COPTER_RTL, COPTER_LAND)
+STREAM_SECONDS = 20
+
+
+@dataclass
+class Followed:
+    """A phone, and the follow that is about it."""
+
+    system_id: int
+    drone: Json
+    height: float
+    patience: int
+    follow: str = ""
+    speaks: bool = True
+    # Somebody at the vehicle flies it by sticks.
+    piloted: bool = False
+    said: float = 0.0
+    east: float = 0.0
+    north: float = 40.0
+    # The stages that it was seen at, each once until the next one.
+    stages: list[str] = field(default_factory=list)
+
+    @property
+    def phone(self) -> Point:
+        return beside(self.drone["home"], self.east, self.north)
+
+    @property
+    def place(self) -> Point:
+        """Where its drone is wanted."""
+        return beside(self.drone["home"], self.east, self.north - DISTANCE)
+
+    def ask(self, api: Api) -> None:
+        order = {
+            "latitude": self.phone.latitude,
+            "longitude": self.phone.longitude,
+            "drone": self.drone["id"],
+            "place": {"side": "fixed", "bearing": 180, "distance": DISTANCE, "height": self.height},
+            "patience": self.patience,
+        }
+        answer = api.call("POST", "/follows", order)
+        assert answer.status_code == 201, answer.text
+        self.follow = answer.json()["id"]
+
+    def wish(self, api: Api, what: str) -> None:
+        answer = api.call("POST", f"/follows/{self.follow}/{what}")
+        assert answer.ok, answer.text
+
+    def say(self, api: Api) -> None:
+        """Once a second; who is no longer followed has nothing to say."""
+        now = time.time()
+        if not self.speaks or now - self.said < 1:
+            return
+        self.said = now
+        at = datetime.fromtimestamp(now, UTC).isoformat()
+        here = {"at": at, "latitude": self.phone.latitude, "longitude": self.phone.longitude, "accuracy": 4}
+        answer = api.call("POST", f"/follows/{self.follow}/positions", {"sent": at, "positions": [here]})
+        assert answer.ok or answer.status_code == 409, answer.text
+
+    def saw(self, stage: str) -> None:
+        if not self.stages or self.stages[-1] != stage:
+            self.stages.append(stage)
+
+
+class Truth:
+    """What vehicles themselves say, whether or not anybody listens."""
+
+    KINDS = ("GLOBAL_POSITION_INT", "HEARTBEAT", "COMMAND_LONG", "COMMAND_INT")
+
+    def __init__(self, tap: Tap) -> None:
+        self._tap = tap
+
+    def mode(self, one: Followed) -> int:
+        return int(self._last("HEARTBEAT", one).message.custom_mode)
+
+    def armed(self, one: Followed) -> bool:
+        return bool(self._last("HEARTBEAT", one).message.base_mode & ARMED)
+
+    def told_to_take_off(self, one: Followed) -> bool:
+        return any(
+            heard.message.command == TAKE_OFF and heard.message.target_system == one.system_id
+            for heard in self._tap.heard("COMMAND_LONG", "COMMAND_INT", up=False)
+        )
+
+    def height(self, one: Followed) -> float:
+        return float(self._last("GLOBAL_POSITION_INT", one).message.relative_alt) / 1000
+
+    def metres_to(self, one: Followed, there: Point) -> float:
+        said = self._last("GLOBAL_POSITION_INT", one).message
+        return there.metres_to(said.lat / 1e7, said.lon / 1e7)
+
+    def strayed(self, one: Followed, since: float) -> float:
+        """Metres from where it was at that moment (monotonic s), at most."""
+        track = [h.message for h in self._of("GLOBAL_POSITION_INT", one) if h.at >= since]
+        first = Point(track[0].lat / 1e7, track[0].lon / 1e7, 0)
+        return max(first.metres_to(said.lat / 1e7, said.lon / 1e7) for said in track)
+
+    def _last(self, kind: str, one: Followed) -> Heard:
+        return self._of(kind, one)[-1]
+
+    def _of(self, kind: str, one: Followed) -> list[Heard]:
+        return [
+            heard
+            for heard in self._tap.heard(kind, up=True)
+            if heard.message.get_srcSystem() == one.system_id and heard.message.get_srcComponent() == 1
+        ]
+
+
+class Crowd:
+    """All of them; while somebody waits for something, those who can say where they are."""
+
+    def __init__(self, everybody: Iterable[Followed], truth: Truth) -> None:
+        self.everybody = list(everybody)
+        self.truth = truth
+
+    def until(self, api: Api, what: str, condition: Callable[[], object], seconds: float) -> None:
+        def looked() -> object:
+            for one in self.everybody:
+                one.say(api)
+            for follow in self.seen(api).values():
+                self.of(follow["id"]).saw(follow["state"])
+            return condition()
+
+        wait_for(what, looked, seconds, every=0.2)
+
+    def of(self, follow: str) -> Followed:
+        return next(one for one in self.everybody if one.follow == follow)
+
+    def seen(self, api: Api) -> dict[str, Json]:
+        """As REST tells them, by id."""
+        mine = {one.follow for one in self.everybody}
+        return {one["id"]: one for one in api.get("/follows")["follows"] if one["id"] in mine}
+
+    def uncared(self, api: Api) -> list[str]:
+        """Drones that nobody has, and that neither go home nor stand on the ground nor are waited for."""
+        told = self.seen(api)
+        drones = {drone["id"]: drone for drone in api.drones()}
+        return [
+            f"{one.system_id}: {told[one.follow]['state']}, {drones[one.drone['id']]['control']}"
+            for one in self.everybody
+            if drones[one.drone["id"]]["control"]["state"] == "free"
+            and not one.piloted
+            and self.truth.armed(one)
+            and self.truth.mode(one) not in HOMEWARD
+            and not (told[one.follow]["note"] or "").startswith("Nobody has")
+        ]
+
+
+def by_soap(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
+    """Each one's stage."""
+    service = soap(server, key, "FollowerService")
+    return {follow: service.getFollow(follow).state for follow in follows}
+
+
+def by_stream(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
+    """Each one's stage, as told to who has just connected."""
+    wanted = set(follows)
+    found: dict[str, str] = {}
+    with connect(server.stream_address, additional_headers={"Authorization": f"Bearer {key}"}) as stream:
+        deadline = time.monotonic() + STREAM_SECONDS
+        while set(found) != wanted:
+            assert time.monotonic() < deadline, f"the stream does not tell of {wanted - set(found)}"
+            message: Any = json.loads(stream.recv(timeout=STREAM_SECONDS))
+            if message["type"] == "follow" and message["follow"]["id"] in wanted:
+                found[message["follow"]["id"]] = message["follow"]["state"]
+    return found

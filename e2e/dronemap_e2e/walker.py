@@ -1,0 +1,112 @@
+"""Who carries a phone and wants to be followed; and the page on that phone."""
+
+import math
+import os
+import secrets
+from dataclasses import dataclass
+from pathlib import Path
+
+from playwright.sync_api import Browser, BrowserContext, Geolocation, Page, ViewportSize, expect
+
+from .api import Api, Json
+from .flight import Point
+from .waiting import wait_for
+
+METRES_PER_DEGREE = 111_195
+SCREEN: ViewportSize = {"width": 390, "height": 844}
+ACCURACY_METRES = 4
+
+
+def a_person(api: Api) -> tuple[str, str]:
+    name, password = f"walker-{secrets.token_hex(3)}", secrets.token_hex(10)
+    made = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
+    assert made.status_code == 201, made.text
+    return name, password
+
+
+def sign_in(page: Page, address: str, api: Api) -> None:
+    name, password = a_person(api)
+    page.goto(address)
+    page.get_by_label("User name").fill(name)
+    page.get_by_label("Password", exact=True).fill(password)
+    page.get_by_role("button", name="Sign in", exact=True).tap()
+    page.get_by_label("New password").fill(secrets.token_hex(10))
+    page.get_by_role("button", name="Save and continue").tap()
+    expect(page.get_by_role("heading", name="A drone that follows you")).to_be_visible()
+
+
+def phone(browser: Browser, at: Point | None = None, dark: bool = False) -> Page:
+    """A page as big as a phone's, whose receiver says that it is there."""
+    context = browser.new_context(
+        viewport=SCREEN,
+        has_touch=True,
+        is_mobile=True,
+        device_scale_factor=2,
+        color_scheme="dark" if dark else "light",
+        geolocation=None if at is None else _fix(at),
+        permissions=["geolocation"] if at else [],
+    )
+    return context.new_page()
+
+
+def picture(page: Page, name: str) -> None:
+    """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+    folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
+    if folder:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        page.screenshot(path=Path(folder) / f"{name}.png")
+
+
+def beside(home: Json, east: float, north: float) -> Point:
+    across = METRES_PER_DEGREE * math.cos(math.radians(home["latitude"]))
+    return Point(home["latitude"] + north / METRES_PER_DEGREE, home["longitude"] + east / across, 0)
+
+
+def _fix(at: Point) -> Geolocation:
+    return {"latitude": at.latitude, "longitude": at.longitude, "accuracy": ACCURACY_METRES}
+
+
+@dataclass
+class Walker:
+    """Who carries the phone; metres from the drone's home."""
+
+    page: Page
+    home: Json
+    east: float = 20
+    north: float = 10
+
+    @property
+    def place(self) -> Point:
+        return beside(self.home, self.east, self.north)
+
+    @property
+    def context(self) -> BrowserContext:
+        return self.page.context
+
+    def step(self, north: float = 0) -> None:
+        """A receiver speaks once in a while also of who stands still."""
+        self.north += north
+        self.context.set_geolocation(_fix(self.place))
+
+    def stands_until(self, words: str, seconds: float = 20) -> None:
+        heading = self.page.get_by_role("heading", level=1)
+
+        def reads() -> bool:
+            self.step()
+            return heading.inner_text().strip() == words
+
+        wait_for(f"the page says {words}", reads, seconds)
+
+    def reads(self, *words: str, seconds: float = 30) -> str:
+        """What one line of the page says, once it has these words."""
+        line = self.page.get_by_role("listitem").filter(has_text=words[0])
+
+        def said() -> str | None:
+            self.step()
+            text = line.inner_text() if line.is_visible() else ""
+            return text if all(one in text for one in words) else None
+
+        try:
+            return wait_for(f"the page says {words[0]}", said, seconds)
+        except AssertionError as missing:
+            raise AssertionError(f"{missing}; it says: {self.page.inner_text('body')}") from missing
