@@ -75,12 +75,12 @@ def _known(api: Api) -> bool:
 
 
 def tap_places(page: Page, places: tuple[tuple[int, int], ...]) -> None:
-    """Pixels east and north of the middle of the map."""
-    box = page.get_by_role("application", name="Map").bounding_box()
-    assert box
-    for east, north in places:
-        page.mouse.click(box["x"] + box["width"] / 2 + east, box["y"] + box["height"] / 2 + north)
-        page.wait_for_timeout(400)
+    """Pixels east and south of the middle of the map; each is a waypoint before the next is tapped."""
+    for number, (east, south) in enumerate(places, start=1):
+        box = page.get_by_role("application", name="Map").bounding_box()
+        assert box
+        page.mouse.click(box["x"] + box["width"] / 2 + east, box["y"] + box["height"] / 2 + south)
+        expect(page.get_by_text(re.compile(rf"\b{number} waypoints?\b")).first).to_be_visible()
 
 
 def _place_of(page: Page, waypoint: str) -> Json:

@@ -270,7 +270,8 @@ def test_a_new_zone_a_joining_drone_and_a_waypoint_out_of_reach(
     api: Api, tap: Tap, drones: list[Json]
 ) -> None:
     joining = wait_for("all is known", partial(known, api, JOINING), 120)
-    run = begun(api, drones, 10, "automatic")
+    # So many that the one that joins keeps some, whatever a better plan gives to others.
+    run = begun(api, drones, 16, "automatic")
     done(api, "POST", f"{run}/drones", {"drone": joining["id"]})
     wait_for(
         "it has its share",

@@ -6,7 +6,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
-import org.dronemap.cognitive.cost.Instance;
 
 /**
  * Several searches of one problem at the same time, each with a seed of its own and the whole budget; the best plan of all
@@ -19,37 +18,51 @@ public final class Crew {
     private final int searches;
     private final Executor executor;
 
+    @FunctionalInterface
+    private interface Search {
+        Allocation run(long seed, Budget budget, Consumer<Allocation> improved);
+    }
+
     /** All searches but one run on the executor, which must start them at once; one runs on the thread that asks. */
-    public Crew(Instance instance, int searches, Executor executor) {
+    public Crew(Allocator allocator, int searches, Executor executor) {
         if (searches < 1) {
             throw new IllegalArgumentException("searches must be at least 1: " + searches);
         }
-        allocator = new Allocator(instance);
+        this.allocator = allocator;
         this.searches = searches;
         this.executor = executor;
     }
 
     /** {@code improved} hears of every plan that is better than those of all searches before, one at a time on any thread. */
     public Allocation search(long seed, Budget budget, Consumer<Allocation> improved) {
+        return together(allocator::search, seed, budget, improved);
+    }
+
+    /** Searches that all begin with the same tours at hand; {@code improved} hears as in {@link #search}. */
+    public Allocation improve(int[][] orders, long seed, Budget budget, Consumer<Allocation> improved) {
+        return together((its, whole, better) -> allocator.improve(orders, its, whole, better), seed, budget, improved);
+    }
+
+    private Allocation together(Search search, long seed, Budget budget, Consumer<Allocation> improved) {
         AtomicBoolean failed = new AtomicBoolean();
         Budget whole = budget.orWhen(failed::get);
         Best best = new Best(allocator::worth, improved);
         List<CompletableFuture<Allocation>> others = new ArrayList<>();
         for (int number = 1; number < searches; number++) {
             long its = seed + BETWEEN_SEEDS * number;
-            others.add(CompletableFuture.supplyAsync(() -> guarded(its, whole, best, failed), executor));
+            others.add(CompletableFuture.supplyAsync(() -> guarded(search, its, whole, best, failed), executor));
         }
         List<Allocation> found = new ArrayList<>();
-        found.add(guarded(seed, whole, best, failed));
+        found.add(guarded(search, seed, whole, best, failed));
         others.forEach(other -> found.add(other.join()));
         return least(found);
     }
 
     /** A search that fails ends the others. */
-    private Allocation guarded(long seed, Budget budget, Best best, AtomicBoolean failed) {
+    private static Allocation guarded(Search search, long seed, Budget budget, Best best, AtomicBoolean failed) {
         boolean done = false;
         try {
-            Allocation found = allocator.search(seed, budget, best::offer);
+            Allocation found = search.run(seed, budget, best::offer);
             done = true;
             return found;
         } finally {

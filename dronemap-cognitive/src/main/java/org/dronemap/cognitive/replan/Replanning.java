@@ -1,9 +1,11 @@
 package org.dronemap.cognitive.replan;
 
 import java.util.BitSet;
+import java.util.concurrent.Executor;
 import org.dronemap.cognitive.allocate.Allocation;
 import org.dronemap.cognitive.allocate.Allocator;
 import org.dronemap.cognitive.allocate.Budget;
+import org.dronemap.cognitive.allocate.Crew;
 import org.dronemap.cognitive.cost.Aim;
 import org.dronemap.cognitive.cost.Continuation;
 import org.dronemap.cognitive.cost.CostModel;
@@ -46,10 +48,19 @@ public final class Replanning {
         return replanned(kept, 0);
     }
 
-    /** Searches from there until the budget is spent, its last part on keeping drones from changing. */
+    /** On this thread alone. */
     public Replanned improve(long seed, Budget budget) {
+        return improve(seed, budget, 1, Runnable::run);
+    }
+
+    /**
+     * Searches from there until the budget is spent, its last part on keeping drones from changing.
+     *
+     * @param searches at the same time, the best of which counts: one on this thread, the others on the executor
+     */
+    public Replanned improve(long seed, Budget budget, int searches, Executor executor) {
         Budget search = iterations -> budget.used(iterations) / SEARCH_SHARE;
-        Allocation found = allocator.improve(kept.orders(), seed, search, better -> {});
+        Allocation found = new Crew(allocator, searches, executor).improve(kept.orders(), seed, search, better -> {});
         int[][] live = continuation.rest(standing.orders());
         Restoring restoring = new Restoring(allocator, live, this::cost, () -> budget.used(0) >= 1);
         return replanned(restoring.fewestChanged(kept, found), found.iterations());

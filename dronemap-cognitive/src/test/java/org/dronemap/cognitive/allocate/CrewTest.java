@@ -29,13 +29,13 @@ class CrewTest {
     void findsTheBestOfWhatEachSearchFindsAlone() {
         double least = Double.POSITIVE_INFINITY;
         for (int number = 0; number < 3; number++) {
-            double alone = new Crew(instance, 1, threads)
+            double alone = new Crew(new Allocator(instance), 1, threads)
                     .search(5 + 1_000_003L * number, SHORT, better -> {})
                     .longestSeconds();
             least = Math.min(least, alone);
         }
 
-        Allocation together = new Crew(instance, 3, threads).search(5, SHORT, better -> {});
+        Allocation together = new Crew(new Allocator(instance), 3, threads).search(5, SHORT, better -> {});
 
         assertThat(together.longestSeconds()).isEqualTo(least);
     }
@@ -43,7 +43,7 @@ class CrewTest {
     @Test
     void tellsOnlyOfPlansThatAreBetterThanAllBefore() {
         List<Double> heard = Collections.synchronizedList(new ArrayList<>());
-        Allocation found = new Crew(instance, 3, threads)
+        Allocation found = new Crew(new Allocator(instance), 3, threads)
                 .search(1, Budget.iterations(20_000), better -> heard.add(better.longestSeconds()));
 
         assertThat(heard).hasSizeGreaterThan(2).isSortedAccordingTo((one, other) -> Double.compare(other, one));
@@ -52,7 +52,7 @@ class CrewTest {
 
     @Test
     void endsAllSearchesWhenOneFails() {
-        Crew crew = new Crew(instance, 2, threads);
+        Crew crew = new Crew(new Allocator(instance), 2, threads);
         Budget endless = iterations -> 0;
 
         assertThatThrownBy(() -> crew.search(1, endless, better -> {

@@ -51,31 +51,8 @@ class ReplanningTest {
                 .toList();
     }
 
-    private static List<LiveOrder> live(Plan plan) {
-        return plan.tours().stream()
-                .map(tour -> LiveOrder.of(
-                        tour.drone(), tour.stops().stream().map(Stop::waypoint).toList()))
-                .toList();
-    }
-
     private static Craft inFlight(Craft craft, double east, double north) {
         return craft.with(Start.inFlight(Scenes.place(east, north, 450)));
-    }
-
-    /** A plan for all drones, and the same problem without the first one. */
-    private record Loss(Problem problem, Plan plan, Situation situation) {
-        static Loss of(long seed, int waypoints, int drones) {
-            SplittableRandom random = new SplittableRandom(seed);
-            List<Waypoint> places = new ArrayList<>();
-            for (int i = 0; i < waypoints; i++) {
-                places.add(Scenes.waypoint(i, random.nextDouble(-1_500, 1_500), random.nextDouble(-1_500, 1_500)));
-            }
-            Problem problem = Problem.of(places, Scenes.crafts(drones));
-            Plan plan = Engine.plan(problem, seed, Budget.iterations(5_000), progress -> {})
-                    .plan();
-            List<Craft> left = problem.crafts().subList(1, drones);
-            return new Loss(problem, plan, new Situation(Problem.of(places, left), live(plan)));
-        }
     }
 
     @Test
@@ -171,8 +148,8 @@ class ReplanningTest {
         Loss loss = Loss.of(2, 60, 4);
         Plan good = Engine.plan(loss.problem(), 1, Budget.iterations(60_000), progress -> {})
                 .plan();
-        Replanned replanned =
-                Engine.replanning(new Situation(loss.problem(), live(good))).improve(7, Budget.iterations(500));
+        Replanned replanned = Engine.replanning(new Situation(loss.problem(), Loss.live(good)))
+                .improve(7, Budget.iterations(500));
 
         assertThat(replanned.changes().drones()).isEmpty();
         assertThat(replanned.changes().moved()).isEmpty();

@@ -1,8 +1,17 @@
 package org.dronemap.core.virtual;
 
+import org.dronemap.core.drone.Wind;
+import org.jspecify.annotations.Nullable;
+
 /**
  * What a drone is looked for to do.
  *
  * @param first the tour's waypoint to begin with, counted from 0
+ * @param wind there; null: not known
  */
-public record Demand(Needs needs, Tour tour, int first) {}
+public record Demand(
+        Needs needs, Tour tour, int first, @Nullable Wind wind) {
+    public Demand(Needs needs, Tour tour, int first) {
+        this(needs, tour, first, null);
+    }
+}

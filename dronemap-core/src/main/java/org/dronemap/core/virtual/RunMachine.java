@@ -306,7 +306,7 @@ public final class RunMachine {
         }
         int next = Math.min(run.flown(), run.total() - 1);
         return Duration.ofSeconds(
-                Math.round(Energy.of(run.tour(), next, drone, at).minutes() * 60));
+                Math.round(Energy.of(run.tour(), next, drone, at, null).minutes() * 60));
     }
 
     private static Run progress(Run run, Assignment assignment, DroneState drone) {

@@ -106,7 +106,10 @@ public record Selection(List<Candidate> candidates, Optional<Choice> choice, Lis
             return Judged.unfit(
                     String.format(Locale.ROOT, "Its battery lasts for some %.0f min, not for %d.", lasts, endurance));
         }
-        Energy energy = Energy.of(demand.tour(), demand.first(), drone, charge.stand());
+        Energy energy = Energy.of(demand.tour(), demand.first(), drone, charge.stand(), demand.wind());
+        if (Double.isInfinite(energy.minutes())) {
+            return Judged.unfit("It makes no headway on its way: the mission takes " + energy.words() + ".");
+        }
         double left = charge.percent() - energy.percent();
         if (left < RESERVE_PERCENT) {
             return Judged.unfit("Its battery has " + charge.percent() + " %; the mission takes " + energy.words()

@@ -2,8 +2,11 @@ package org.dronemap.core.virtual;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
@@ -11,6 +14,8 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.drone.Wind;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.virtual.VirtualFixtures.Drone;
 import org.junit.jupiter.api.Test;
 
@@ -53,6 +58,70 @@ class SelectionTest {
                                 + " %.0f %% of the battery left after the mission.",
                         choice.chosenValue(), choice.otherValue()))
                 .doesNotContain("a-used");
+    }
+
+    private static Choice inWind(double fromDegrees, double speed, Drone... drones) {
+        Wind wind = new Wind(fromDegrees, speed, VirtualFixtures.NOW);
+        return Selection.of(
+                        new Demand(Needs.NONE, Tour.of(VirtualFixtures.mission(3)), 0, wind),
+                        Arrays.stream(drones).map(Drone::state).toList(),
+                        NONE)
+                .choice()
+                .orElseThrow();
+    }
+
+    @Test
+    void takesNoDroneThatMakesNoHeadwayAgainstTheWind() {
+        Drone copter = new Drone("a-copter", 880);
+        Drone plane = new Drone("b-plane", 1_030);
+        plane.kind = VehicleKind.FIXED_WING;
+
+        assertThat(inWind(0, 4, copter, plane).chosen()).as("the nearer one").isEqualTo(copter.id);
+        Choice slowed = inWind(0, 11, copter, plane);
+        assertThat(slowed.chosen()).isEqualTo(plane.id);
+        assertThat(slowed.unfit().get(0).why()).contains("no headway", "a wind of 11 m/s from 0°");
+        assertThat(slowed.energy()).contains("a wind of 11 m/s from 0°, as felt in the air");
+    }
+
+    @Test
+    void reckonsWithTheWindThereAndBack() {
+        Drone copter = new Drone("copter", 1_030);
+        Drone plane = new Drone("plane", 1_030);
+        plane.kind = VehicleKind.FIXED_WING;
+
+        assertThat(minutes(copter, 0)).isEqualTo(minutes(copter, 4));
+        assertThat(minutes(copter, 7))
+                .as("slower against it, no faster with it")
+                .isGreaterThan(minutes(copter, 4) * 1.2);
+        assertThat(minutes(plane, 6)).isGreaterThan(minutes(plane, 0) * 1.2).isLessThan(minutes(plane, 0) * 1.5);
+    }
+
+    private static double minutes(Drone drone, double windFromNorth) {
+        DroneState state = drone.state();
+        Wind wind = windFromNorth == 0 ? null : new Wind(0, windFromNorth, VirtualFixtures.NOW);
+        return Energy.of(
+                        Tour.of(VirtualFixtures.mission(1)),
+                        0,
+                        state,
+                        Objects.requireNonNull(
+                                Objects.requireNonNull(state.position()).point()),
+                        wind)
+                .minutes();
+    }
+
+    @Test
+    void believesTheNewestWindThatWasFeltNearby() {
+        DroneState flies = new Drone("flies", 500).state();
+        Instant now = VirtualFixtures.NOW.plusSeconds(600);
+        assertThat(Wind.near(VirtualFixtures.FIRST, List.of(flies), now)).isEmpty();
+        Wind older = new Wind(90, 3, VirtualFixtures.NOW);
+        Wind newer = new Wind(180, 5, VirtualFixtures.NOW.plusSeconds(60));
+        List<DroneState> both = List.of(VirtualFixtures.feels(flies, newer), VirtualFixtures.feels(flies, older));
+        assertThat(Wind.near(VirtualFixtures.FIRST, both, now)).contains(newer);
+        assertThat(Wind.near(VirtualFixtures.FIRST, both, now.plusSeconds(1_200)))
+                .as("long ago")
+                .isEmpty();
+        assertThat(Wind.near(new Geodetic(48.4, 8.5), both, now)).as("far away").isEmpty();
     }
 
     @Test

@@ -25,6 +25,7 @@ import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.drone.Wind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
@@ -37,6 +38,35 @@ final class VirtualFixtures {
     static final Geodetic FIRST = new Geodetic(47.4, 8.5);
 
     private VirtualFixtures() {}
+
+    /** The same drone, which feels that wind. */
+    static DroneState feels(DroneState drone, Wind wind) {
+        return new DroneState(
+                drone.id(),
+                drone.name(),
+                drone.replay(),
+                drone.link(),
+                drone.identification(),
+                drone.standing(),
+                drone.capabilities(),
+                drone.mode(),
+                drone.armed(),
+                drone.readyToArm(),
+                drone.phase(),
+                drone.position(),
+                drone.local(),
+                drone.motion(),
+                drone.attitude(),
+                drone.battery(),
+                drone.gps(),
+                drone.home(),
+                drone.returnHeight(),
+                drone.payload().with(wind),
+                drone.mission(),
+                drone.messages(),
+                drone.lastUpdate(),
+                drone.version());
+    }
 
     /** What is said of a drone in a test; the rest is as it should be. */
     static final class Drone {

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
+import org.dronemap.cognitive.allocate.Allocator;
 import org.dronemap.cognitive.allocate.Crew;
 import org.dronemap.cognitive.cost.Aim;
 import org.dronemap.cognitive.cost.Carrier;
@@ -22,7 +23,7 @@ final class Engine implements Solver {
     public int[][] solve(TourProblem problem, Order order, Consumer<int[][]> improved) {
         ExecutorService threads = Executors.newFixedThreadPool(order.threads());
         try {
-            return new Crew(instance(problem), order.threads(), threads)
+            return new Crew(new Allocator(instance(problem)), order.threads(), threads)
                     .search(
                             order.seed(),
                             iterations -> order.allowance().share(),

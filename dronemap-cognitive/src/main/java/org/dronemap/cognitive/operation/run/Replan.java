@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.concurrent.ForkJoinPool;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import org.dronemap.cognitive.allocate.Budget;
@@ -17,12 +18,20 @@ import org.dronemap.core.operation.Computation;
  * @param limit how long a better one is looked for; zero: the one at once
  */
 public record Replan(int request, Situation situation, long seed, Duration limit) implements Computation<RunInput> {
+    /** Drones hover meanwhile: what processors there are help, but never more than these. */
+    private static final int MOST_SEARCHES = 4;
+
     @Override
     public RunInput run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled) {
         Replanning replanning = new Replanning(situation);
         Replanned result = limit.isZero()
                 ? replanning.atOnce()
-                : replanning.improve(seed, Budget.time(limit, nanoTime).orWhen(cancelled));
+                : replanning.improve(
+                        seed,
+                        Budget.time(limit, nanoTime).orWhen(cancelled),
+                        Math.min(MOST_SEARCHES, Runtime.getRuntime().availableProcessors()),
+                        // Where it is busy, the budget is spent before a search begins, and the others' plan counts.
+                        ForkJoinPool.commonPool());
         return new RunInput.Replanned(clock.instant(), request, result, null);
     }
 

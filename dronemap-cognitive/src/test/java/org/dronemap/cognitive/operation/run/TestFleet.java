@@ -192,7 +192,7 @@ final class TestFleet {
         Duration still = Duration.ofMillis(Math.round(1_000 * vehicle.stillFor));
         return new Scene.Seen(
                 linked(last, link),
-                run.drones(state).contains(vehicle.id) ? vehicle.takenBy : "nobody",
+                new Scene.Sway(run.drones(state).contains(vehicle.id) ? vehicle.takenBy : "nobody", null, false),
                 link == LinkState.LIVE ? Duration.ZERO : silence,
                 link == LinkState.LIVE ? still : Duration.ZERO);
     }
