@@ -5,10 +5,22 @@ import { defineConfig } from 'vitest/config';
 const server = process.env['DRONEMAP_SERVER'] ?? 'http://127.0.0.1:8080';
 const port = Number(process.env['DRONEMAP_WEB_PORT'] ?? 5173);
 
+/** Beside the page: a service worker looks after what lies below it. */
+const FOLLOW_WORKER = 'follow-worker';
+
 export default defineConfig({
   plugins: [svelte(), svelteTesting()],
   base: './',
-  build: { target: 'es2022', chunkSizeWarningLimit: 1500 },
+  build: {
+    target: 'es2022',
+    chunkSizeWarningLimit: 1500,
+    rolldownOptions: {
+      input: { index: 'index.html', [FOLLOW_WORKER]: `src/follow/${FOLLOW_WORKER}.ts` },
+      output: {
+        entryFileNames: ({ name }) => (name === FOLLOW_WORKER ? '[name].js' : 'assets/[name]-[hash].js'),
+      },
+    },
+  },
   worker: { format: 'es' },
   server: {
     host: '127.0.0.1',

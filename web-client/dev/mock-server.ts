@@ -6,9 +6,10 @@ import { createServer, type IncomingMessage, type ServerResponse } from 'node:ht
 import { WebSocketServer, type WebSocket } from 'ws';
 import type { AccessKey } from '../src/api/access-keys';
 import type { Session } from '../src/api/accounts';
-import type { Command, CommandRequest, SavedMission } from '../src/api/types';
+import type { Command, CommandRequest, SavedMission, StreamRequest } from '../src/api/types';
 import { MockAccounts, type Handler } from './mock-accounts';
 import { MockDrone } from './mock-drone';
+import { MockFollows } from './mock-follows';
 import { snapshotOf } from './mock-snapshot';
 
 const port = Number(process.env['DRONEMAP_MOCK_PORT'] ?? 8090);
@@ -50,6 +51,13 @@ function broadcast(message: unknown): void {
   const text = JSON.stringify(message);
   clients.forEach((client) => client.send(text));
 }
+
+const follows = new MockFollows({
+  drones,
+  owner: () => session?.name ?? 'nobody',
+  broadcast,
+  refusal: (status, detail) => new Refusal(status, detail),
+});
 
 function droneOf(id: string): MockDrone {
   const drone = drones.find((one) => one.beginning.id === id);
@@ -160,6 +168,7 @@ const HANDLERS: Record<string, Handler> = {
     key: `dmk_${randomUUID().replaceAll('-', '')}`,
   }),
   ...accounts.handlers,
+  ...follows.handlers,
   'GET settings': () => ({
     streamPort,
     tileAddress: process.env['DRONEMAP_TILES'] ?? null,
@@ -211,6 +220,18 @@ function routeLists(method: string, list: string, id: string, body: unknown): un
   }
 }
 
+function hearPhone(client: WebSocket, said: Extract<StreamRequest, { type: 'positions' }>): void {
+  const { requestId } = said;
+  try {
+    client.send(
+      JSON.stringify({ type: 'positionsHeard', requestId, receipt: follows.hear(said.follow, said) }),
+    );
+  } catch (thrown) {
+    const { status, detail } = thrown instanceof Refusal ? thrown : new Refusal(500, String(thrown));
+    client.send(JSON.stringify({ type: 'error', requestId, problem: { status, detail } }));
+  }
+}
+
 async function bodyOf(request: IncomingMessage): Promise<unknown> {
   const chunks: Buffer[] = [];
   for await (const chunk of request) {
@@ -238,15 +259,30 @@ createServer((request, response) => void answer(request, response)).listen(port,
 );
 new WebSocketServer({ port: streamPort, host: '127.0.0.1' }).on('connection', (client) => {
   clients.add(client);
-  client.on('close', () => clients.delete(client));
+  let isPhone = false;
+  client.on('close', () => {
+    clients.delete(client);
+    if (isPhone) {
+      follows.left();
+    }
+  });
+  client.on('message', (data: Buffer) => {
+    const said = JSON.parse(data.toString()) as StreamRequest;
+    if (said.type === 'positions') {
+      isPhone = true;
+      hearPhone(client, said);
+    }
+  });
   client.send(JSON.stringify({ type: 'hello', user: session?.name ?? '', role: session?.role ?? 'viewer' }));
   client.send(JSON.stringify({ type: 'drones', drones: drones.map((drone) => snapshotOf(drone)) }));
+  follows.underWay.forEach((follow) => client.send(JSON.stringify({ type: 'follow', follow })));
 });
 setInterval(() => {
   drones.forEach((drone) => {
     drone.step(0.25);
     broadcast({ type: 'drone', drone: snapshotOf(drone) });
   });
+  follows.step();
 }, 250);
 setInterval(() => broadcast({ type: 'ping', at: new Date().toISOString() }), 5000);
 

@@ -1,3 +1,4 @@
+import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Command, Drone } from './api/types';
 
@@ -109,5 +110,40 @@ export function aRun(change: Partial<MissionRun> = {}): MissionRun {
     explanations: [],
     journal: 4,
     ...change,
+  };
+}
+
+export function aFollow(change: Partial<Follow> = {}): Follow {
+  return {
+    id: 'f1',
+    name: 'Follow',
+    owner: 'olga',
+    beganAt: '2026-01-01T11:58:00Z',
+    endedAt: null,
+    state: 'allocated',
+    since: '2026-01-01T11:58:00Z',
+    note: null,
+    end: null,
+    drone: 'd1',
+    droneName: 'Copter 1',
+    place: { side: 'behind', bearing: null, turn: null, distance: 8, height: 15 },
+    patience: 60,
+    told: [{ at: '2026-01-01T11:58:00Z', words: 'Copter 1 is nearest: 40 m away.' }],
+    others: [],
+    now: null,
+    ...change,
+  };
+}
+
+/** The drone is 8 m away; the phone said then where it is. */
+export function aFollowNow(heard: string, reach: PhoneReach | null = 'speaks'): FollowNow {
+  return {
+    droneAt: { latitude: 47.3978, longitude: 8.5456 },
+    height: 15,
+    distance: 8,
+    battery: 80,
+    secondsLeft: 600,
+    phone: { at: { latitude: 47.3979, longitude: 8.5456 }, accuracy: 5, id: 1, heard },
+    reach,
   };
 }

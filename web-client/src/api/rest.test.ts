@@ -18,6 +18,16 @@ describe('REST client', () => {
     expect(init.body).toBe('{"name":"alice","password":"secret"}');
   });
 
+  it('gives up what a dead line does not answer, where it is asked again and again', async () => {
+    const [client, fetcher] = answering(200, { upTo: null });
+    await client.follows.positions('f1', { sent: '2026-01-01T12:00:00Z', positions: [] });
+    const [, soon] = fetcher.mock.calls[0] as [string, RequestInit];
+    expect(soon.signal).toBeInstanceOf(AbortSignal);
+    await client.follows.wish('f1', 'stop');
+    const [, patient] = fetcher.mock.calls[1] as [string, RequestInit];
+    expect(patient.signal).toBeUndefined();
+  });
+
   it('resolves with nothing for an answer without a body', async () => {
     const [client] = answering(204, null);
     await expect(client.signOut()).resolves.toBeUndefined();

@@ -4,6 +4,7 @@ import { AuditCalls } from './audit';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint, NewRobotKey, RobotKey } from './endpoints';
 import { FlightCalls } from './flights';
+import { FollowCalls } from './follows';
 import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
 import { OutletCalls } from './outlet';
@@ -29,6 +30,9 @@ import { ZoneCalls } from './zones';
 /** `epoch`: of the control that the page believes to have. */
 export type SentCommand = CommandRequest & { id: string; epoch?: number };
 
+/** A ticket is good for 30 s; a line that takes half of that is none. */
+const TICKET_MILLISECONDS = 10_000;
+
 type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
 
 /** The REST face of the cloud. Every call resolves with the contract's object or rejects with a Problem. */
@@ -39,6 +43,9 @@ export class RestClient {
   readonly accounts = new AccountCalls((method, path, body) => this.#call(method, path, body));
   readonly audit: AuditCalls;
   readonly flights: FlightCalls;
+  readonly follows = new FollowCalls((method, path, body, longest) =>
+    this.#call(method, path, body, longest),
+  );
   readonly control = new ControlCalls((method, path, body) => this.#call(method, path, body));
   readonly grants = new GrantCalls((method, path, body) => this.#call(method, path, body));
   readonly outlet = new OutletCalls((method, path, body) => this.#call(method, path, body));
@@ -79,7 +86,7 @@ export class RestClient {
   }
 
   streamTicket(): Promise<{ ticket: string }> {
-    return this.#call('POST', '/stream-tickets');
+    return this.#call('POST', '/stream-tickets', undefined, TICKET_MILLISECONDS);
   }
 
   renameDrone(id: string, name: string): Promise<Drone> {
@@ -241,19 +248,27 @@ export class RestClient {
     return this.#call('DELETE', `/robot-keys/${encodeURIComponent(id)}`);
   }
 
-  async #call<T>(method: string, path: string, body?: unknown): Promise<T> {
-    const response = await this.#send(method, path, body);
-    const text = await response.text();
+  /** `longest`: milliseconds until it is given up, for what is asked again and again over a line that may be dead. */
+  async #call<T>(method: string, path: string, body?: unknown, longest?: number): Promise<T> {
+    const { response, text } = await this.#send(method, path, body, longest);
     if (!response.ok) {
       throw new Problem(problemFrom(response.status, text));
     }
     return (text === '' ? undefined : JSON.parse(text)) as T;
   }
 
-  async #send(method: string, path: string, body: unknown): Promise<Response> {
+  async #send(
+    method: string,
+    path: string,
+    body: unknown,
+    longest: number | undefined,
+  ): Promise<{ response: Response; text: string }> {
     // The custom header cannot be sent by a foreign page: it is the guard against forged requests.
     const headers: Record<string, string> = { Accept: 'application/json', 'X-Dronemap': '1' };
     const init: RequestInit = { method, headers, credentials: 'same-origin' };
+    if (longest !== undefined) {
+      init.signal = AbortSignal.timeout(longest);
+    }
     if (body instanceof Blob) {
       headers['Content-Type'] = 'text/plain';
       init.body = body;
@@ -262,7 +277,8 @@ export class RestClient {
       init.body = JSON.stringify(body);
     }
     try {
-      return await this.#fetch(this.#base + path, init);
+      const response = await this.#fetch(this.#base + path, init);
+      return { response, text: await response.text() };
     } catch {
       throw Problem.unreachable();
     }

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { SILENCE_MILLISECONDS, StreamClient, type Socket, type Timers } from './stream';
+import { CONNECTS_ANEW, SILENCE_MILLISECONDS, StreamClient, type Socket, type Timers } from './stream';
 import type { StreamMessage } from './types';
 
 class FakeTimers implements Timers {
@@ -23,12 +23,12 @@ class FakeTimers implements Timers {
       if (next === undefined) {
         break;
       }
-      this.time = next.at;
+      this.time = Math.max(this.time, next.at);
       this.#due = this.#due.filter((one) => one !== next);
       next.action();
       await settle();
     }
-    this.time = end;
+    this.time = Math.max(this.time, end);
   }
 }
 
@@ -37,6 +37,7 @@ class FakeSocket implements Socket {
   onmessage: Socket['onmessage'] = null;
   onclose: Socket['onclose'] = null;
   closed = false;
+  code: number | undefined;
 
   readonly sent: string[] = [];
 
@@ -44,8 +45,9 @@ class FakeSocket implements Socket {
     this.sent.push(text);
   }
 
-  close(): void {
+  close(code?: number): void {
     this.closed = true;
+    this.code = code;
   }
 
   say(message: StreamMessage | string): void {
@@ -140,7 +142,24 @@ describe('stream client', () => {
     expect(silent.closed).toBe(false);
     await timers.advance(1);
     expect(silent.closed).toBe(true);
+    // The cloud takes a page for closed that ends its connection without saying so.
+    expect(silent.code).toBe(CONNECTS_ANEW);
     expect(told).toContain('DOWN');
+  });
+
+  it('reads first what came while the page itself stood still', async () => {
+    last().say(PING);
+    const slept = last();
+    timers.time += SILENCE_MILLISECONDS + 5_000;
+    await timers.advance(0);
+    expect(slept.closed).toBe(false);
+    slept.say(PING);
+    await timers.advance(SILENCE_MILLISECONDS - 1);
+    expect(slept.closed).toBe(false);
+    timers.time += 5_000;
+    await timers.advance(0);
+    await timers.advance(2_000);
+    expect(slept.closed).toBe(true);
   });
 
   it('goes down when no ticket can be had', async () => {

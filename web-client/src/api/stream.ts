@@ -6,7 +6,7 @@ export interface Socket {
   onmessage: ((event: MessageEvent) => void) | null;
   onclose: ((event: CloseEvent) => void) | null;
   send(text: string): void;
-  close(): void;
+  close(code?: number): void;
 }
 
 export interface StreamListener {
@@ -43,6 +43,12 @@ export interface StreamOptions {
 
 /** The server pings every 5 s; twice that and a little without a word means that the line is dead. */
 export const SILENCE_MILLISECONDS = 12_000;
+/** A timer that is so much late was held up by the page. */
+const LATE_MILLISECONDS = 1_000;
+/** So long a page that goes on has for what waits. */
+const READS_MILLISECONDS = 2_000;
+/** Tells the cloud that this page goes on: it only gives up a connection that seems dead. */
+export const CONNECTS_ANEW = 4000;
 const FIRST_RETRY_MILLISECONDS = 500;
 const LONGEST_RETRY_MILLISECONDS = 3_000;
 
@@ -85,7 +91,7 @@ export class StreamClient {
   /** Tries now instead of waiting for the next planned try. */
   retryNow(): void {
     if (!this.#up) {
-      this.#drop();
+      this.#drop(CONNECTS_ANEW);
       void this.#connect();
     }
   }
@@ -148,11 +154,20 @@ export class StreamClient {
 
   #watchSilence(): void {
     this.#cancelTimer();
-    this.#cancelTimer = this.#options.timers.after(SILENCE_MILLISECONDS, () => this.#fail());
+    const { timers } = this.#options;
+    const due = timers.now() + SILENCE_MILLISECONDS;
+    this.#cancelTimer = timers.after(SILENCE_MILLISECONDS, () => {
+      if (timers.now() - due > LATE_MILLISECONDS) {
+        // This page itself stood still: what came meanwhile waits to be read.
+        this.#cancelTimer = timers.after(READS_MILLISECONDS, () => this.#fail());
+      } else {
+        this.#fail();
+      }
+    });
   }
 
   #fail(): void {
-    this.#drop();
+    this.#drop(CONNECTS_ANEW);
     this.#up = false;
     if (!this.#down) {
       this.#down = true;
@@ -164,7 +179,7 @@ export class StreamClient {
     this.#cancelTimer = this.#options.timers.after(pause, () => void this.#connect());
   }
 
-  #drop(): void {
+  #drop(code?: number): void {
     this.#generation += 1;
     this.#cancelTimer();
     const socket = this.#socket;
@@ -172,7 +187,7 @@ export class StreamClient {
     if (socket !== null) {
       socket.onclose = null;
       socket.onmessage = null;
-      socket.close();
+      socket.close(code);
     }
   }
 }

@@ -4,6 +4,7 @@ import type { Role } from './accounts';
 import type { Control } from './control';
 import type { AltitudeReference, MissionItem } from './items';
 import type { FleetPlan } from './plans';
+import type { Follow, FollowNow, Positions, Receipt } from './follows';
 import type { MissionRun } from './runs';
 import type { SensedNumbers } from './sensed';
 import type { VirtualDrone } from './virtual';
@@ -190,7 +191,9 @@ export interface Velocity {
 /** What the page says on the stream; `requestId` comes back with an error. */
 export type StreamRequest =
   | { type: 'steer'; requestId: string; drone: string; velocity: Velocity; epoch?: number }
-  | { type: 'letGo'; requestId: string; drone: string };
+  | { type: 'letGo'; requestId: string; drone: string }
+  | { type: 'subscribe'; requestId: string; drones: readonly string[] | null; rate: number }
+  | ({ type: 'positions'; requestId: string; follow: string } & Positions);
 
 /** What a vehicle on a mission does by itself when it no longer hears the cloud. */
 export type CloudLoss = 'continue' | 'rtl';
@@ -257,6 +260,8 @@ export interface Settings {
   tileAddress: string | null;
   version: string;
   publicMode: boolean;
+  /** Where phones learn to trust this server, by plain HTTP; null: nowhere. */
+  phonePage?: string | null;
 }
 
 /** RFC 9457 problem details, with the field at fault and its allowed range where there is one. */
@@ -282,6 +287,9 @@ export type StreamMessage =
   | { type: 'plan'; plan: FleetPlan }
   | { type: 'planRemoved'; id: string }
   | { type: 'run'; run: MissionRun }
+  | { type: 'follow'; follow: Follow }
+  | { type: 'followNow'; id: string; now: FollowNow | null }
+  | { type: 'positionsHeard'; requestId: string; receipt: Receipt }
   | { type: 'command'; command: Command }
   | { type: 'control'; drone: string; control: Control }
   | { type: 'ping'; at: string }

@@ -2,6 +2,7 @@ import type { Feature, FeatureCollection, Geometry, Point, Position } from 'geoj
 import type { Drone, Home, MissionItem } from '../api/types';
 import { placeOf } from '../fleet/place';
 import { standingOf } from '../fleet/standing';
+import type { Coordinates } from '../geo/coordinates';
 import type { Draft } from '../plan/draft';
 import { itemNumber, waypointNumber } from '../plan/numbering';
 import { age } from '../ui/format';
@@ -110,8 +111,11 @@ export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered 
 }
 
 export function homeFeatures(drone: Drone | null): FeatureCollection {
-  const home = drone?.home;
-  return collect(home ? [point([home.longitude, home.latitude], {})] : []);
+  return placeFeatures(drone?.home ?? null);
+}
+
+export function placeFeatures(place: Coordinates | null): FeatureCollection {
+  return collect(place === null ? [] : [point([place.longitude, place.latitude], {})]);
 }
 
 function wayOf(points: Position[], last: MissionItem | undefined, home: Home | null): Feature[] {

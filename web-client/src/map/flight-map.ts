@@ -34,7 +34,8 @@ export interface Hit {
 export interface MapEvents {
   onClick(place: Coordinates, hit: Hit): void;
   /** A press that stayed in place for half a second, or the secondary button. */
-  onLongPress(place: Coordinates): void;
+  /** Whether it meant something here; where it did not, letting go counts as a click. */
+  onLongPress(place: Coordinates): boolean;
   onWaypointMoved(key: number, place: Coordinates): void;
   onMove(): void;
   onGrid(stepMeters: number | null): void;
@@ -174,8 +175,9 @@ export class FlightMap {
   #click(event: MapMouseEvent): void {
     if (this.#waypointAt(event) === null) {
       const { lat: latitude, lng: longitude } = event.lngLat.wrap();
-      const hit = { drone: this.#idAt(event, 'drones'), runWaypoint: this.#idAt(event, 'runs-points') };
-      this.#events.onClick({ latitude, longitude }, hit);
+      // Who is followed stands for the drone that follows.
+      const drone = this.#idAt(event, 'drones') ?? this.#idAt(event, 'follow-phones');
+      this.#events.onClick({ latitude, longitude }, { drone, runWaypoint: this.#idAt(event, 'runs-points') });
     }
   }
 

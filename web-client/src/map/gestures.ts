@@ -7,7 +7,8 @@ const STILL_PIXELS = 8;
 export interface PressHandler {
   /** The key of the planned waypoint under this point, or null. */
   isWaypoint(event: { point: { x: number; y: number } }): number | null;
-  onPress(place: Coordinates): void;
+  /** Whether it meant something here; where it did not, letting go counts as a click. */
+  onPress(place: Coordinates): boolean;
   onDrop(key: number, place: Coordinates): void;
   onClick(event: MapMouseEvent): void;
 }
@@ -85,8 +86,7 @@ export class PressGestures {
   #press(place: LngLat): void {
     this.#cancel();
     // The finger is still down: its release must not count as a click too.
-    this.#swallowClick = true;
-    this.#handler.onPress(plain(place));
+    this.#swallowClick = this.#handler.onPress(plain(place));
   }
 
   #cancel(): void {

@@ -32,6 +32,8 @@ function drawingOf(name: string, palette: Palette): Drawing | null {
   switch (what) {
     case 'drone':
       return droneDrawing(shape === 'arrow', colourOf(tone, palette), mark === 'crossed', palette);
+    case 'phone':
+      return { size: 30, draw: (context) => drawPhone(context, colourOf(tone, palette), palette) };
     case 'home':
       return { size: 26, draw: (context) => drawHome(context, palette) };
     case 'target':
@@ -42,7 +44,8 @@ function drawingOf(name: string, palette: Palette): Drawing | null {
 }
 
 function colourOf(tone: string, palette: Palette): string {
-  const tones: Record<string, string> = { green: palette.green, amber: palette.amber, red: palette.red };
+  const { green, amber, red, blue, violet } = palette;
+  const tones: Record<string, string> = { green, amber, red, blue, violet };
   return tones[tone] ?? palette.neutral;
 }
 
@@ -91,6 +94,25 @@ function drawCross(context: CanvasRenderingContext2D, colour: string, palette: P
     context.lineTo(-11, 11);
     context.stroke();
   }
+}
+
+/** A person seen from above, in a ring. */
+function drawPhone(context: CanvasRenderingContext2D, colour: string, palette: Palette): void {
+  context.beginPath();
+  context.arc(0, 0, 13, 0, 2 * Math.PI);
+  context.fillStyle = palette.surface;
+  context.fill();
+  context.beginPath();
+  context.arc(0, 0, 10, 0, 2 * Math.PI);
+  context.fillStyle = colour;
+  context.fill();
+  context.fillStyle = palette.surface;
+  context.beginPath();
+  context.arc(0, -2.6, 2.9, 0, 2 * Math.PI);
+  context.fill();
+  context.beginPath();
+  context.arc(0, 6.2, 5, Math.PI, 2 * Math.PI);
+  context.fill();
 }
 
 function drawHome(context: CanvasRenderingContext2D, palette: Palette): void {

@@ -1,6 +1,7 @@
 import type { LayerSpecification, SourceSpecification, StyleSpecification } from 'maplibre-gl';
 import type { Palette } from './palette';
 import { droneLayers, MAP_FONT, missionLayers, tourLayers, zoneLayers } from './layers';
+import { followLayers } from './follow-layers';
 import { runLayers } from './run-layers';
 
 const NOTHING = { type: 'FeatureCollection' as const, features: [] };
@@ -19,6 +20,7 @@ export type LiveSource =
   | 'mission'
   | 'draft'
   | 'target'
+  | 'follows'
   | 'drones';
 
 const LIVE_SOURCES: LiveSource[] = [
@@ -34,6 +36,7 @@ const LIVE_SOURCES: LiveSource[] = [
   'mission',
   'draft',
   'target',
+  'follows',
   'drones',
 ];
 
@@ -62,6 +65,7 @@ export function buildStyle(palette: Palette, tileAddress: string | null): StyleS
       ...tourLayers(palette),
       ...runLayers(palette),
       ...missionLayers(palette),
+      ...followLayers(palette),
       ...droneLayers(palette),
     ],
   };

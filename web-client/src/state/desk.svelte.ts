@@ -17,6 +17,8 @@ export class Desk {
   target = $state.raw<Target | null>(null);
   /** A place that somebody asked to see; the map goes there. */
   sight = $state.raw<Coordinates | null>(null);
+  /** Some metres apart: the map shows them as near as it takes to tell them apart. */
+  together = $state.raw<readonly Coordinates[]>([]);
   helpOpen = $state(false);
   fleetOpen = $state(true);
   sheet = $state<SheetHeight>('half');

@@ -3,6 +3,7 @@ import { RestClient } from '../api/rest';
 import { Problem } from '../api/problem';
 import { browserTimers, StreamClient, type Socket } from '../api/stream';
 import { mayAct, type Role, type Session } from '../api/accounts';
+import type { Positions, Receipt } from '../api/follows';
 import type { CommandKind, Drone, Settings, StreamMessage } from '../api/types';
 import { CloudClock } from './clock.svelte';
 import { Commands } from './commands.svelte';
@@ -10,9 +11,13 @@ import { Connection } from './connection.svelte';
 import { Controls } from './controls.svelte';
 import { Desk } from './desk.svelte';
 import { Fleet } from './fleet.svelte';
+import { Follows } from './follows.svelte';
+import { hearOfPlans } from './news';
+import { newUuid } from './uuid';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
 import { Runs } from './runs.svelte';
+import { Questions } from './questions';
 import { SteeringLines, type SteeringLine } from './steering';
 import { Tours } from './tours.svelte';
 import { Virtuals } from './virtuals.svelte';
@@ -23,6 +28,9 @@ export const STATION = Symbol('station');
 
 const SESSION_ENDED =
   'This session has ended: after 12 hours, or because the account was changed or the stored data were restored.';
+
+/** Pictures of each drone a second: what a page draws, and what a phone needs of the one that follows it. */
+const RATES = { all: 5, one: 2 };
 
 /** Everything that the page knows and can do; made once and handed down by context. */
 export class Station {
@@ -43,6 +51,7 @@ export class Station {
   readonly virtuals = new Virtuals(this.rest.virtuals);
   readonly tours = new Tours(this.rest.plans);
   readonly runs = new Runs(this.rest.runs);
+  readonly follows = new Follows(this.rest.follows);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
   /** Why nobody is signed in any more, when that was not their wish. */
@@ -54,12 +63,14 @@ export class Station {
     {
       onMessage: (message) => this.#hear(message),
       onUp: () => this.#streamUp(),
-      onDown: () => this.connection.down(),
+      onDown: () => this.#streamDown(),
       onRetryAt: (at) => (this.connection.retryAt = at),
       onUnauthorized: () => this.#forgetSession(SESSION_ENDED),
     },
   );
 
+  #only: string | null = null;
+  readonly #questions = new Questions<Receipt>();
   readonly #lines = new SteeringLines(
     (request) => this.#stream.say(request),
     (drone) => this.controls.kept.get(drone),
@@ -109,6 +120,29 @@ export class Station {
   /** A line to steer that drone by; `onRefused` hears why the cloud takes no speeds. */
   steering(drone: string, onRefused: (why: string) => void): SteeringLine {
     return this.#lines.open(drone, onRefused);
+  }
+
+  /** Over the stream, where it is up; else by a call of its own. */
+  sayPositions(follow: string, positions: Positions): Promise<Receipt> {
+    const request = { type: 'positions', follow, ...positions } as const;
+    return (
+      this.#questions.ask((requestId) => this.#stream.say({ requestId, ...request })) ??
+      this.rest.follows.positions(follow, positions)
+    );
+  }
+
+  /** From now on hears of that drone alone, and less often, so that little waits for a page that sleeps; null: of all. */
+  listenTo(drone: string | null): void {
+    if (drone !== this.#only) {
+      this.#only = drone;
+      this.#subscribe();
+    }
+  }
+
+  #subscribe(): void {
+    const only =
+      this.#only === null ? { drones: null, rate: RATES.all } : { drones: [this.#only], rate: RATES.one };
+    this.#stream.say({ type: 'subscribe', requestId: 'subscribe', ...only });
   }
 
   retryNow(): void {
@@ -168,15 +202,23 @@ export class Station {
     this.virtuals.clear();
     this.tours.clear();
     this.runs.clear();
+    this.follows.clear();
   }
 
   #streamUp(): void {
     this.connection.up();
+    this.#subscribe();
     void this.commands.catchUp();
     void this.zones.load();
     void this.virtuals.load();
     void this.tours.catchUp();
     void this.runs.catchUp();
+    void this.follows.catchUp();
+  }
+
+  #streamDown(): void {
+    this.connection.down();
+    this.#questions.giveUp();
   }
 
   /** An administrator may have given another one since the sign-in. */
@@ -204,46 +246,20 @@ export class Station {
       case 'command':
         this.commands.hear(message.command);
         break;
+      case 'positionsHeard':
+        this.#questions.answer(message.requestId, message.receipt);
+        break;
       case 'ping':
         this.clock.hear(message.at);
         break;
       case 'error':
-        if (this.#lines.hear(message)) {
+        if (this.#lines.hear(message) || this.#questions.refuse(message)) {
           break;
         }
         console.warn('The stream reports:', message.problem.detail);
         break;
       default:
-        this.#hearOfPlans(message);
-        break;
-    }
-  }
-
-  /** What people have drawn, planned and hold. */
-  #hearOfPlans(message: StreamMessage): void {
-    switch (message.type) {
-      case 'zone':
-        this.zones.hear(message.zone);
-        break;
-      case 'zoneRemoved':
-        this.zones.forget(message.id);
-        break;
-      case 'virtualDrone':
-        this.virtuals.hear(message.virtualDrone);
-        break;
-      case 'virtualDroneRemoved':
-        this.virtuals.forget(message.id);
-        break;
-      case 'plan':
-        this.tours.hear(message.plan);
-        break;
-      case 'planRemoved':
-        this.tours.forget(message.id);
-        break;
-      case 'run':
-        this.runs.hear(message.run);
-        break;
-      default:
+        hearOfPlans(message, this);
         break;
     }
   }
@@ -253,7 +269,7 @@ export class Station {
       const { ticket } = await this.rest.streamTicket();
       const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
       const port = this.settings?.streamPort ?? 8081;
-      return `${scheme}://${location.hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}&rate=5`;
+      return `${scheme}://${location.hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}&rate=${RATES.all}`;
     } catch (thrown) {
       if (thrown instanceof Problem && thrown.status === 401) {
         return null;
@@ -281,13 +297,4 @@ function mayLook(session: Session): boolean {
 
 function openSocket(address: string): Socket {
   return new WebSocket(address);
-}
-
-/** `crypto.randomUUID` is missing on plain-HTTP pages off loopback. */
-function newUuid(): string {
-  const bytes = crypto.getRandomValues(new Uint8Array(16));
-  bytes[6] = ((bytes[6] as number) & 0x0f) | 0x40;
-  bytes[8] = ((bytes[8] as number) & 0x3f) | 0x80;
-  const hex = Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
-  return hex.replace(/^(.{8})(.{4})(.{4})(.{4})(.{12})$/, '$1-$2-$3-$4-$5');
 }

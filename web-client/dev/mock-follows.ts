@@ -1,0 +1,254 @@
+// The follows of the mock server: a drone comes to whoever says where it is, and waits when nobody does.
+import { randomUUID } from 'node:crypto';
+import type {
+  Follow,
+  FollowOrder,
+  FollowStage,
+  PhoneReach,
+  PlaceChange,
+  Positions,
+} from '../src/api/follows';
+import { placeOf } from '../src/fleet/place';
+import { distanceMeters } from '../src/geo/distance';
+import type { Handler } from './mock-accounts';
+import type { MockDrone } from './mock-drone';
+import { snapshotOf } from './mock-snapshot';
+
+const HOLDS_MILLISECONDS = 2_000;
+const ASLEEP_MILLISECONDS = 2_500;
+const TOLD_MILLISECONDS = 3_000;
+const PATIENCE_SECONDS = 60;
+const USUAL_PLACE: Follow['place'] = { side: 'behind', bearing: null, turn: null, distance: 8, height: 15 };
+const REASONS: Record<PhoneReach, string> = {
+  speaks: 'The phone does not know where it is: it lets its page find no position.',
+  asleep: 'The phone’s page stands still: the screen is off, or something else is in front of it.',
+  cut: 'The phone cannot be reached: it has no network.',
+  gone: 'The phone’s page was closed, or has crashed.',
+};
+/** What each wish makes of each stage; left out: it is refused. */
+const WISHES: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
+  start: { allocated: 'starting' },
+  cancel: { allocated: 'over', starting: 'returning' },
+  pause: { tracking: 'paused' },
+  continue: { paused: 'starting', suspended: 'starting' },
+  stop: { starting: 'returning', tracking: 'returning', paused: 'returning', suspended: 'over' },
+};
+
+/** What the server lends. */
+export interface FollowPorts {
+  drones: readonly MockDrone[];
+  /** Who is signed in. */
+  owner: () => string;
+  broadcast: (message: unknown) => void;
+  refusal: (status: number, detail: string) => Error;
+}
+
+/** Plays the wire contract of follows just truly enough to develop the pages against. */
+export class MockFollows {
+  #all: Follow[] = [];
+  #saidAt = 0;
+  #positionAt = 0;
+  /** The connection of the phone is closed. */
+  #gone = false;
+  readonly #ports: FollowPorts;
+
+  constructor(ports: FollowPorts) {
+    this.#ports = ports;
+  }
+
+  readonly handlers: Record<string, Handler> = {
+    'GET follows': () => ({ follows: this.#all }),
+    'GET follows/*': (_, id) => this.#find(id),
+    'POST follows': (body: FollowOrder) => this.#open(body),
+    'PATCH follows/*': (body: PlaceChange, id) => {
+      const follow = this.#find(id);
+      return this.#put({ ...follow, place: { ...follow.place, ...body } });
+    },
+    'POST follows/*/positions': (body: Positions, id) => this.hear(id, body),
+    ...Object.fromEntries(
+      Object.keys(WISHES).map((wish) => [
+        `POST follows/*/${wish}`,
+        ((_, id) => this.#wish(wish, id)) satisfies Handler,
+      ]),
+    ),
+  };
+
+  get underWay(): Follow[] {
+    return this.#all.filter(({ state }) => state !== 'over');
+  }
+
+  /** The phone says where it is, by either face. */
+  hear(id: string, { positions }: Positions): { upTo: number | null } {
+    const follow = this.#find(id);
+    if (follow.state === 'over') {
+      throw this.#ports.refusal(409, 'This follow is over.');
+    }
+    this.#saidAt = Date.now();
+    this.#gone = false;
+    const newest = positions.at(-1);
+    if (newest === undefined || follow.now === null) {
+      return { upTo: null };
+    }
+    this.#positionAt = this.#saidAt;
+    const { latitude, longitude, accuracy } = newest;
+    const heard = new Date().toISOString();
+    const phone = { at: { latitude, longitude }, accuracy, id: Date.parse(newest.at), heard };
+    this.#tell({ ...follow, now: { ...follow.now, phone } });
+    return { upTo: phone.id };
+  }
+
+  /** The connection by which a phone spoke has ended. */
+  left(): void {
+    this.#gone = true;
+  }
+
+  /** Four times a second. */
+  step(): void {
+    this.underWay.forEach((follow) => this.#step(follow));
+  }
+
+  #step(before: Follow): void {
+    const drone = this.#drone(before);
+    const droneAt = placeOf(snapshotOf(drone));
+    const phone = before.now?.phone ?? null;
+    const follow: Follow = {
+      ...before,
+      now: {
+        droneAt,
+        height: drone.up,
+        distance: phone === null || droneAt === null ? null : distanceMeters(droneAt, phone.at),
+        battery: Math.round(drone.battery),
+        secondsLeft: Math.max(0, Math.round((drone.battery - 25) * 12)),
+        phone,
+        reach: this.#reach(),
+      },
+    };
+    this.#tell(follow);
+    if (follow.state === 'starting' && drone.up > follow.place.height - 1) {
+      this.#to(follow, 'tracking', `${follow.droneName} is in the air and follows.`);
+    } else if (follow.state === 'tracking') {
+      this.#lead(follow, drone);
+    } else if (follow.state === 'returning' && !drone.armed) {
+      this.#to(follow, 'over', `${follow.droneName} is down; it is over.`);
+    }
+  }
+
+  #lead(follow: Follow, drone: MockDrone): void {
+    const silent = Date.now() - Math.max(this.#positionAt, Date.parse(follow.since));
+    const target = follow.now?.phone?.at;
+    if (silent < HOLDS_MILLISECONDS && target !== undefined) {
+      const { north, east } = drone.local(target);
+      drone.goal = { north: north - follow.place.distance, east, up: follow.place.height };
+    } else {
+      drone.goal = { north: drone.north, east: drone.east, up: drone.up };
+    }
+    if (silent > PATIENCE_SECONDS * 1000) {
+      drone.act({ type: 'returnToLaunch' });
+      const words = `The phone has said nothing for ${PATIENCE_SECONDS} s; ${follow.droneName} flies home.`;
+      this.#to(follow, 'returning', words);
+    } else if (silent > TOLD_MILLISECONDS) {
+      const words = `${REASONS[this.#reach()]} ${follow.droneName} waits, and flies home ${PATIENCE_SECONDS} s after the last position.`;
+      if (follow.note !== words) {
+        this.#put({ ...told(follow, words), note: words });
+      }
+    } else if (follow.note !== null) {
+      this.#put({ ...told(follow, 'The phone says again where it is.'), note: null });
+    }
+  }
+
+  #reach(): PhoneReach {
+    if (this.#gone) {
+      return 'gone';
+    }
+    return Date.now() - this.#saidAt < ASLEEP_MILLISECONDS ? 'speaks' : 'asleep';
+  }
+
+  #open({ drone: wanted, name, place }: FollowOrder): Follow {
+    const drone =
+      this.#ports.drones.find(({ beginning }) => beginning.id === wanted) ?? this.#ports.drones[0];
+    if (drone === undefined) {
+      throw this.#ports.refusal(409, 'No drone waits in the warehouse.');
+    }
+    const at = new Date().toISOString();
+    const follow: Follow = {
+      id: randomUUID(),
+      name: name ?? 'Follow',
+      owner: this.#ports.owner(),
+      beganAt: at,
+      endedAt: null,
+      state: 'allocated',
+      since: at,
+      note: null,
+      end: null,
+      drone: drone.beginning.id,
+      droneName: drone.beginning.name,
+      place: { ...USUAL_PLACE, ...place },
+      patience: PATIENCE_SECONDS,
+      others: [],
+      told: [{ at, words: `${drone.beginning.name} was chosen: it is the nearest one.` }],
+      now: null,
+    };
+    this.#step(follow);
+    return this.#find(follow.id);
+  }
+
+  #wish(wish: string, id: string): Follow {
+    const follow = this.#find(id);
+    const next = WISHES[wish]?.[follow.state];
+    if (next === undefined) {
+      throw this.#ports.refusal(409, `It is ${follow.state}: it takes no “${wish}” now.`);
+    }
+    const drone = this.#drone(follow);
+    if (next === 'starting') {
+      drone.act({ type: 'arm' });
+      drone.act({ type: 'takeOff', altitude: follow.place.height });
+    } else if (next === 'returning') {
+      drone.act({ type: 'returnToLaunch' });
+    } else if (next === 'paused') {
+      drone.goal = { north: drone.north, east: drone.east, up: drone.up };
+    }
+    return this.#to(follow, next, `${follow.owner} wished it: ${wish}.`);
+  }
+
+  #to(follow: Follow, state: FollowStage, words: string): Follow {
+    const at = new Date().toISOString();
+    const over = state === 'over' ? { end: words, endedAt: at, now: null } : {};
+    return this.#put({ ...told(follow, words), state, since: at, note: null, ...over });
+  }
+
+  #put(follow: Follow): Follow {
+    this.#all = [follow, ...this.#all.filter(({ id }) => id !== follow.id)];
+    this.#ports.broadcast({ type: 'follow', follow });
+    return follow;
+  }
+
+  /** What changes all the time. */
+  #tell(follow: Follow): void {
+    if (this.#all.some(({ id }) => id === follow.id)) {
+      this.#all = this.#all.map((one) => (one.id === follow.id ? follow : one));
+      this.#ports.broadcast({ type: 'followNow', id: follow.id, now: follow.now });
+    } else {
+      this.#put(follow);
+    }
+  }
+
+  #find(id: string): Follow {
+    const follow = this.#all.find((one) => one.id === id);
+    if (follow === undefined) {
+      throw this.#ports.refusal(404, `There is no follow ${id}.`);
+    }
+    return follow;
+  }
+
+  #drone(follow: Follow): MockDrone {
+    const drone = this.#ports.drones.find(({ beginning }) => beginning.id === follow.drone);
+    if (drone === undefined) {
+      throw this.#ports.refusal(404, `There is no drone ${follow.drone}.`);
+    }
+    return drone;
+  }
+}
+
+function told(follow: Follow, words: string): Follow {
+  return { ...follow, told: [...follow.told, { at: new Date().toISOString(), words }].slice(-30) };
+}

@@ -1,0 +1,93 @@
+import type { Follow, PhoneReach } from '../api/follows';
+import { HOLDS_AFTER_SECONDS, TOLD_AFTER_SECONDS } from './waiting';
+
+/** blind: the phone was there, and did not know where it is. */
+export type AbsenceReason = Exclude<PhoneReach, 'speaks'> | 'blind';
+
+/** The newest time during which the cloud had no positions of the phone. */
+export interface Absence {
+  why: AbsenceReason;
+  seconds: number;
+  /** Seconds that the drone stood still. */
+  waited: number;
+  /** When the page heard that it was over, by the phone's clock. */
+  until: number;
+}
+
+/** What explains more goes first: a phone that sleeps loses its network too. */
+const RANKS: Record<AbsenceReason, number> = { blind: 0, cut: 1, gone: 2, asleep: 3 };
+
+/** So soon after a page was opened again its next standstill belongs to that: it is busy with what it shows. */
+const TOGETHER_SECONDS = 3;
+
+/** Notices that the cloud has positions again after it had none: how long by the cloud's clock, why by what both know. */
+export class AbsenceWatch {
+  last = $state.raw<Absence | null>(null);
+  #follow: string | null = null;
+  #heard: number | null = null;
+  #known: AbsenceReason | null = null;
+  #told: AbsenceReason | null = null;
+  /** When a reason was last noticed, by the phone's clock. */
+  #noticed = 0;
+  /** From when to when the newest absence was, by the cloud's clock. */
+  #span = { from: -Infinity, to: -Infinity };
+
+  /** What the page itself knows to have happened since the cloud had its last position; `now` by the phone's clock. */
+  suspect(why: AbsenceReason, now: number): void {
+    this.#noticed = now;
+    if (this.#known === null || RANKS[why] > RANKS[this.#known]) {
+      this.#known = why;
+    }
+  }
+
+  /** How the follow stands, as often as the page likes; `now` by the phone's clock. */
+  hear(follow: Follow, now: number): void {
+    if (follow.id !== this.#follow) {
+      this.#begin(follow.id);
+    }
+    const phone = follow.now?.phone ?? null;
+    const reach = follow.now?.reach ?? null;
+    if (reach !== null && reach !== 'speaks') {
+      this.#told = reach;
+      this.#noticed = now;
+    }
+    if (phone === null) {
+      return;
+    }
+    const heard = Date.parse(phone.heard);
+    if (this.#heard === null || heard > this.#heard) {
+      this.#compare(follow, heard, now);
+      this.#heard = heard;
+    }
+  }
+
+  #begin(id: string): void {
+    this.#follow = id;
+    this.#heard = null;
+    this.#told = null;
+    this.last = null;
+  }
+
+  #compare(follow: Follow, heard: number, now: number): void {
+    // A drone that follows only since then has not waited before.
+    const from = Math.max(this.#heard ?? heard, Date.parse(follow.since));
+    const seconds = Math.round((heard - from) / 1000);
+    const over = follow.state === 'tracking' && seconds >= TOLD_AFTER_SECONDS;
+    if (over) {
+      this.#tell(from, heard, now);
+    }
+    // A page that wakes up first reads what was said before it slept.
+    if (over || now - this.#noticed > TOLD_AFTER_SECONDS * 1000) {
+      this.#known = null;
+      this.#told = null;
+    }
+  }
+
+  #tell(from: number, to: number, now: number): void {
+    const goesOn = this.last?.why === 'gone' && from - this.#span.to <= TOGETHER_SECONDS * 1000;
+    const why = goesOn ? 'gone' : (this.#known ?? this.#told ?? 'cut');
+    this.#span = { from: goesOn ? this.#span.from : from, to };
+    const seconds = Math.round((to - this.#span.from) / 1000);
+    this.last = { why, seconds, waited: seconds - HOLDS_AFTER_SECONDS, until: now };
+  }
+}

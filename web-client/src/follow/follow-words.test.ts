@@ -1,0 +1,163 @@
+import { describe, expect, it } from 'vitest';
+import type { FollowStage } from '../api/follows';
+import { aDrone, aFollow } from '../testing';
+import { demoFix, TRACK } from './demo-walk';
+import { distanceMeters } from '../geo/distance';
+import { choosable, demoBegin, mine, placeChange } from './following';
+import { isLed, lineOf, offered, othersWords, placeWords, stageWords, WISHES } from './follow-words';
+import { ALARM, Vibration } from './vibration';
+
+const STAGES: FollowStage[] = [
+  'allocated',
+  'starting',
+  'tracking',
+  'paused',
+  'suspended',
+  'returning',
+  'over',
+];
+
+describe('the stages of a follow', () => {
+  it('have words of their own each, and name the drone', () => {
+    const all = STAGES.map((state) => stageWords(aFollow({ state })));
+    expect(new Set(all.map(({ title }) => title)).size).toBe(STAGES.length);
+    all.forEach(({ words }) => expect(words).toContain('Copter 1'));
+  });
+
+  it('offer what the cloud would take, and nothing else', () => {
+    expect(STAGES.map((state) => [state, ...offered(aFollow({ state }))])).toEqual([
+      ['allocated', 'start', 'cancel'],
+      ['starting', 'cancel'],
+      ['tracking', 'pause', 'stop'],
+      ['paused', 'continue', 'stop'],
+      ['suspended', 'continue', 'stop'],
+      ['returning'],
+      ['over'],
+    ]);
+  });
+
+  it('want holding for whatever sets the drone in motion or cannot be undone', () => {
+    expect(Object.entries(WISHES).filter(([, { hold }]) => hold)).toHaveLength(3);
+    expect(WISHES.pause.hold).toBe(false);
+    expect(WISHES.stop.means).toContain('not beside you');
+    expect(WISHES.pause.means).toContain('in the air');
+  });
+
+  it('hang on the phone while it leads the drone', () => {
+    expect(STAGES.filter((state) => isLed(aFollow({ state })))).toEqual(['starting', 'tracking']);
+    expect(isLed(null)).toBe(false);
+  });
+
+  it('tell the station who is followed by which drone', () => {
+    expect(lineOf(aFollow({ state: 'tracking' }))).toBe('Copter 1 follows olga');
+    expect(new Set(STAGES.map((state) => lineOf(aFollow({ state })))).size).toBe(STAGES.length);
+    expect(lineOf(aFollow({ state: 'tracking' }), true)).toBe('Copter 1 stands still and waits for olga');
+  });
+});
+
+describe('a drone that comes to replace another one', () => {
+  const kestrel = { drone: 'd2', droneName: 'Kestrel', state: 'starting', comes: true } as const;
+
+  it('is named, to whoever is followed and on the station', () => {
+    const follow = aFollow({ state: 'tracking', others: [kestrel] });
+    expect(othersWords(follow)).toEqual(['Kestrel comes to replace Copter 1.']);
+    expect(lineOf(follow)).toBe('Copter 1 follows olga; Kestrel comes to replace it');
+  });
+
+  it('can be called off when the other one flies home already', () => {
+    const follow = aFollow({ state: 'returning', others: [kestrel] });
+    expect(offered(follow)).toEqual(['stop']);
+    expect(offered({ ...follow, others: [{ ...kestrel, state: 'returning', comes: false }] })).toEqual([]);
+  });
+
+  it('has the one that it replaced told of until that is down', () => {
+    const falcon = { ...kestrel, droneName: 'Falcon', comes: false };
+    expect(othersWords(aFollow({ others: [{ ...falcon, state: 'returning' }] }))).toEqual([
+      'Falcon flies home.',
+    ]);
+    expect(othersWords(aFollow({ others: [{ ...falcon, state: 'suspended' }] }))).toEqual([
+      'Somebody else flies Falcon.',
+    ]);
+  });
+});
+
+describe('where the drone stays', () => {
+  const { place } = aFollow();
+
+  it('is said in words', () => {
+    expect(placeWords(place)).toBe('8 m behind you, 15 m up');
+    expect(placeWords({ ...place, side: 'fixed', bearing: 315 })).toContain('north-west of you');
+    expect(placeWords({ ...place, side: 'fixed', bearing: -90 })).toContain('west of you');
+  });
+
+  it('goes to the cloud with what its side needs', () => {
+    expect(placeChange({ ...place, bearing: 90, turn: 5 })).toEqual({
+      side: 'behind',
+      distance: 8,
+      height: 15,
+    });
+    expect(placeChange({ ...place, side: 'fixed' })).toMatchObject({ bearing: 0 });
+    expect(placeChange({ ...place, side: 'orbit' })).toMatchObject({ turn: 10 });
+  });
+});
+
+describe('who is asked', () => {
+  const drone = aDrone();
+
+  it('are drones that can be heard and know their home', () => {
+    const lost = aDrone({ id: 'd2', link: { ...drone.link, state: 'lost' } });
+    expect(choosable([drone, lost, aDrone({ home: null }), aDrone({ replay: true })])).toEqual([drone]);
+  });
+
+  it('is not the follow of somebody else, nor one that is over', () => {
+    const over = aFollow({ state: 'over' });
+    expect(mine([over, aFollow({ owner: 'ann' }), aFollow({ id: 'f2' })], 'olga')?.id).toBe('f2');
+    expect(mine([over], 'olga')).toBeNull();
+  });
+
+  it('lets the demo walk begin beside the wanted drone’s home', () => {
+    const begin = demoBegin([drone], 'd1');
+    expect(begin && distanceMeters(begin, drone.home ?? begin)).toBeCloseTo(20, 0);
+    expect(demoBegin([], null)).toBeNull();
+  });
+});
+
+describe('the demo walk', () => {
+  const begin = { latitude: 47, longitude: 8 };
+
+  it('goes round without a leap, at what people can run', () => {
+    const steps = Array.from({ length: 2 * TRACK.length }, (_, second) => demoFix(begin, second, second));
+    const speeds = steps.slice(1).map((fix, index) => distanceMeters(fix, steps[index] ?? fix));
+    expect(Math.max(...speeds)).toBeLessThan(4.5);
+    expect(speeds.filter((speed) => speed > 2.5).length).toBeGreaterThan(20);
+    expect(Math.max(...steps.map((fix) => distanceMeters(fix, begin)))).toBeLessThan(80);
+  });
+});
+
+describe('what the hand feels', () => {
+  it('is each new stage once, and each new alarm', () => {
+    const felt: number[][] = [];
+    const vibration = new Vibration((pattern) => felt.push(pattern));
+    const starting = aFollow({ state: 'starting' });
+    const tracking = aFollow({ state: 'tracking' });
+    vibration.feel(null, []);
+    vibration.feel(starting, []);
+    vibration.feel(starting, []);
+    vibration.feel(tracking, []);
+    expect(felt).toHaveLength(2);
+    vibration.feel(tracking, ['cut-off']);
+    vibration.feel(tracking, ['cut-off']);
+    expect(felt.slice(2)).toEqual([[...ALARM]]);
+    vibration.feel(tracking, []);
+    vibration.feel(tracking, ['cut-off']);
+    expect(felt).toHaveLength(4);
+  });
+
+  it('is another drone that has taken over', () => {
+    const felt: number[][] = [];
+    const vibration = new Vibration((pattern) => felt.push(pattern));
+    vibration.feel(aFollow({ state: 'tracking' }), []);
+    vibration.feel(aFollow({ state: 'tracking', drone: 'd2' }), []);
+    expect(felt).toHaveLength(2);
+  });
+});

@@ -1,0 +1,153 @@
+import type { Follow, FollowOther, FollowPlace, FollowStage, FollowWish } from '../api/follows';
+
+export interface StageWords {
+  /** A few words, large. */
+  title: string;
+  tone: 'green' | 'blue' | 'amber' | 'neutral';
+  /** What is so now. */
+  words: string;
+}
+
+const STAGES: Record<FollowStage, (drone: string) => StageWords> = {
+  allocated: (drone) => ({
+    title: 'Ready to start',
+    tone: 'blue',
+    words: `${drone} is kept for you, on the ground.`,
+  }),
+  starting: (drone) => ({
+    title: 'Taking off',
+    tone: 'blue',
+    words: `${drone} takes off and comes to you.`,
+  }),
+  tracking: (drone) => ({ title: 'Following you', tone: 'green', words: `${drone} goes where you go.` }),
+  paused: (drone) => ({
+    title: 'Paused',
+    tone: 'amber',
+    words: `${drone} stays where it is, in the air.`,
+  }),
+  suspended: (drone) => ({
+    title: 'Somebody else flies it',
+    tone: 'amber',
+    words: `A pilot or somebody else has ${drone}. “Go on” asks for it back.`,
+  }),
+  returning: (drone) => ({
+    title: 'Flying home',
+    tone: 'blue',
+    words: `${drone} flies home and lands there.`,
+  }),
+  over: (drone) => ({ title: 'Over', tone: 'neutral', words: `${drone} is free again.` }),
+};
+
+export function stageWords(follow: Follow): StageWords {
+  return STAGES[follow.state](follow.droneName);
+}
+
+export interface WishWords {
+  label: string;
+  /** What it does, in plain words. */
+  means: string;
+  tone: 'plain' | 'primary' | 'danger';
+  /** Moves the drone or cannot be undone: wants holding. */
+  hold: boolean;
+}
+
+export const WISHES: Record<FollowWish, WishWords> = {
+  start: {
+    label: 'Start',
+    means: 'it arms its motors, takes off and comes. Nobody may stand beside it.',
+    tone: 'primary',
+    hold: true,
+  },
+  cancel: {
+    label: 'Cancel',
+    means: 'the drone is free again; when it is in the air already, it flies home.',
+    tone: 'plain',
+    hold: false,
+  },
+  pause: {
+    label: 'Pause',
+    means: 'it stays where it is, in the air, whatever you do. The battery runs on.',
+    tone: 'primary',
+    hold: false,
+  },
+  continue: { label: 'Go on', means: 'it comes to you again.', tone: 'primary', hold: true },
+  stop: {
+    label: 'Stop and fly home',
+    means: 'it flies to where it took off and lands there, not beside you. That ends it.',
+    tone: 'danger',
+    hold: true,
+  },
+};
+
+/** Where on the page it stands what a wish does. */
+export function meansId(wish: FollowWish): string {
+  return `means-${wish}`;
+}
+
+/** What can be asked for at a stage, the likeliest first. */
+const OFFERED: Record<FollowStage, readonly FollowWish[]> = {
+  allocated: ['start', 'cancel'],
+  starting: ['cancel'],
+  tracking: ['pause', 'stop'],
+  paused: ['continue', 'stop'],
+  suspended: ['continue', 'stop'],
+  returning: [],
+  over: [],
+};
+
+/** Who comes in the place of one that flies home already can be called off. */
+export function offered(follow: Follow): readonly FollowWish[] {
+  return follow.state === 'returning' && reliefOf(follow) !== null ? ['stop'] : OFFERED[follow.state];
+}
+
+/** The drone that is on its way to replace the one that follows. */
+export function reliefOf(follow: Follow): FollowOther | null {
+  return follow.others.find(({ comes }) => comes) ?? null;
+}
+
+/** What the other drones do, as sentences. */
+export function othersWords(follow: Follow): string[] {
+  return follow.others.map(({ droneName, comes, state }) => {
+    if (comes) {
+      return `${droneName} comes to replace ${follow.droneName}.`;
+    }
+    return state === 'returning' ? `${droneName} flies home.` : `Somebody else flies ${droneName}.`;
+  });
+}
+
+/** A drone in the air hangs on what this phone says. */
+export function isLed(follow: Follow | null): boolean {
+  return follow !== null && (follow.state === 'starting' || follow.state === 'tracking');
+}
+
+const SIDES = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
+
+export function compassWords(degrees: number): string {
+  return SIDES[Math.round((((degrees % 360) + 360) % 360) / 45) % 8] as string;
+}
+
+export function placeWords(place: FollowPlace, who = 'you'): string {
+  const where = {
+    behind: 'behind',
+    ahead: 'ahead of',
+    fixed: `${compassWords(place.bearing ?? 0)} of`,
+    orbit: 'circling',
+  }[place.side];
+  return `${Math.round(place.distance)} m ${where} ${who}, ${Math.round(place.height)} m up`;
+}
+
+/** Who is followed, by which drone, and how it stands; for the ground station. `waits`: no positions come. */
+export function lineOf(follow: Follow, waits = false): string {
+  const words: Record<FollowStage, string> = {
+    allocated: 'is kept for',
+    starting: 'takes off for',
+    tracking: waits ? 'stands still and waits for' : 'follows',
+    paused: 'waits in the air for',
+    suspended: 'is flown by somebody else, not following',
+    returning: 'flies home from',
+    over: 'followed',
+  };
+  const relief = reliefOf(follow);
+  const then = relief === null ? '' : `; ${relief.droneName} comes to replace it`;
+  return `${follow.droneName} ${words[follow.state]} ${follow.owner}${then}`;
+}

@@ -1,0 +1,50 @@
+import type { Follow } from '../api/follows';
+
+/** The drone stands when it has heard no position for so long. */
+export const HOLDS_AFTER_SECONDS = 2;
+/** Whoever watches is told then: one may be late. */
+export const TOLD_AFTER_SECONDS = 4;
+
+export interface Meanwhile {
+  words: string;
+  /** Seconds until the drone flies home if no position comes; null: nothing counts down. */
+  homeIn: number | null;
+}
+
+/** What the drone does while the phone has said nothing for so many seconds, going by how it stood when last heard of. */
+export function meanwhile({ state, droneName, patience }: Follow, silentSeconds: number): Meanwhile {
+  switch (state) {
+    case 'allocated':
+      return still(`${droneName} stays on the ground.`);
+    case 'starting':
+      return still(`${droneName} takes off and waits there. It flies home ${patience} s after that.`);
+    case 'tracking':
+      return silentSeconds < patience
+        ? { words: `${droneName} stands still in the air and waits.`, homeIn: patience - silentSeconds }
+        : still(`${droneName} has waited long enough: by now it flies home and lands there.`);
+    case 'paused':
+      return still(`${droneName} stays where it is, in the air.`);
+    case 'suspended':
+      return still(`Whoever has ${droneName} keeps it.`);
+    case 'returning':
+      return still(`${droneName} goes on flying home and lands there.`);
+    case 'over':
+      return still(`${droneName} is free again.`);
+  }
+}
+
+function still(words: string): Meanwhile {
+  return { words, homeIn: null };
+}
+
+/** By the cloud's clock: for how long a drone that shall follow has had no position; null: it has, or nobody knows. */
+export function silentSeconds({ state, since, now }: Follow, cloudNow: number): number | null {
+  const heard = now?.phone?.heard;
+  if (state !== 'tracking' || heard === undefined) {
+    return null;
+  }
+  const from = Math.max(Date.parse(heard), Date.parse(since));
+  const seconds = Math.floor((cloudNow - from) / 1000);
+  const unreached = now?.reach !== null && now?.reach !== 'speaks';
+  return seconds >= TOLD_AFTER_SECONDS || (unreached && seconds >= HOLDS_AFTER_SECONDS) ? seconds : null;
+}

@@ -1,0 +1,96 @@
+import { describe, expect, it } from 'vitest';
+import { warningsFor, type Signs } from './warnings';
+
+const NOW = Date.parse('2026-01-01T12:00:00Z');
+const well: Signs = {
+  now: NOW,
+  leading: true,
+  demo: false,
+  locating: 'on',
+  lastFix: NOW - 1000,
+  accuracy: 5,
+  absence: null,
+  patience: 60,
+  cutOffSince: null,
+  refused: null,
+  wake: 'held',
+  battery: 80,
+};
+const keys = (change: Partial<Signs>): string[] => warningsFor({ ...well, ...change }).map(({ key }) => key);
+const words = (change: Partial<Signs>): string =>
+  warningsFor({ ...well, ...change })
+    .map((warning) => `${warning.words} ${warning.todo}`)
+    .join(' ');
+
+describe('warnings', () => {
+  it('are none while all is well', () => {
+    expect(keys({})).toEqual([]);
+  });
+
+  it('tell for how long there is no position, and what the drone does', () => {
+    expect(keys({ lastFix: NOW - 3900 })).toEqual([]);
+    expect(words({ lastFix: NOW - 12_300 })).toContain(
+      'No position for 12 s. The drone stands, and flies home in 48 s.',
+    );
+    expect(words({ lastFix: NOW - 61_000 })).toContain('By now the drone flies home.');
+    expect(words({ lastFix: NOW - 12_300, patience: null })).toContain('The drone stands and waits.');
+    expect(words({ lastFix: NOW - 12_300, leading: false })).not.toContain('drone stands');
+    expect(keys({ lastFix: null, locating: 'unavailable' })).toEqual(['no-fix']);
+  });
+
+  it('tell apart that the page may not know', () => {
+    expect(keys({ locating: 'denied', lastFix: NOW - 60_000 })).toEqual(['denied']);
+    expect(words({ locating: 'denied' })).toContain('Allow location');
+  });
+
+  it('tell since when it is cut off', () => {
+    const said = words({ cutOffSince: NOW - 31_000 });
+    expect(said).toContain('31 s ago');
+    expect(said).toContain('goes on by itself');
+  });
+
+  it('tell what had kept the phone away, how long the drone waited and that it follows, for a while', () => {
+    const absence = { seconds: 34, waited: 32, until: NOW - 1000 };
+    const said = (['asleep', 'cut', 'gone', 'blind'] as const).map((why) =>
+      words({ absence: { ...absence, why } }),
+    );
+    expect(said.map((one) => one.slice(0, one.indexOf(' 34 s')))).toEqual([
+      'This page was stopped for',
+      'There was no network for',
+      'This page was closed for',
+      'The phone did not know where it is for',
+    ]);
+    said.forEach((one) => expect(one).toContain('waited for 32 s. Now it follows you again.'));
+    // After the drone was spoken of, "it" would be the drone.
+    said.forEach((one) => expect(one).not.toContain('Keep it'));
+    const long = { ...absence, why: 'cut' as const };
+    expect(keys({ absence: { ...long, until: NOW - 40_000 } })).toEqual([]);
+    expect(keys({ absence: long, leading: false })).toEqual([]);
+  });
+
+  it('tell how bad a position is, and from when on it leads nobody', () => {
+    expect(keys({ accuracy: 14 })).toEqual([]);
+    expect(warningsFor({ ...well, accuracy: 30 })[0]?.tone).toBe('amber');
+    expect(warningsFor({ ...well, accuracy: 80 })[0]?.tone).toBe('red');
+    expect(words({ accuracy: 80 })).toContain('only known to 80 m');
+  });
+
+  it('tell that the screen may go off, unless a recorded walk needs none', () => {
+    expect(keys({ wake: 'unsupported' })).toEqual(['unlit']);
+    expect(keys({ wake: 'refused', demo: true })).toEqual([]);
+  });
+
+  it('put what stops the drone before what only may', () => {
+    const absence = { why: 'cut' as const, seconds: 9, waited: 7, until: NOW };
+    expect(keys({ wake: 'refused', battery: 25, cutOffSince: NOW, absence })).toEqual([
+      'cut-off',
+      'unlit',
+      'battery',
+    ]);
+    expect(keys({ wake: 'refused', absence })).toEqual(['back', 'unlit']);
+  });
+
+  it('say the words of the cloud when it does not want the positions', () => {
+    expect(words({ refused: 'Only ann says where the phone is.' })).toContain('Only ann says');
+  });
+});

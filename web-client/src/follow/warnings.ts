@@ -1,0 +1,181 @@
+import { span, timeOfDay } from '../ui/format';
+import type { Absence, AbsenceReason } from './absence.svelte';
+import type { Locating } from './fix';
+import type { WakeState } from './wake-lock.svelte';
+
+/** The drone stands after 2 s without a position; one may be late. */
+export const NO_FIX_SECONDS = 4;
+/** From here on a drone stays more beside the phone than where it is wanted. */
+export const BAD_METERS = 15;
+/** The cloud does not lead a drone by worse ones. */
+export const USELESS_METERS = 50;
+export const LOW_PERCENT = 30;
+
+/** red: the drone is not led now; green: it is again; amber: look. */
+export interface Warning {
+  key: string;
+  tone: 'red' | 'green' | 'amber';
+  words: string;
+  todo: string;
+}
+
+/** What the page knows of the way from the target to the drone. Times in milliseconds by the phone's clock. */
+export interface Signs {
+  now: number;
+  /** A drone is led by what this page says. */
+  leading: boolean;
+  demo: boolean;
+  locating: Locating;
+  lastFix: number | null;
+  /** Metres. */
+  accuracy: number | null;
+  /** The newest time without positions; null: there was none. */
+  absence: Absence | null;
+  /** Seconds without a position before the drone flies home; null: it waits for none. */
+  patience: number | null;
+  cutOffSince: number | null;
+  refused: string | null;
+  wake: WakeState;
+  /** Percent. */
+  battery: number | null;
+}
+
+type Rule = (signs: Signs) => Warning | null;
+
+const BACK_SHOWN_MILLISECONDS = 30_000;
+const TONES = ['red', 'green', 'amber'] as const;
+
+/** The worst first. What is red now makes it untrue that all is well again. */
+export function warningsFor(signs: Signs): Warning[] {
+  const all = RULES.map((rule) => rule(signs)).filter((warning) => warning !== null);
+  const bad = all.some(({ tone }) => tone === 'red');
+  return all
+    .filter(({ tone }) => !(bad && tone === 'green'))
+    .sort((a, b) => TONES.indexOf(a.tone) - TONES.indexOf(b.tone));
+}
+
+const RULES: readonly Rule[] = [denied, noFix, cutOff, refusedByCloud, back, vague, unlit, lowBattery];
+
+function denied({ locating }: Signs): Warning | null {
+  return locating === 'denied'
+    ? {
+        key: 'denied',
+        tone: 'red',
+        words: 'This page may not know where you are.',
+        todo: 'Allow location for this page in the browser’s settings (the sign beside the address), then load it again.',
+      }
+    : null;
+}
+
+function noFix({ now, locating, lastFix, leading, patience }: Signs): Warning | null {
+  if (locating !== 'on' && locating !== 'unavailable') {
+    return null;
+  }
+  const seconds = lastFix === null ? null : Math.floor((now - lastFix) / 1000);
+  if (seconds === null ? locating !== 'unavailable' : seconds < NO_FIX_SECONDS) {
+    return null;
+  }
+  return {
+    key: 'no-fix',
+    tone: 'red',
+    words: seconds === null ? 'The phone does not know where it is.' : `No position for ${span(seconds)}.`,
+    todo: `${leading ? standsAndWaits(patience, seconds) : ''}Go where you see the sky, and keep location switched on.`,
+  };
+}
+
+function standsAndWaits(patience: number | null, seconds: number | null): string {
+  const left = patience === null || seconds === null ? null : patience - seconds;
+  if (left === null) {
+    return 'The drone stands and waits. ';
+  }
+  return left > 0 ? `The drone stands, and flies home in ${span(left)}. ` : 'By now the drone flies home. ';
+}
+
+/** While a follow is under way a sign of its own says this; see CutOff.svelte. */
+function cutOff({ now, cutOffSince }: Signs): Warning | null {
+  return cutOffSince === null
+    ? null
+    : { key: 'cut-off', tone: 'red', words: cutOffWords(cutOffSince, now), todo: CUT_OFF_TODO };
+}
+
+export function cutOffWords(since: number, now: number): string {
+  const seconds = Math.max(0, Math.floor((now - since) / 1000));
+  return `Cut off from the cloud since ${timeOfDay(new Date(since).toISOString())}, ${span(seconds)} ago.`;
+}
+
+export const CUT_OFF_TODO = 'This page goes on by itself when the network is back.';
+
+function refusedByCloud({ refused }: Signs): Warning | null {
+  return refused === null
+    ? null
+    : {
+        key: 'refused',
+        tone: 'red',
+        words: 'The cloud does not take your positions.',
+        todo: refused,
+      };
+}
+
+const ABSENCES: Record<AbsenceReason, (time: string) => [words: string, todo: string]> = {
+  asleep: (time) => [
+    `This page was stopped for ${time}: the screen was off, or something else was in front.`,
+    'Keep this page in front and the screen on.',
+  ],
+  cut: (time) => [`There was no network for ${time}.`, ''],
+  gone: (time) => [`This page was closed for ${time}.`, 'Keep this page open.'],
+  blind: (time) => [
+    `The phone did not know where it is for ${time}.`,
+    'Stay where you see the sky, with location switched on.',
+  ],
+};
+
+function back({ now, absence, leading }: Signs): Warning | null {
+  if (absence === null || !leading || now - absence.until > BACK_SHOWN_MILLISECONDS) {
+    return null;
+  }
+  const [words, todo] = ABSENCES[absence.why](span(absence.seconds));
+  return {
+    key: 'back',
+    tone: 'green',
+    words,
+    todo: `The drone stood and waited for ${span(absence.waited)}. Now it follows you again. ${todo}`.trim(),
+  };
+}
+
+function vague({ locating, accuracy }: Signs): Warning | null {
+  if (locating !== 'on' || accuracy === null || accuracy < BAD_METERS) {
+    return null;
+  }
+  const useless = accuracy > USELESS_METERS;
+  return {
+    key: 'vague',
+    tone: useless ? 'red' : 'amber',
+    words: `Your position is only known to ${Math.round(accuracy)} m.`,
+    todo: useless
+      ? 'That is too vague to lead a drone. Go away from walls and trees, and allow the precise location.'
+      : 'The drone may stand so far beside its place. Go away from walls and trees.',
+  };
+}
+
+function unlit({ wake, leading, demo }: Signs): Warning | null {
+  if (!leading || demo || wake === 'held' || wake === 'off') {
+    return null;
+  }
+  return {
+    key: 'unlit',
+    tone: 'amber',
+    words: 'The screen may switch itself off.',
+    todo: 'Then the phone says nothing more and the drone stands. Set the screen to stay on, and end power saving.',
+  };
+}
+
+function lowBattery({ battery, leading }: Signs): Warning | null {
+  return !leading || battery === null || battery > LOW_PERCENT
+    ? null
+    : {
+        key: 'battery',
+        tone: 'amber',
+        words: `The drone’s battery has ${Math.round(battery)} % left.`,
+        todo: 'It flies home by itself in time.',
+      };
+}

@@ -1,0 +1,58 @@
+import { describe, expect, it, vi } from 'vitest';
+import { FollowCalls } from '../api/follows';
+import { Problem } from '../api/problem';
+import { aFollow, aFollowNow } from '../testing';
+import { Follows } from './follows.svelte';
+import { Questions } from './questions';
+
+describe('follows', () => {
+  it('believe no picture of an earlier stage', () => {
+    const follows = new Follows(new FollowCalls(vi.fn()));
+    follows.hear(aFollow({ state: 'tracking', since: '2026-01-01T12:00:05Z' }));
+    follows.hear(aFollow({ state: 'starting', since: '2026-01-01T12:00:00Z' }));
+    expect(follows.find('f1')?.state).toBe('tracking');
+  });
+
+  it('take what changes all the time for those that are known', () => {
+    const follows = new Follows(new FollowCalls(vi.fn()));
+    const now = { ...aFollowNow('2026-01-01T12:00:00Z'), secondsLeft: 300 };
+    follows.hearNow('f1', now);
+    expect(follows.all).toEqual([]);
+    follows.hear(aFollow());
+    follows.hearNow('f1', now);
+    expect(follows.find('f1')?.now?.secondsLeft).toBe(300);
+  });
+
+  it('learn after an outage what ended meanwhile', async () => {
+    const call = vi.fn().mockResolvedValue({
+      follows: [aFollow({ state: 'over', since: '2026-01-01T12:01:00Z', end: 'It is down.' })],
+    });
+    const follows = new Follows(new FollowCalls(call));
+    await follows.catchUp();
+    expect(call).not.toHaveBeenCalled();
+    follows.hear(aFollow({ state: 'tracking' }));
+    await follows.catchUp();
+    expect(follows.underWay).toEqual([]);
+  });
+});
+
+describe('what is asked over the stream', () => {
+  it('is answered, refused, or given up when the line goes down', async () => {
+    const questions = new Questions<string>();
+    const ids: string[] = [];
+    const ask = (): Promise<string> | null => questions.ask((id) => ids.push(id) > 0);
+    const [first, second, third] = [ask(), ask(), ask()];
+    questions.answer(ids[0] ?? '', 'yes');
+    await expect(first).resolves.toBe('yes');
+    const refusal = { status: 409, detail: 'This follow is over.' };
+    expect(questions.refuse({ type: 'error', requestId: ids[1] ?? '', problem: refusal })).toBe(true);
+    await expect(second).rejects.toThrow('This follow is over.');
+    expect(questions.refuse({ type: 'error', requestId: 'steer-1', problem: refusal })).toBe(false);
+    questions.giveUp();
+    await expect(third).rejects.toBeInstanceOf(Problem);
+  });
+
+  it('is not asked where the line is down', () => {
+    expect(new Questions().ask(() => false)).toBeNull();
+  });
+});
