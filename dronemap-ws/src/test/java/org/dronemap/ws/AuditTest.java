@@ -10,8 +10,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecord;
@@ -37,7 +35,6 @@ import tools.jackson.databind.JsonNode;
 /** Tries all that the running server exposes: what may change something leaves exactly one record, whoever asks. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class AuditTest {
-    private static final Pattern WSDL_OPERATION = Pattern.compile("<wsdl:operation name=\"(\\w+)\">");
     private static final Set<String> LOOKING = Set.of("GET", "HEAD", "OPTIONS");
     private static final List<Caller> CALLERS =
             List.of(Caller.NOBODY, Caller.REPORTER, Caller.VIEWER, Caller.OPERATOR, Caller.ADMINISTRATOR);
@@ -336,16 +333,8 @@ class AuditTest {
     }
 
     private Set<String> soapOperations() {
-        String wsdl = http(Caller.NOBODY)
-                .get("/services/MAVLinkControllerService?wsdl")
-                .raw()
-                .body();
-        Set<String> operations = new TreeSet<>();
-        Matcher found = WSDL_OPERATION.matcher(wsdl);
-        while (found.find()) {
-            operations.add(found.group(1));
-        }
-        assertThat(operations).hasSizeGreaterThan(20);
+        Set<String> operations = new Faces(house).soap();
+        assertThat(operations).hasSizeGreaterThan(60);
         return operations;
     }
 
@@ -356,7 +345,7 @@ class AuditTest {
                 + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + of + "</w:" + operation
                 + "></s:Body></s:Envelope>";
         http.send(
-                "/services/MAVLinkControllerService",
+                Faces.serviceOf(operation),
                 request ->
                         request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
     }

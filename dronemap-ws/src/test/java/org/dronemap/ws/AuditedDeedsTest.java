@@ -22,6 +22,7 @@ import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.Waiting;
 import org.junit.jupiter.api.Test;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Carries out, with success, all that the running server exposes and that may change something: each leaves exactly one
@@ -63,6 +64,14 @@ class AuditedDeedsTest extends DeedTrial {
             Map.entry("pauseRun", "POST /api/v1/runs/{id}/pause"),
             Map.entry("continueRun", "POST /api/v1/runs/{id}/continue"),
             Map.entry("stopRun", "POST /api/v1/runs/{id}/stop"),
+            Map.entry("followRequest", "POST /api/v1/follows"),
+            Map.entry("cancelFollowRequest", "POST /api/v1/follows/{id}/cancel"),
+            Map.entry("startTracking", "POST /api/v1/follows/{id}/start"),
+            Map.entry("disableTracking", "POST /api/v1/follows/{id}/pause"),
+            Map.entry("enableTracking", "POST /api/v1/follows/{id}/continue"),
+            Map.entry("stopTracking", "POST /api/v1/follows/{id}/stop"),
+            Map.entry("issueRobotKey", "DELETE /api/v1/robot-keys/{id}"),
+            Map.entry("revokeRobotKey", "DELETE /api/v1/robot-keys/{id}"),
             Map.entry("createVirtualDrone", "POST /api/v1/virtual-drones"),
             Map.entry("startVirtualDrone", "POST /api/v1/virtual-drones/{id}/start"),
             Map.entry("stopVirtualDrone", "POST /api/v1/virtual-drones/{id}/stop"),
@@ -131,7 +140,8 @@ class AuditedDeedsTest extends DeedTrial {
         List<String> wrong = new ArrayList<>();
         for (String operation : faces.soap()) {
             // What only looks, and what this vehicle cannot do.
-            if (operation.matches("get.*|downloadMission|controlHeartbeat|goToLocal|emergencyStop|readMap")) {
+            if (operation.matches(
+                    "get.*|sendNewGPSLocation|downloadMission|controlHeartbeat|goToLocal|emergencyStop|readMap")) {
                 continue;
             }
             beReadyFor(operation);
@@ -189,10 +199,13 @@ class AuditedDeedsTest extends DeedTrial {
         String[] path = deed.path().split("/");
         String about = switch (operation) {
             case "createVirtualDrone" -> "Survey";
+            case "followRequest" ->
+                JsonMapper.shared().readTree(deed.body()).path("drone").asString();
             case "startRun" -> deed.body().split("\"", 5)[3];
             default -> path[4];
         };
         String rest = switch (operation) {
+            case "followRequest" -> HERE;
             case "addRunWaypoint" -> "<visit>" + HERE + "<altitude>20</altitude></visit>";
             case "resumeRunDrone" -> "<droneId>" + path[6] + "</droneId>";
             case "answerRun" -> "<proposal>" + path[6] + "</proposal><accept>true</accept>";
@@ -208,7 +221,7 @@ class AuditedDeedsTest extends DeedTrial {
         return estate.administrator()
                 .http()
                 .send(
-                        "/services/MAVLinkControllerService",
+                        Faces.serviceOf(operation),
                         request -> request.header("Content-Type", "text/xml")
                                 .POST(HttpRequest.BodyPublishers.ofString(envelope)))
                 .raw()

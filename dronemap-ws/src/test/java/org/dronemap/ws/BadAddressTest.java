@@ -42,7 +42,8 @@ class BadAddressTest {
 
         assertThat(answer.status()).isEqualTo(404);
         assertThat(answer.raw().headers().firstValue("Content-Type")).hasValue("application/problem+json");
-        assertThat(answer.text("detail")).contains("/services/MAVLinkControllerService?wsdl");
+        assertThat(answer.text("detail"))
+                .contains("/services/MAVLinkControllerService?wsdl", "/services/FollowerService?wsdl");
     }
 
     @ParameterizedTest

@@ -155,9 +155,10 @@ class GrantedReachTest extends ReachTrial {
                         && !answer.contains("<code>unknown</code>")
                         && !REFUSAL.matcher(answer).find();
                 String command = COMMAND_OF.getOrDefault(operation, operation);
-                boolean promised =
-                        granted.may(commands.lists(command) ? commands.least(command) : table.least(operation))
-                                || (operation.equals("giveControlBack") && granted.may(Role.OPERATOR));
+                // Keys of robots concern a whole organisation.
+                boolean promised = !kind.equals("robot-keys")
+                        && (granted.may(commands.lists(command) ? commands.least(command) : table.least(operation))
+                                || (operation.equals("giveControlBack") && granted.may(Role.OPERATOR)));
                 if (open != promised) {
                     wrong.add(operation + " for " + granted + ": " + answer);
                 }

@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Injections;
 import org.dronemap.ws.house.Sample;
@@ -194,7 +195,7 @@ class InjectionTest {
                 + ">"
                 + value + "</" + element + "></w:" + operation + "></s:Body></s:Envelope>";
         return administrator.send(
-                "/services/MAVLinkControllerService",
+                Faces.serviceOf(operation),
                 request ->
                         request.header("Content-Type", "text/xml").POST(HttpRequest.BodyPublishers.ofString(envelope)));
     }
@@ -202,8 +203,12 @@ class InjectionTest {
     /** The texts that each operation takes, by the description. */
     private Map<String, List<String>> soapOperations() throws Exception {
         Map<String, List<String>> operations = new LinkedHashMap<>();
-        for (String part : List.of("?wsdl", "?wsdl=MAVLinkController.wsdl")) {
-            Http.Answer answer = administrator.get("/services/MAVLinkControllerService" + part);
+        for (String part : List.of(
+                "MAVLinkControllerService?wsdl",
+                "MAVLinkControllerService?wsdl=MAVLinkController.wsdl",
+                "FollowerService?wsdl",
+                "FollowerService?wsdl=Follower.wsdl")) {
+            Http.Answer answer = administrator.get("/services/" + part);
             if (answer.status() == 200) {
                 collect(answer.raw().body(), operations);
             }
@@ -247,7 +252,7 @@ class InjectionTest {
     @Test
     void takesThemInEveryMemberThatTheStreamKnows() {
         int tried = 0;
-        for (String type : List.of("ping", "subscribe", "command", "control", "steer")) {
+        for (String type : List.of("ping", "subscribe", "command", "control", "steer", "positions")) {
             for (String member : members()) {
                 for (String text : Injections.ALL) {
                     ObjectNode message = json.createObjectNode();

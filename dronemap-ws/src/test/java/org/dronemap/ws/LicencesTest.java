@@ -48,7 +48,8 @@ class LicencesTest {
             "eclipse public license v2.0",
             "eclipse public license - version 2.0",
             "mit",
-            "mit license");
+            "mit license",
+            "the mit license");
 
     /** Beside those of libraries for Java: what the page is built from. */
     private static final Set<String> ALLOWED_IN_PAGES = Set.of(

@@ -59,6 +59,17 @@ class LinksTest {
     }
 
     @Test
+    void theServerIsNotUpBeforeVehiclesAreLetIn() {
+        house.connected(false);
+        Http.Answer early = administrator.get("/api/v1/health");
+        house.connected(true);
+
+        assertThat(early.text("links")).isEqualTo("down");
+        assertThat(early.text("status")).isEqualTo("degraded");
+        assertThat(administrator.get("/api/v1/health").text("status")).isEqualTo("up");
+    }
+
+    @Test
     void listsAnEndpointThatCannotOpenWithTheReason() {
         Http.Answer added = administrator.post("/api/v1/endpoints", "{\"url\":\"serial:///dev/none?baud=57600\"}");
 

@@ -116,7 +116,10 @@ class ReachTest extends ReachTrial {
             }
             for (Role role : Role.values()) {
                 Member caller = ours.get(role);
-                String mine = soap(caller, operation, element, own.thing(kind).orElseThrow());
+                String about = operation.startsWith("revoke")
+                        ? own.fresh(kind)
+                        : own.thing(kind).orElseThrow();
+                String mine = soap(caller, operation, element, about);
                 boolean refused = mine.contains("<code>forbidden</code>") || mine.contains("<code>unknown</code>");
                 if (refused == table.promises(operation, Caller.valueOf(role.name()))) {
                     wrong.add(operation + " for " + role + ": " + mine);
@@ -136,7 +139,8 @@ class ReachTest extends ReachTrial {
                         "\"command\",\"command\":{\"type\":\"land\"}",
                         "\"control\",\"action\":\"take\"",
                         "\"steer\",\"velocity\":{\"forward\":1}",
-                        "\"letGo\"")) {
+                        "\"letGo\"",
+                        "\"positions\",\"follow\":\"fnosuchfollow\"")) {
                     String there = said(stream, about, foreign.drone().id());
                     String absent = said(stream, about, ABSENT);
                     if (!there.equals(absent)) {

@@ -15,6 +15,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
@@ -151,6 +152,35 @@ class RunsTest {
 
         assertThat(started.status()).as(started.raw().body()).isEqualTo(201);
         assertThat(isHeldByARun(falcon)).isTrue();
+    }
+
+    @Test
+    void takeADroneBackFromThePilotAtTheVehicleWhenTheyAreTold() {
+        String run = PATH + "/" + start("");
+        DroneId taken = new DroneId(falcon.id());
+        assertThat(detail(operator.post(run + "/drones/" + taken.value() + "/resume", "")))
+                .startsWith("409 ");
+        house.cloud().controls().apply(taken, new LeaseEvent.PilotActed("changed the mode to LOITER"));
+        Waiting.until(
+                "the pilot has it",
+                () -> Optional.of(stage(run, taken)).filter(List.of("left", "suspended")::contains));
+        assertThat(isHeldByARun(falcon)).isFalse();
+
+        assertThat(operator.post(run + "/drones/" + taken.value() + "/resume", "")
+                        .status())
+                .isEqualTo(200);
+
+        Waiting.until(
+                "the run has it again", () -> Optional.of(isHeldByARun(falcon)).filter(Boolean::booleanValue));
+    }
+
+    private String stage(String run, DroneId drone) {
+        for (JsonNode one : operator.get(run).json().path("drones")) {
+            if (one.path("id").asString().equals(drone.value())) {
+                return one.path("stage").asString();
+            }
+        }
+        return "unknown";
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import java.util.Map;
+import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.history.HistoryPolicy;
@@ -108,6 +109,16 @@ class SettingsTest {
     }
 
     @Test
+    void keepsDronesThatFollowAsFarApartAsItIsTold() {
+        assertThat(Settings.fromEnvironment(Map.of()).apart()).isEqualTo(Apart.USUAL);
+        assertThat(Settings.fromEnvironment(Map.of(
+                                "DRONEMAP_FOLLOW_SEPARATION_METERS", "12.5",
+                                "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS", "30"))
+                        .apart())
+                .isEqualTo(new Apart(12.5, 30));
+    }
+
+    @Test
     void recordsFlightsUnlessToldOtherwise() {
         assertThat(Settings.fromEnvironment(Map.of()).recording()).isEqualTo(RecordingPolicy.DEFAULT);
         assertThat(Settings.fromEnvironment(Map.of(
@@ -138,6 +149,9 @@ class SettingsTest {
         "DRONEMAP_SLOW_CLIENT_SECONDS, 301, 'from 1 to 300'",
         "DRONEMAP_OIDC_ISSUER, http://login.example.org, 'https://login.example.org'",
         "DRONEMAP_OIDC_ISSUER, https://login.example.org, DRONEMAP_OIDC_ADDRESS",
+        "DRONEMAP_FOLLOW_SEPARATION_METERS, 4.9, '5 to 50 metres, not \"4.9\"'",
+        "DRONEMAP_FOLLOW_SEPARATION_METERS, NaN, '5 to 50 metres'",
+        "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS, 31, '3 to 30 metres, not \"31\"'",
         "DRONEMAP_STREAM_PORT, 8080, 8080"
     })
     void namesTheSettingAndTheValueThatAreWrong(String name, String value, String named) {

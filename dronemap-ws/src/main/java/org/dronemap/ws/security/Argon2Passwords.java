@@ -8,21 +8,29 @@ import org.dronemap.ws.service.Throttled;
 import org.springframework.security.crypto.argon2.Argon2PasswordEncoder;
 
 /**
- * Argon2id with 16 MiB and two passes; at most two at a time, so that a flood of guesses cannot eat the memory, and few that
+ * Argon2id, of a server with 16 MiB and two passes; at most two at a time, so that a flood of guesses cannot eat the memory, and few that
  * wait for that, so that it cannot take all threads.
  */
 public final class Argon2Passwords implements PasswordHashing {
     private static final int SALT_BYTES = 16;
     private static final int HASH_BYTES = 32;
-    private static final int MEMORY_KIB = 16 * 1024;
-    private static final int PASSES = 2;
+    private static final int USUAL_MEMORY_KIB = 16 * 1024;
+    private static final int USUAL_PASSES = 2;
     private static final int MOST_WAITING = 32;
     private static final Duration WAIT = Duration.ofSeconds(2);
 
-    private final Argon2PasswordEncoder encoder =
-            new Argon2PasswordEncoder(SALT_BYTES, HASH_BYTES, 1, MEMORY_KIB, PASSES);
+    private final Argon2PasswordEncoder encoder;
     private final Semaphore atOnce = new Semaphore(2);
     private final Semaphore waiting = new Semaphore(MOST_WAITING);
+
+    public Argon2Passwords() {
+        this(USUAL_MEMORY_KIB, USUAL_PASSES);
+    }
+
+    /** As dear as that to guess: memory in KiB. For tests, which are not to spend their time on it. */
+    public Argon2Passwords(int memoryKib, int passes) {
+        encoder = new Argon2PasswordEncoder(SALT_BYTES, HASH_BYTES, 1, memoryKib, passes);
+    }
 
     @Override
     public String hash(String password) {

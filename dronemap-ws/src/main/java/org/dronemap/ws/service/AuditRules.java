@@ -20,12 +20,15 @@ public final class AuditRules {
             "getCommand",
             "getControl",
             "getPlan",
+            "getRobotKeysList",
             "getRunsList",
             "getRun",
             "getVirtualDronesList",
             "getVirtualDrone",
             "getFlightsList",
             "getFlight",
+            "getFollowsList",
+            "getFollow",
             "controlHeartbeat");
     private static final Set<String> LEFT_OUT_OF_STREAM = Set.of("ping", "subscribe");
 
@@ -33,8 +36,8 @@ public final class AuditRules {
      * Whose success another record tells: what follows a sign-in, or that of a turn at the helm, from begin to end. A followed
      * phone's positions come each second; what is steered because of them is such a turn.
      */
-    private static final Set<String> TOLD_ELSEWHERE =
-            Set.of("authenticate", "steer", "letGo", "POST /api/v1/follows/{id}/positions");
+    private static final Set<String> TOLD_ELSEWHERE = Set.of(
+            "authenticate", "steer", "letGo", "positions", "sendNewGPSLocation", "POST /api/v1/follows/{id}/positions");
 
     private AuditRules() {}
 

@@ -15,7 +15,9 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.Operations.Picture;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
@@ -129,6 +131,22 @@ final class OperationDesk<S, I> {
         if (cloud.controls().control(drone).isHeldBy(principal.name())) {
             cloud.controls().apply(drone, new LeaseEvent.Release(principal.name()));
         }
+    }
+
+    /**
+     * Makes the way free for the operation before it hears a wish for that drone: control goes over from the user, and from
+     * the pilot at the vehicle as well, before whom goes who says so in so many words. Nothing changes hands for a wish that
+     * would be refused.
+     */
+    void takeBack(Principal principal, S state, I wish, DroneId drone) {
+        kind.machine().refusal(state, wish).ifPresent(why -> {
+            throw Rejection.conflict(why);
+        });
+        Tenure tenure = cloud.controls().control(drone).tenure();
+        if (tenure != null && tenure.holder() instanceof Holder.Pilot) {
+            cloud.controls().apply(drone, new LeaseEvent.Take(principal.name()));
+        }
+        giveBack(principal, drone);
     }
 
     Picture<S> begin(Principal principal, OperationId id, String name, S state, Instant at) {

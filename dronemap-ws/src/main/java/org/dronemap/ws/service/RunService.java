@@ -149,8 +149,9 @@ public final class RunService {
         Roles.require(principal, Role.OPERATOR);
         return wish(principal, id, run -> {
             DroneId known = drone(run, drone);
-            desk.giveBack(principal, known);
-            return reader(principal).resumed(known);
+            RunInput resumed = reader(principal).resumed(known);
+            desk.takeBack(principal, run, resumed, known);
+            return resumed;
         });
     }
 

@@ -22,22 +22,34 @@ public final class SystemService {
     public record HealthView(
             String status,
             String database,
+            String links,
             String history,
             String runs,
             DroneCounts drones,
             String version,
             long uptimeSeconds) {}
 
-    /** What clients have to know. */
-    public record SettingsView(int streamPort, @Nullable String tileAddress, String version, boolean publicMode) {}
+    /**
+     * What clients have to know.
+     *
+     * @param phonePage where phones learn to trust this server, by plain HTTP; null: nowhere
+     */
+    public record SettingsView(
+            int streamPort,
+            @Nullable String tileAddress,
+            String version,
+            boolean publicMode,
+            @Nullable String phonePage) {}
 
     /**
      * What has to work.
      *
+     * @param links vehicles are let in
      * @param history all that drones do is written down as it comes
      * @param runs all that is conducted goes on
      */
-    public record Checks(BooleanSupplier database, BooleanSupplier history, BooleanSupplier runs) {}
+    public record Checks(
+            BooleanSupplier database, BooleanSupplier links, BooleanSupplier history, BooleanSupplier runs) {}
 
     public SystemService(CloudManager cloud, Checks checks, SettingsView settings) {
         this.cloud = cloud;
@@ -49,11 +61,13 @@ public final class SystemService {
         List<DroneState> drones =
                 cloud.drones().stream().filter(drone -> !drone.replay()).toList();
         boolean up = checks.database().getAsBoolean();
+        boolean listens = checks.links().getAsBoolean();
         boolean remembers = checks.history().getAsBoolean();
         boolean conducts = checks.runs().getAsBoolean();
         return new HealthView(
-                up && remembers && conducts ? "up" : "degraded",
+                up && listens && remembers && conducts ? "up" : "degraded",
                 up ? "up" : "down",
+                listens ? "up" : "down",
                 remembers ? "up" : "down",
                 conducts ? "up" : "down",
                 new DroneCounts(

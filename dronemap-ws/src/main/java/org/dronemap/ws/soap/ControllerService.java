@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
         portName = "MAVLinkControllerWSImplPort",
         endpointInterface = "org.dronemap.ws.soap.MAVLinkController",
         targetNamespace = Namespace.URI)
-public class ControllerService implements MAVLinkController {
+public class ControllerService extends RobotKeyCalls {
     private final SoapCaller caller;
     private final DroneService drones;
     private final SoapActions actions;
@@ -39,6 +39,7 @@ public class ControllerService implements MAVLinkController {
             ControlService controls,
             ParameterService parameters,
             SoapMissions missions) {
+        super(missions.robotKeys());
         this.caller = caller;
         this.drones = drones;
         this.actions = actions;

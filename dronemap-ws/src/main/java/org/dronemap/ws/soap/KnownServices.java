@@ -13,7 +13,8 @@ import org.springframework.web.filter.OncePerRequestFilter;
 
 /** Answers for addresses under /services that are none; the SOAP library would send a page of its own. */
 public final class KnownServices extends OncePerRequestFilter {
-    private static final String SERVICE = "/services" + SoapEndpoint.PATH;
+    private static final String CONTROLLER = "/services" + SoapEndpoint.PATH;
+    private static final String FOLLOWER = "/services" + SoapEndpoint.FOLLOWER;
 
     private final ProblemWriter problems;
 
@@ -25,7 +26,7 @@ public final class KnownServices extends OncePerRequestFilter {
     protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
             throws ServletException, IOException {
         String address = request.getServletPath() + (request.getPathInfo() == null ? "" : request.getPathInfo());
-        if (address.equals(SERVICE)) {
+        if (address.equals(CONTROLLER) || address.equals(FOLLOWER)) {
             chain.doFilter(request, response);
             return;
         }
@@ -33,7 +34,7 @@ public final class KnownServices extends OncePerRequestFilter {
                 response,
                 Problem.of(new Rejection(
                         RejectionKind.UNKNOWN,
-                        "There is nothing at " + request.getRequestURI() + "; the SOAP service is described at "
-                                + SERVICE + "?wsdl.")));
+                        "There is nothing at " + request.getRequestURI() + "; the SOAP services are described at "
+                                + CONTROLLER + "?wsdl and " + FOLLOWER + "?wsdl.")));
     }
 }

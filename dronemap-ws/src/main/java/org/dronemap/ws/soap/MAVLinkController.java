@@ -20,6 +20,8 @@ public interface MAVLinkController {
     String VIRTUAL = "virtualDrone";
     String VIRTUAL_ID = "virtualDroneId";
     String FLIGHT = "flight";
+    String ROBOT_KEY = "robotKey";
+    String ROBOT_KEY_ID = "robotKeyId";
 
     @WebMethod
     @WebResult(name = "drone")
@@ -341,4 +343,22 @@ public interface MAVLinkController {
     @WebMethod
     @WebResult(name = OUTCOME)
     SoapOutcome getCommand(@WebParam(name = "commandId") String commandId) throws DronemapFault;
+
+    @WebMethod
+    @WebResult(name = ROBOT_KEY)
+    List<SoapRobotKey> getRobotKeysList() throws DronemapFault;
+
+    /** With {@code robotKeyId} it replaces that one, which is void at once; the key is in this answer only. */
+    @WebMethod
+    @WebResult(name = ROBOT_KEY)
+    SoapRobotKey issueRobotKey(
+            @WebParam(name = ROBOT_KEY_ID) @Nullable String robotKeyId,
+            @WebParam(name = "label") @Nullable String label,
+            @WebParam(name = "systemId") @Nullable Integer systemId,
+            @WebParam(name = "owner") @Nullable String owner,
+            @WebParam(name = "organisation") @Nullable String organisation)
+            throws DronemapFault;
+
+    @WebMethod
+    void revokeRobotKey(@WebParam(name = ROBOT_KEY_ID) String robotKeyId) throws DronemapFault;
 }

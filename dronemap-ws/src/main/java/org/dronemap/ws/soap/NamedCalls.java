@@ -27,6 +27,14 @@ final class NamedCalls extends AbstractPhaseInterceptor<Message> {
             Map.entry("pauseRun", MAVLinkController.RUN_ID),
             Map.entry("continueRun", MAVLinkController.RUN_ID),
             Map.entry("stopRun", MAVLinkController.RUN_ID),
+            Map.entry("cancelFollowRequest", Follower.FOLLOW_ID),
+            Map.entry("startTracking", Follower.FOLLOW_ID),
+            Map.entry("sendNewGPSLocation", Follower.FOLLOW_ID),
+            Map.entry("disableTracking", Follower.FOLLOW_ID),
+            Map.entry("enableTracking", Follower.FOLLOW_ID),
+            Map.entry("stopTracking", Follower.FOLLOW_ID),
+            Map.entry("issueRobotKey", MAVLinkController.ROBOT_KEY_ID),
+            Map.entry("revokeRobotKey", MAVLinkController.ROBOT_KEY_ID),
             Map.entry("createVirtualDrone", "name"),
             Map.entry("startVirtualDrone", MAVLinkController.VIRTUAL_ID),
             Map.entry("stopVirtualDrone", MAVLinkController.VIRTUAL_ID),
@@ -58,6 +66,8 @@ final class NamedCalls extends AbstractPhaseInterceptor<Message> {
                 call.operation(name.getLocalPart());
                 if (AuditRules.leavesOutSoap(name.getLocalPart())) {
                     call.leaveOut();
+                } else if (AuditRules.recordsElsewhere(name.getLocalPart())) {
+                    call.leaveOutUnlessTurnedAway();
                 }
             });
         }

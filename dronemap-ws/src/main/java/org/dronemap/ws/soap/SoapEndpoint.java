@@ -6,13 +6,22 @@ import org.apache.cxf.Bus;
 import org.apache.cxf.jaxb.JAXBDataBinding;
 import org.apache.cxf.jaxws.EndpointImpl;
 
-/** Publishes the service on a bus, with bounds on the XML that it reads. */
+/** Publishes services on a bus, with bounds on the XML that they read. */
 public final class SoapEndpoint {
     static final String PATH = "/MAVLinkControllerService";
+    static final String FOLLOWER = "/FollowerService";
 
     private SoapEndpoint() {}
 
     public static EndpointImpl publish(Bus bus, ControllerService service) {
+        return publish(bus, service, PATH);
+    }
+
+    public static EndpointImpl publish(Bus bus, FollowerService service) {
+        return publish(bus, service, FOLLOWER);
+    }
+
+    private static EndpointImpl publish(Bus bus, Object service, String path) {
         // the library itself sets no bound on elements and characters
         bus.setProperty("org.apache.cxf.stax.maxElementCount", 20_000L);
         bus.setProperty("org.apache.cxf.stax.maxChildElements", 5_000);
@@ -37,7 +46,7 @@ public final class SoapEndpoint {
                         new NamedCalls(),
                         new RequiredElements()));
         endpoint.getOutFaultInterceptors().add(new FaultWords());
-        endpoint.publish(PATH);
+        endpoint.publish(path);
         return endpoint;
     }
 }

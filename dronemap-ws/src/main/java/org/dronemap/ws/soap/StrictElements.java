@@ -25,7 +25,8 @@ final class StrictElements extends AbstractPhaseInterceptor<Message> {
             "waypoint", SoapWaypoint.class,
             "visit", SoapVisit.class,
             "objective", SoapObjective.class,
-            "wind", SoapWind.class);
+            "wind", SoapWind.class,
+            "place", SoapPlace.class);
 
     StrictElements() {
         super(Phase.PRE_LOGICAL);

@@ -25,6 +25,7 @@ final class StreamClient {
     private final ConcurrentHashMap<DroneId, Set<Permission>> shown = new ConcurrentHashMap<>();
     private volatile boolean unsettled;
     private final long connectedNanos;
+    private volatile long answeredNanos;
     private final StreamHands hands = new StreamHands();
     private volatile @Nullable SignedIn caller;
     private volatile @Nullable Set<String> wanted;
@@ -38,6 +39,7 @@ final class StreamClient {
     StreamClient(WebSocket socket, long nowNanos) {
         this.socket = socket;
         this.connectedNanos = nowNanos;
+        this.answeredNanos = nowNanos;
     }
 
     Optional<SignedIn> caller() {
@@ -54,6 +56,22 @@ final class StreamClient {
 
     long connectedNanos() {
         return connectedNanos;
+    }
+
+    /** Its connection shows that it stands, if it does. */
+    void probe() {
+        if (socket.isOpen()) {
+            socket.sendPing();
+        }
+    }
+
+    void answered(long nowNanos) {
+        answeredNanos = nowNanos;
+    }
+
+    /** When its connection answered a probe last. */
+    long answeredNanos() {
+        return answeredNanos;
     }
 
     StreamHands hands() {

@@ -37,6 +37,7 @@ import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.FollowService;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.Problem;
@@ -63,6 +64,8 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private final VirtualFeed virtualFeed;
     private final PlanFeed planFeed;
     private final RunFeed runFeed;
+    private final FollowFeed followFeed;
+    private final StreamPhones phones;
     private final Clock clock;
     private final Pump pump = new Pump("stream-pump", this::round);
     private final Queue<DroneId> removed = new ConcurrentLinkedQueue<>();
@@ -100,7 +103,8 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             VirtualDrones virtuals,
             VirtualDroneViews virtualViews,
             PlanDesk plans,
-            RunService runs) {}
+            RunService runs,
+            FollowService follows) {}
 
     public StreamFace(
             CloudManager cloud,
@@ -116,7 +120,9 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.virtualFeed = new VirtualFeed(services.pictures(), services.json(), this::wake);
         this.planFeed = new PlanFeed(services.pictures().plans(), services.json(), this::wake);
         this.runFeed = new RunFeed(services.pictures().runs(), services.json(), this::wake);
-        this.requests = new StreamRequests(services);
+        this.followFeed = new FollowFeed(services.pictures().follows(), services.json(), this::wake);
+        this.phones = new StreamPhones(services.pictures().follows()::reached);
+        this.requests = new StreamRequests(services, phones);
         services.entrance().accounts().onChangeFirst(this::judgeAnew);
         this.server = new StreamServer(
                 address,
@@ -137,6 +143,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         services.pictures().virtuals().addListener(virtualFeed);
         services.pictures().plans().addListener(planFeed);
         services.pictures().runs().addListener(runFeed);
+        services.pictures().follows().addListener(followFeed);
         pump.start();
         return port;
     }
@@ -158,6 +165,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     public void droneChanged(DroneState state) {
         feed.changed(state);
         virtualFeed.moved(state);
+        followFeed.moved(state);
         wake();
     }
 
@@ -263,6 +271,8 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         virtualFeed.publish(server.clients(), now);
         planFeed.publish(server.clients(), now);
         runFeed.publish(server.clients(), now);
+        followFeed.publish(server.clients(), now);
+        phones.round(now);
         Pump.Pause pause = feed.publish(server.clients(), now);
         boolean pingDue = now - lastPingNanos >= PING_NANOS;
         if (pingDue) {
@@ -301,10 +311,6 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     public void close() {
         cloud.removeListener(this);
         pump.close();
-        try {
-            server.stop(1_000, "The server stops.");
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        server.end();
     }
 }

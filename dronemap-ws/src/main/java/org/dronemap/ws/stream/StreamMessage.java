@@ -7,6 +7,9 @@ import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.DroneView;
+import org.dronemap.ws.service.FollowReceipt;
+import org.dronemap.ws.service.FollowRequest;
+import org.dronemap.ws.service.FollowView;
 import org.dronemap.ws.service.PlanView;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.RunView;
@@ -33,7 +36,11 @@ final class StreamMessage {
             @Nullable String action,
             @Nullable String user,
             @Nullable String reason,
-            @Nullable Long epoch) {}
+            @Nullable Long epoch,
+            @Nullable String follow,
+            @Nullable Instant sent,
+            @Nullable Double roundTrip,
+            @Nullable List<FollowRequest.@Nullable PositionRequest> positions) {}
 
     record Hello(String type, String user, String role) {
         Hello(String user, String role) {
@@ -98,6 +105,24 @@ final class StreamMessage {
     record RunChanged(String type, RunView run) {
         RunChanged(RunView run) {
             this("run", run);
+        }
+    }
+
+    record FollowChanged(String type, FollowView follow) {
+        FollowChanged(FollowView follow) {
+            this("follow", follow);
+        }
+    }
+
+    record FollowNow(String type, String id, FollowView.@Nullable NowView now) {
+        FollowNow(String id, FollowView.@Nullable NowView now) {
+            this("followNow", id, now);
+        }
+    }
+
+    record PositionsHeard(String type, @Nullable String requestId, FollowReceipt receipt) {
+        PositionsHeard(@Nullable String requestId, FollowReceipt receipt) {
+            this("positionsHeard", requestId, receipt);
         }
     }
 

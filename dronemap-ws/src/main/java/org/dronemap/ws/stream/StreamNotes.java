@@ -9,7 +9,7 @@ import org.dronemap.ws.service.AuditRules;
 final class StreamNotes {
     /** Anything else stays unreadable: it may be a secret in the wrong place. */
     private static final Set<String> TYPES =
-            Set.of("authenticate", "command", "control", "steer", "letGo", "subscribe", "ping");
+            Set.of("authenticate", "command", "control", "steer", "letGo", "positions", "subscribe", "ping");
 
     private static final String CONTROL = "control";
     private static final String HEARTBEAT = "heartbeat";

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.drone.DroneId;
@@ -15,11 +16,15 @@ import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneView;
+import org.dronemap.ws.service.FollowReceipt;
+import org.dronemap.ws.service.FollowRequest;
+import org.dronemap.ws.service.FollowService;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
+import org.dronemap.ws.service.Roles;
 import org.dronemap.ws.service.WireNames;
 import org.dronemap.ws.service.Work;
 import org.java_websocket.framing.CloseFrame;
@@ -30,7 +35,7 @@ import org.slf4j.LoggerFactory;
 /** Answers what clients of the stream say. Any thread. */
 final class StreamRequests {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequests.class);
-    private static final String TYPES = "authenticate, command, control, steer, letGo, subscribe or ping";
+    private static final String TYPES = "authenticate, command, control, steer, letGo, positions, subscribe or ping";
 
     /** Of these some cost nothing, as they are for safety. */
     private static final Set<String> PAID_ELSEWHERE = Set.of("command", "control", "steer", "letGo");
@@ -41,17 +46,21 @@ final class StreamRequests {
     private final CommandService commands;
     private final StreamControl controls;
     private final StreamSteering steering;
+    private final FollowService follows;
+    private final StreamPhones phones;
     private final StreamCrowd crowd;
     private final JsonReader json;
     private final AuditDesk desk;
 
-    StreamRequests(StreamFace.Services services) {
+    StreamRequests(StreamFace.Services services, StreamPhones phones) {
         this.authentication = services.entrance().authentication();
         this.budgets = services.entrance().bounds().budgets();
         this.drones = services.drones();
         this.commands = services.commands();
         this.controls = new StreamControl(services.reins().controls());
         this.steering = new StreamSteering(services.reins().steering());
+        this.phones = phones;
+        this.follows = services.pictures().follows();
         this.crowd = services.entrance().bounds().crowd();
         this.json = services.json();
         this.desk = services.entrance().desk();
@@ -105,9 +114,10 @@ final class StreamRequests {
     }
 
     /** Its connection has ended. */
-    void left(StreamClient client) {
+    void left(StreamClient client, int code, boolean remote) {
         client.leave();
         steering.handsOff(client);
+        phones.left(client, code, remote);
     }
 
     void hear(StreamClient client, String text) {
@@ -171,6 +181,7 @@ final class StreamRequests {
             case "control" -> say(client, controls.answer(principal, message));
             case "steer" -> steer(client, message);
             case "letGo" -> steering.letGo(client, principal, message);
+            case "positions" -> say(client, positions(client, principal, message));
             case "subscribe" -> subscribe(client, message);
             case "ping" -> say(client, new StreamMessage.Pong());
             default -> throw InvalidInput.outside("type", TYPES, "\"" + type + "\"");
@@ -190,6 +201,20 @@ final class StreamRequests {
             say(client, new StreamMessage.Failure(Problem.of(why), message.requestId()));
         }
         Activity.current().ifPresent(Activity::leaveOut);
+    }
+
+    private StreamMessage.PositionsHeard positions(
+            StreamClient client, Principal principal, StreamMessage.FromClient message) {
+        Roles.require(principal, Role.OPERATOR);
+        String follow = message.follow();
+        if (follow == null) {
+            throw InvalidInput.missing("follow", "the id of a follow");
+        }
+        FollowRequest.PositionsRequest said =
+                new FollowRequest.PositionsRequest(message.sent(), message.roundTrip(), message.positions());
+        FollowReceipt receipt = follows.positions(principal, follow, said);
+        phones.spoke(client, receipt.follow(), System.nanoTime());
+        return new StreamMessage.PositionsHeard(message.requestId(), receipt);
     }
 
     private static void subscribe(StreamClient client, StreamMessage.FromClient message) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.stream;
 
 import java.net.InetSocketAddress;
+import java.nio.channels.ClosedSelectorException;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -18,6 +19,7 @@ import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
 import org.java_websocket.extensions.IExtension;
 import org.java_websocket.framing.CloseFrame;
+import org.java_websocket.framing.Framedata;
 import org.java_websocket.handshake.ClientHandshake;
 import org.java_websocket.protocols.Protocol;
 import org.java_websocket.server.WebSocketServer;
@@ -32,6 +34,7 @@ final class StreamServer extends WebSocketServer {
     private static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
     private static final String PATH = "/stream";
     private static final String TICKET = "ticket=";
+    private static final String FAREWELL = "The server stops.";
     private static final Pattern RATE = Pattern.compile("[?&]rate=(\\d{1,4})(?:&|$)");
 
     private final StreamRequests requests;
@@ -74,6 +77,20 @@ final class StreamServer extends WebSocketServer {
         return crowd.clients();
     }
 
+    /** Tells everybody and stops. */
+    void end() {
+        // Told first: the library's thread goes some 25 ms after stop() began, and who is told later breaks the rest of
+        // it.
+        getConnections().forEach(socket -> socket.close(CloseFrame.GOING_AWAY, FAREWELL));
+        try {
+            stop(1_000, FAREWELL);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (ClosedSelectorException e) {
+            LOG.debug("Somebody came while the stream server stopped, and was not told", e);
+        }
+    }
+
     @Override
     public void onOpen(WebSocket socket, ClientHandshake handshake) {
         StreamClient client = crowd.enter(socket);
@@ -102,7 +119,16 @@ final class StreamServer extends WebSocketServer {
         StreamClient client = crowd.of(socket);
         crowd.leave(socket);
         if (client != null) {
-            requests.left(client);
+            requests.left(client, code, remote);
+            onNews.run();
+        }
+    }
+
+    @Override
+    public void onWebsocketPong(WebSocket socket, Framedata frame) {
+        StreamClient client = crowd.of(socket);
+        if (client != null) {
+            client.answered(System.nanoTime());
         }
     }
 

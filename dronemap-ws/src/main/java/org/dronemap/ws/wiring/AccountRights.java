@@ -13,13 +13,14 @@ import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.VirtualRights;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.service.FollowReliefs;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Whom the cloud may fly for: active users from operators on, to whom nothing else or this was granted. Asked many times a
  * second, looked up once. Any thread.
  */
-public final class AccountRights implements VirtualRights, OperationRights {
+public final class AccountRights implements VirtualRights, OperationRights, FollowReliefs.Owners {
     private static final long FRESH_NANOS = 1_000_000_000L;
 
     private final AccessStore store;
@@ -46,6 +47,11 @@ public final class AccountRights implements VirtualRights, OperationRights {
         return principal != null && principal.may(Role.OPERATOR, drone)
                 ? Optional.empty()
                 : Optional.of(owner + " may not command it any more.");
+    }
+
+    @Override
+    public Optional<Principal> find(String owner) {
+        return Optional.ofNullable(principal(owner));
     }
 
     private @Nullable Principal principal(String owner) {

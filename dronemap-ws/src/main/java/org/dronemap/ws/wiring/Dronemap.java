@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.util.List;
 import java.util.Map;
+import org.dronemap.ws.door.PhoneDoor;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
@@ -41,6 +42,7 @@ public final class Dronemap {
         ConfigurableApplicationContext faces = FacesServer.start(settings, house);
         closing.add("the faces", faces);
         builder.connect();
+        openPhoneDoor(settings, closing);
         String scheme = settings.tls() == null ? "http" : "https";
         LOG.info(
                 "Dronemap {} is ready at {}://{}:{}",
@@ -48,6 +50,14 @@ public final class Dronemap {
                 scheme,
                 settings.bindAddress(),
                 faces.getEnvironment().getProperty("local.server.port"));
+    }
+
+    private static void openPhoneDoor(Settings settings, Closing closing) {
+        PhoneDoor.Place place = PhoneDoors.of(settings);
+        if (place != null) {
+            closing.add("the door for phones", PhoneDoors.open(place));
+            LOG.info("Phones learn to trust this server at {}", PhoneDoors.url(place));
+        }
     }
 
     private static int waitForTheEnd(Closing closing) {

@@ -22,6 +22,7 @@ import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.LinkSecurityControl;
 import org.dronemap.ws.service.OutletControl;
+import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.Recordings;
 import org.dronemap.ws.service.RobotKeyRing;
 import org.dronemap.ws.service.VehicleLinks;
@@ -44,7 +45,8 @@ public record House(
         GrantBook grantBook,
         VirtualDrones virtuals,
         RunSide runs,
-        AuditSide audit) {
+        AuditSide audit,
+        PasswordHashing passwords) {
 
     /** Where it is kept what was done by whom, and what vouches for it beside the database. */
     public record AuditSide(AuditStore store, AuditHeads heads, AuditChain chain, HeadKeeper keeper) {
@@ -56,7 +58,14 @@ public record House(
     /**
      * The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with; and the way in
      * for ground stations of other makers.
+     *
+     * @param open vehicles are let in, which they are last of all when the server starts
      */
     public record LinkSide(
-            VehicleLinks vehicles, LinkStore store, DtlsKeyRing keys, RobotKeyRing robotKeys, OutletControl outlet) {}
+            VehicleLinks vehicles,
+            LinkStore store,
+            DtlsKeyRing keys,
+            RobotKeyRing robotKeys,
+            OutletControl outlet,
+            BooleanSupplier open) {}
 }

@@ -45,6 +45,7 @@ import org.dronemap.store.postgres.Database;
 import org.dronemap.store.postgres.DatabaseSettings;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
+import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.service.DtlsKeyRing;
 import org.dronemap.ws.service.ReceiptView;
 import org.dronemap.ws.service.RobotKeyRing;
@@ -67,6 +68,7 @@ final class HouseBuilder {
     private @Nullable Proxy proxy;
     private @Nullable RoslinkProxy robotLinks;
     private @Nullable LinkStore savedLinks;
+    private volatile boolean connected;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
     HouseBuilder(Settings settings, Closing closing) {
@@ -98,7 +100,7 @@ final class HouseBuilder {
         Keyrings keyrings = keyrings(cloud, database, journal, box);
         Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), database.links());
         RobotKeyRing robotKeys = new RobotKeyRing(database.links());
-        RoslinkProxy robotSide = robots(cloud, robotKeys, doors(dtlsKeys));
+        RoslinkProxy robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
         return new House(
                 cloud,
                 database.access(),
@@ -115,12 +117,14 @@ final class HouseBuilder {
                 grants,
                 virtualDrones(cloud, database, grants, audit),
                 runs(cloud, database, grants),
-                audit);
+                audit,
+                new Argon2Passwords());
     }
 
-    private static House.LinkSide linkSide(
+    private House.LinkSide linkSide(
             ProxyLinks vehicles, Database database, DtlsKeyRing dtlsKeys, RobotKeyRing robotKeys, Outlet clients) {
-        return new House.LinkSide(vehicles, database.links(), dtlsKeys, robotKeys, new ProxyOutlet(clients));
+        return new House.LinkSide(
+                vehicles, database.links(), dtlsKeys, robotKeys, new ProxyOutlet(clients), () -> connected);
     }
 
     private History history(Database database, CloudManager cloud, Clock clock) {
@@ -141,8 +145,9 @@ final class HouseBuilder {
         return new AuditedOutletControl(cloud, new AuditDesk(audit.store(), Clock.systemUTC(), System::nanoTime));
     }
 
-    private RoslinkProxy robots(CloudManager cloud, RobotKeyRing keys, Doors doors) {
-        RoslinkProxy.Policy policy = new RoslinkProxy.Policy(new IssuedKeys(keys), doors, settings.enrolment());
+    private RoslinkProxy robots(CloudManager cloud, Recorder recorder, RobotKeyRing keys, Doors doors) {
+        RoslinkProxy.Policy policy =
+                new RoslinkProxy.Policy(new IssuedKeys(keys), recorder::openLines, doors, settings.enrolment());
         RoslinkProxy built = robots.build(cloud, lanes, policy);
         closing.add("the links to robots", built);
         robotLinks = built;
@@ -207,7 +212,11 @@ final class HouseBuilder {
     /** As for virtual drones. */
     private RunSide runs(CloudManager cloud, Database database, GrantBook grants) {
         RunSide runs = RunSide.of(
-                cloud, database.operations(), new AccountRights(database.access(), grants), Clock.systemUTC());
+                cloud,
+                database.operations(),
+                new AccountRights(database.access(), grants),
+                settings.apart(),
+                Clock.systemUTC());
         runs.operations().start();
         closing.add("the operations", runs.operations());
         return runs;
@@ -342,6 +351,7 @@ final class HouseBuilder {
         } catch (IOException e) {
             throw new SetupException(e.getMessage() + " (DRONEMAP_ENDPOINTS)", e);
         }
+        connected = true;
     }
 
     /** What was added at run time; an endpoint that the settings name as well is there already. */

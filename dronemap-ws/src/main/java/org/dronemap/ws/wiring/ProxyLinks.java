@@ -60,6 +60,7 @@ record ProxyLinks(Proxy proxy, RoslinkProxy robots) implements VehicleLinks {
         return Map.of(
                 "broken", robots.brokenCount(),
                 "notBelieved", robots.refusedCount(),
+                "unknown", robots.unknownCount(),
                 "noPicture", robots.unreadableCount());
     }
 

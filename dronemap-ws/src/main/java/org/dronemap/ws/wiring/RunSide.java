@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import java.util.List;
+import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.cognitive.operation.follow.Follow;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowState;
@@ -27,10 +28,12 @@ public record RunSide(
     /** Stored with each follow. */
     private static final String FOLLOW = "follow";
 
-    /** Not started yet. */
-    public static RunSide of(CloudManager cloud, OperationStore store, OperationRights rights, Clock clock) {
+    /** Not started yet; {@code apart}: what drones that follow keep from others. */
+    public static RunSide of(
+            CloudManager cloud, OperationStore store, OperationRights rights, Apart apart, Clock clock) {
         OperationKind<RunState, RunInput> kind = new OperationKind<>(MISSION_RUN, new MissionRun(), new RunCodec());
-        OperationKind<FollowState, FollowInput> follows = new OperationKind<>(FOLLOW, new Follow(), new FollowCodec());
+        OperationKind<FollowState, FollowInput> follows =
+                new OperationKind<>(FOLLOW, new Follow(apart), new FollowCodec());
         return new RunSide(new Operations(cloud, store, rights, clock, List.of(kind, follows)), kind, follows);
     }
 }

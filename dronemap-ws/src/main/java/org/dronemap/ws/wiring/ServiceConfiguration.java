@@ -4,7 +4,6 @@ import java.time.Clock;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.store.parquet.ParquetTrack;
 import org.dronemap.ws.place.PlaceNames;
-import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.FirstStart;
@@ -75,8 +74,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    PasswordHashing passwordHashing() {
-        return new Argon2Passwords();
+    PasswordHashing passwordHashing(House house) {
+        return house.passwords();
     }
 
     @Bean
@@ -259,10 +258,15 @@ public class ServiceConfiguration {
                 house.cloud(),
                 new SystemService.Checks(
                         house.databaseUp(),
+                        house.links().open(),
                         () -> house.history().health().isUp(),
                         () -> house.runs().operations().troubles().isEmpty()),
                 new SystemService.SettingsView(
-                        stream.number(), settings.tileAddress(), Version.current(), settings.publicMode()));
+                        stream.number(),
+                        settings.tileAddress(),
+                        Version.current(),
+                        settings.publicMode(),
+                        PhoneDoors.url(PhoneDoors.of(settings))));
     }
 
     @Bean

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
@@ -36,6 +37,7 @@ import org.jspecify.annotations.Nullable;
  * @param protection how much clients may cost
  * @param oidc the provider that users may sign in with; null: none
  * @param virtualSilence so long a silent drone that serves a virtual one counts as flying, beside its mission
+ * @param apart what drones that follow keep from others in the air
  */
 public record Settings(
         Path dataDirectory,
@@ -60,7 +62,8 @@ public record Settings(
         Registration registration,
         Protection protection,
         @Nullable OidcSettings oidc,
-        Duration virtualSilence) {
+        Duration virtualSilence,
+        Apart apart) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
     private static final int DEFAULT_STREAM_PORT = 8081;
@@ -89,8 +92,19 @@ public record Settings(
         }
     }
 
-    /** PEM files of the certificate chain and its private key. */
-    public record Tls(Path certificate, Path key) {}
+    /**
+     * PEM files of the certificate chain and its private key.
+     *
+     * @param authority the local authority that signed it, which phones are to trust; null: one that everybody trusts did
+     * @param phonePort where phones are told so, by plain HTTP
+     */
+    public record Tls(Path certificate, Path key, @Nullable Path authority, int phonePort) {
+        private static final int DEFAULT_PHONE_PORT = 8082;
+
+        public Tls(Path certificate, Path key) {
+            this(certificate, key, null, DEFAULT_PHONE_PORT);
+        }
+    }
 
     public Settings {
         endpoints = List.copyOf(endpoints);
@@ -135,7 +149,8 @@ public record Settings(
                 registration(environment),
                 ProtectionSettings.of(environment),
                 OidcEnvironment.of(environment),
-                ControlSettings.virtualSilence(environment));
+                ControlSettings.virtualSilence(environment),
+                FollowSettings.apart(environment));
     }
 
     private static Registration registration(Map<String, String> environment) {
@@ -231,7 +246,11 @@ public record Settings(
             throw new SetupException(
                     "DRONEMAP_TLS_CERT and DRONEMAP_TLS_KEY belong together; only one of them is set.");
         }
-        return new Tls(certificate, key);
+        return new Tls(
+                certificate,
+                key,
+                file(environment, "DRONEMAP_TLS_AUTHORITY"),
+                port(environment, "DRONEMAP_PHONE_PORT", Tls.DEFAULT_PHONE_PORT));
     }
 
     private static @Nullable Path file(Map<String, String> environment, String name) {

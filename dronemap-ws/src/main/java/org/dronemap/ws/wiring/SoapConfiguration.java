@@ -11,12 +11,15 @@ import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.FlightService;
+import org.dronemap.ws.service.FollowService;
 import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PlanService;
+import org.dronemap.ws.service.RobotKeyService;
 import org.dronemap.ws.service.RunService;
 import org.dronemap.ws.service.VirtualDroneService;
 import org.dronemap.ws.soap.ControllerService;
+import org.dronemap.ws.soap.FollowerService;
 import org.dronemap.ws.soap.KnownServices;
 import org.dronemap.ws.soap.SoapActions;
 import org.dronemap.ws.soap.SoapCaller;
@@ -24,6 +27,7 @@ import org.dronemap.ws.soap.SoapEndpoint;
 import org.dronemap.ws.soap.SoapFlights;
 import org.dronemap.ws.soap.SoapMissions;
 import org.dronemap.ws.soap.SoapPlans;
+import org.dronemap.ws.soap.SoapRobotKeys;
 import org.dronemap.ws.soap.SoapRuns;
 import org.dronemap.ws.soap.SoapVirtualDrones;
 import org.springframework.boot.web.servlet.FilterRegistrationBean;
@@ -62,18 +66,34 @@ public class SoapConfiguration {
             PlanService plans,
             RunService runs,
             VirtualDroneService virtuals,
-            FlightService flights,
-            Outages outages) {
+            SoapFlights flights,
+            SoapRobotKeys robotKeys) {
         return new SoapMissions(
                 new SoapPlans(caller, plans),
                 new SoapRuns(caller, runs),
                 new SoapVirtualDrones(caller, virtuals),
-                new SoapFlights(caller, flights, outages));
+                flights,
+                robotKeys);
+    }
+
+    @Bean
+    SoapFlights soapFlights(SoapCaller caller, FlightService flights, Outages outages) {
+        return new SoapFlights(caller, flights, outages);
+    }
+
+    @Bean
+    SoapRobotKeys soapRobotKeys(SoapCaller caller, RobotKeyService keys) {
+        return new SoapRobotKeys(caller, keys);
     }
 
     @Bean(destroyMethod = "stop")
     EndpointImpl soapEndpoint(Bus soapBus, ControllerService controllerService) {
         return SoapEndpoint.publish(soapBus, controllerService);
+    }
+
+    @Bean(destroyMethod = "stop")
+    EndpointImpl followerEndpoint(Bus soapBus, SoapCaller caller, FollowService follows) {
+        return SoapEndpoint.publish(soapBus, new FollowerService(caller, follows));
     }
 
     @Bean

@@ -16,6 +16,7 @@ import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.FollowService;
 import org.dronemap.ws.service.JsonReader;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.RunService;
@@ -76,8 +77,13 @@ public class StreamConfiguration {
 
     @Bean
     StreamFace.Pictures streamPictures(
-            House house, DroneViews views, VirtualDroneViews virtualViews, PlanDesk plans, RunService runs) {
-        return new StreamFace.Pictures(views, house.virtuals(), virtualViews, plans, runs);
+            House house,
+            DroneViews views,
+            VirtualDroneViews virtualViews,
+            PlanDesk plans,
+            RunService runs,
+            FollowService follows) {
+        return new StreamFace.Pictures(views, house.virtuals(), virtualViews, plans, runs, follows);
     }
 
     @Bean

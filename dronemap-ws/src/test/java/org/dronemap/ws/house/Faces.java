@@ -2,6 +2,7 @@ package org.dronemap.ws.house;
 
 import java.net.http.HttpRequest;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -17,7 +18,9 @@ public final class Faces {
     private static final Pattern OWN = Pattern.compile("/api/v1/.*|/metrics");
     private static final Pattern VARIABLE = Pattern.compile("\\{(\\w+)}");
     private static final Pattern WSDL_OPERATION = Pattern.compile("<wsdl:operation name=\"(\\w+)\">");
-    private static final String SOAP = "/services/MAVLinkControllerService";
+    private static final List<String> SOAP = List.of("/services/MAVLinkControllerService", "/services/FollowerService");
+    private static final Pattern OF_FOLLOWING =
+            Pattern.compile("followRequest|sendNewGPSLocation|getFollow(sList)?|\\w+(Tracking|FollowRequest)");
 
     private static final Map<String, String> BODIES = Map.of(
             "PUT /api/v1/users/{name}/only-granted", "{\"onlyGranted\":false}",
@@ -51,13 +54,20 @@ public final class Faces {
 
     /** As the WSDL says. */
     public Set<String> soap() {
-        String wsdl = new Http(house, "").get(SOAP + "?wsdl").raw().body();
         Set<String> operations = new TreeSet<>();
-        Matcher found = WSDL_OPERATION.matcher(wsdl);
-        while (found.find()) {
-            operations.add(found.group(1));
+        for (String service : SOAP) {
+            String wsdl = new Http(house, "").get(service + "?wsdl").raw().body();
+            Matcher found = WSDL_OPERATION.matcher(wsdl);
+            while (found.find()) {
+                operations.add(found.group(1));
+            }
         }
         return operations;
+    }
+
+    /** Where an operation of SOAP is served. */
+    public static String serviceOf(String operation) {
+        return SOAP.get(OF_FOLLOWING.matcher(operation).matches() ? 1 : 0);
     }
 
     /** With the values in the address, and a body that says what it takes to reach what it is about. */
@@ -84,6 +94,14 @@ public final class Faces {
             case "getRun", "addRunWaypoint", "resumeRunDrone", "answerRun", "pauseRun", "continueRun", "stopRun" ->
                 "runId";
             case "getFlight" -> "flightId";
+            case "cancelFollowRequest",
+                    "startTracking",
+                    "sendNewGPSLocation",
+                    "disableTracking",
+                    "enableTracking",
+                    "stopTracking",
+                    "getFollow" -> "followId";
+            case "issueRobotKey", "revokeRobotKey" -> "robotKeyId";
             case "createVirtualDrone" -> "name";
             case "getVirtualDrone",
                     "startVirtualDrone",
@@ -106,6 +124,8 @@ public final class Faces {
             case "planId" -> "plans";
             case "flightId" -> "flights";
             case "runId" -> "runs";
+            case "followId" -> "follows";
+            case "robotKeyId" -> "robot-keys";
             case "name" -> "nothing";
             // Not what an organisation has: they are their owner's alone.
             case "virtualDroneId" -> "virtual drones of one's own";
@@ -122,7 +142,7 @@ public final class Faces {
                 + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Body><w:" + operation + ">" + elements + "</w:"
                 + operation + "></s:Body></s:Envelope>";
         return caller.send(
-                        SOAP,
+                        serviceOf(operation),
                         request -> request.header("Content-Type", "text/xml")
                                 .POST(HttpRequest.BodyPublishers.ofString(envelope)))
                 .raw()

@@ -61,7 +61,7 @@ public final class Http {
                     client.send(how.apply(builder).build(), HttpResponse.BodyHandlers.ofString());
             boolean isJson = response.headers()
                     .firstValue("Content-Type")
-                    .map(type -> type.contains("json"))
+                    .map(type -> type.contains("json") && !type.contains("jsonl"))
                     .orElse(false);
             return new Answer(response, isJson ? json.readTree(response.body()) : json.createObjectNode());
         } catch (IOException e) {

@@ -149,11 +149,14 @@ public final class ScriptedVehicle implements VehicleChannel {
 
     @Override
     public void perform(Mandate mandate, Command command, Report report) {
-        performed.add(command);
-        report.accepted();
-        Outcome outcome = script.apply(command);
-        // As at a real link: what the vehicle has said on the way is known before its answer is.
-        link.lane().execute(() -> report.ended(outcome));
+        // As at a real link: what was admitted before somebody else took control must not act after theirs.
+        mandate.fence().pass(() -> {
+            performed.add(command);
+            report.accepted();
+            Outcome outcome = script.apply(command);
+            // What the vehicle has said on the way is known before its answer is.
+            link.lane().execute(() -> report.ended(outcome));
+        });
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.GrantBook;
@@ -61,8 +62,10 @@ import org.dronemap.store.memory.MemoryZoneStore;
 import org.dronemap.store.secret.HmacSeal;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.security.oidc.OidcSettings;
 import org.dronemap.ws.service.DtlsKeyRing;
+import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.service.RobotKeyRing;
@@ -97,11 +100,15 @@ public final class TestHouse implements AutoCloseable {
     private final RobotKeyRing robotKeys = new RobotKeyRing(linkStore);
     private final ListedLinks links = new ListedLinks();
     private final AtomicInteger ids = new AtomicInteger();
+    /** Thousands are made in tests: not as dear as a server's. */
+    private static final PasswordHashing QUICK_PASSWORDS = new Argon2Passwords(64, 1);
+
     private final CloudManager cloud;
     private final SteppingClock clock = new SteppingClock();
     private final GrantBook grants = new GrantBook(clock);
     private final House.AuditSide audit;
     private final ConfigurableApplicationContext faces;
+    private volatile boolean connected = true;
     private final VirtualDrones virtuals;
     private final MemoryOperationStore operationStore = new MemoryOperationStore();
     private final RunSide runs;
@@ -155,7 +162,7 @@ public final class TestHouse implements AutoCloseable {
         startRecorder();
         history = history();
         virtuals = virtuals();
-        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants), Clock.systemUTC());
+        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants), Apart.USUAL, Clock.systemUTC());
         runs.operations().start();
         House house = new House(
                 cloud,
@@ -173,7 +180,8 @@ public final class TestHouse implements AutoCloseable {
                 grants,
                 virtuals,
                 runs,
-                audit);
+                audit,
+                QUICK_PASSWORDS);
         faces = FacesServer.start(settings(choices), house);
     }
 
@@ -249,7 +257,8 @@ public final class TestHouse implements AutoCloseable {
                 choices.registration(),
                 choices.protection(),
                 choices.oidc(),
-                RunMachine.USUAL_SILENCE);
+                RunMachine.USUAL_SILENCE,
+                Apart.USUAL);
     }
 
     private void startRecorder() {
@@ -274,10 +283,15 @@ public final class TestHouse implements AutoCloseable {
         return robotKeys;
     }
 
+    /** As if the ports for vehicles listened, or did not. */
+    public void connected(boolean listening) {
+        connected = listening;
+    }
+
     private House.LinkSide linkSide() {
         BoxSealing sealing = new BoxSealing(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
         return new House.LinkSide(
-                links, linkStore, new DtlsKeyRing(linkStore, sealing), robotKeys, new ListedClients());
+                links, linkStore, new DtlsKeyRing(linkStore, sealing), robotKeys, new ListedClients(), () -> connected);
     }
 
     public RunSide runs() {

@@ -29,12 +29,26 @@ import org.jspecify.annotations.Nullable;
 public final class WillingCopter {
     private static final Capabilities ALL = new Capabilities(
             Set.of(Capability.values()),
-            List.of("GUIDED", "AUTO", "RTL"),
-            Map.of("GUIDED", Steering.ORDERS, "AUTO", Steering.MISSION, "RTL", Steering.SAFETY));
+            List.of("GUIDED", "AUTO", "RTL", "LAND", "BRAKE", "LOITER"),
+            Map.of(
+                    "GUIDED",
+                    Steering.ORDERS,
+                    "AUTO",
+                    Steering.MISSION,
+                    "RTL",
+                    Steering.SAFETY,
+                    "LAND",
+                    Steering.SAFETY,
+                    "BRAKE",
+                    Steering.STANDS,
+                    "LOITER",
+                    Steering.STICKS));
 
     private final ScriptedVehicle vehicle;
     private final Geodetic stand;
     private volatile @Nullable Class<? extends Command> unwilling;
+    private volatile boolean armed;
+    private volatile boolean grounded;
 
     /** It stands there, with that system id, name and hardware id. */
     public WillingCopter(CloudManager cloud, DroneKey key, String name, Geodetic stand) {
@@ -85,16 +99,33 @@ public final class WillingCopter {
             vehicle.says(new DroneEvent.MissionRead(upload.mission().items(), null, true));
             vehicle.says(new DroneEvent.MissionCurrentHeard(0, MissionPhase.STOPPED));
         } else if (command instanceof Command.Arm) {
-            vehicle.says(new DroneEvent.ModeHeard("GUIDED", true));
-        } else if (command instanceof Command.TakeOff) {
+            armed = true;
+            isIn("GUIDED");
+        } else if (command instanceof Command.TakeOff && !grounded) {
             isInTheAir();
         } else if (command instanceof Command.StartMission) {
             isInTheAir();
-            vehicle.says(new DroneEvent.ModeHeard("AUTO", true));
+            isIn("AUTO");
+        } else if (command instanceof Command.SetMode set) {
+            isIn(set.mode());
         } else if (command instanceof Command.ReturnToLaunch) {
-            vehicle.says(new DroneEvent.ModeHeard("RTL", true));
+            isIn("RTL");
+        } else if (command instanceof Command.Land) {
+            isIn("LAND");
+        } else if (command instanceof Command.Hold) {
+            isIn("BRAKE");
         }
         return new Outcome.Succeeded();
+    }
+
+    /** However it came to that mode. */
+    public void isIn(String mode) {
+        vehicle.says(new DroneEvent.ModeHeard(mode, armed));
+    }
+
+    /** It takes all orders, and never leaves the ground. */
+    public void staysDown() {
+        grounded = true;
     }
 
     public void reaches(int item) {
@@ -112,6 +143,10 @@ public final class WillingCopter {
         return vehicle.setpoints();
     }
 
+    public void feelsWind(double fromDegrees, double metersPerSecond) {
+        vehicle.says(new DroneEvent.WindHeard(fromDegrees, metersPerSecond));
+    }
+
     /** Its battery has so much left. */
     public void hasLeft(int percent) {
         vehicle.says(new DroneEvent.BatteryHeard(new Battery(percent, null, null)));
@@ -121,6 +156,7 @@ public final class WillingCopter {
     public void isOnGround() {
         vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
         vehicle.says(new DroneEvent.PositionHeard(new Position(stand, 488.0, 0.0)));
-        vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
+        armed = false;
+        isIn("GUIDED");
     }
 }
