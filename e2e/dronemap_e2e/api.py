@@ -12,10 +12,15 @@ Json = dict[str, Any]
 class Api:
     """Calls with an access key, or, without, as a page does: with the cookie of its session."""
 
-    def __init__(self, address: str, key: str | None = None) -> None:
+    def __init__(self, address: str, key: str | None = None, authority: str | None = None) -> None:
+        """`authority`: the file of who signed the server's certificate."""
         self.base = address + "/api/v1"
         self.key = key
         self._session = requests.Session()
+        if authority:
+            self._session.verify = authority
+            # Whom the environment trusts would go before.
+            self._session.trust_env = False
         if key:
             self._session.headers["Authorization"] = f"Bearer {key}"
         else:

@@ -22,6 +22,10 @@ class Line:
     def cut(self) -> None:
         self._cut = True
 
+    def mend(self) -> None:
+        """What was said meanwhile arrives, as far as whoever said it still waits."""
+        self._cut = False
+
     def close(self) -> None:
         self._closed = True
         self._thread.join()

@@ -46,11 +46,17 @@ class Server:
 
     @property
     def address(self) -> str:
-        return f"http://127.0.0.1:{self.http_port}"
+        scheme = "https" if self.authority else "http"
+        return f"{scheme}://127.0.0.1:{self.http_port}"
 
     @property
     def stream_address(self) -> str:
         return f"ws://127.0.0.1:{self.stream_port}/stream"
+
+    @property
+    def authority(self) -> str | None:
+        """The file of who signed its certificate; None: it speaks plain HTTP."""
+        return self._settings.get("DRONEMAP_TLS_AUTHORITY")
 
     @property
     def pid(self) -> int:
@@ -119,7 +125,7 @@ class Server:
         assert self._process is not None
         assert self._process.poll() is None, f"the server ended: {self._tail()}"
         try:
-            answer = requests.get(self.address + "/api/v1/health", timeout=2)
+            answer = requests.get(self.address + "/api/v1/health", timeout=2, verify=self.authority or True)
         except (requests.ConnectionError, requests.Timeout):
             return False
         body: dict[str, Any] = answer.json() if answer.ok else {}

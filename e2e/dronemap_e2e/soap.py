@@ -9,12 +9,12 @@ from requests import Session
 from .server import Server
 
 
-def soap(server: Server, key: str) -> Any:
+def soap(server: Server, key: str, service: str = "MAVLinkControllerService") -> Any:
     """The service proxy; every call carries the access key."""
     session = Session()
     transport: Any = zeep.transports.Transport(session=session)  # type: ignore[no-untyped-call]
     client: Any = zeep.Client(  # type: ignore[no-untyped-call]
-        server.address + "/services/MAVLinkControllerService?wsdl", transport=transport
+        f"{server.address}/services/{service}?wsdl", transport=transport
     )
     session.headers["Authorization"] = f"Bearer {key}"
     return client.service

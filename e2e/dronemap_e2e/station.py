@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+from pathlib import Path
 from typing import Protocol
 
 from playwright.sync_api import Browser, Locator, Page, Playwright, expect
@@ -21,11 +22,16 @@ CHROMIUM_ARGUMENTS = [
 ]
 
 
-def launch(playwright: Playwright, *arguments: str) -> Browser:
+def launch(playwright: Playwright, *arguments: str, home: Path | None = None) -> Browser:
+    """`home`: where the browser keeps whom it trusts, instead of the user's own."""
     chromium = os.environ.get("DRONEMAP_CHROMIUM") or shutil.which("chromium")
     assert chromium, "chromium is missing: ./dronemap test installs it"
     expect.set_options(timeout=PATIENCE_MILLISECONDS)
-    return playwright.chromium.launch(executable_path=chromium, args=[*CHROMIUM_ARGUMENTS, *arguments])
+    return playwright.chromium.launch(
+        executable_path=chromium,
+        args=[*CHROMIUM_ARGUMENTS, *arguments],
+        env=None if home is None else {**os.environ, "HOME": str(home), "XDG_DATA_HOME": str(home / "data")},
+    )
 
 
 class Hands(Protocol):

@@ -1,17 +1,14 @@
 """The same flight with PX4, over MAVLink 1, over TCP, and with a real autopilot where one is given."""
 
-import os
-import socket
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from dronemap_e2e import sitl
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
-from dronemap_e2e.ports import free_port
 from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
@@ -120,39 +117,12 @@ def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
         simulator.stop()
 
 
-SITL = os.environ.get("DRONEMAP_SITL_ARDUCOPTER")
-
-
-@pytest.mark.skipif(SITL is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
+@pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
 def test_a_real_autopilot_flies_the_same_flight(api: Api, tap: Tap, tmp_path: Path) -> None:
-    binary = Path(str(SITL))
-    with (tmp_path / "sitl.log").open("wb") as log:
-        autopilot = subprocess.Popen(
-            [
-                *(str(binary), "--wipe", "--model", "+", "--speedup", "1", "--sysid", "153"),
-                *("--home", "47.3977,8.5456,488,0", "--defaults", str(binary.parent / "copter.parm")),
-                *("--serial0", f"udpclient:127.0.0.1:{tap.port}", "--serial1", "none", "--serial2", "none"),
-                *("--rc-in-port", str(free_port(socket.SOCK_DGRAM))),
-            ],
-            cwd=tmp_path,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-        )
+    autopilot = sitl.ArduCopter(tmp_path / "sitl", tap.port, 153, "47.3977,8.5456,488,0")
     try:
         drone = wait_for("it is ready", lambda: api.ready(153), 120)
-        wait_for("it may fly", lambda: _may_fly(api, drone["id"]), 90, every=3)
+        wait_for("it may fly", lambda: sitl.may_fly(api, drone["id"]), 90, every=3)
         fly(api, drone, patience=3)
     finally:
-        autopilot.kill()
-        autopilot.wait()
-
-
-def _may_fly(api: Api, drone: str) -> bool:
-    """A real one arms before it has a position; only armed it says whether GUIDED is to be had."""
-
-    def succeeds(**body: str) -> bool:
-        return bool(api.command(drone, dict(body))["outcome"]["result"] == "succeeded")
-
-    guided = succeeds(type="arm") and succeeds(type="setMode", mode="GUIDED")
-    api.command(drone, {"type": "disarm"})
-    return guided
+        autopilot.close()

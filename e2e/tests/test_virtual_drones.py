@@ -82,6 +82,7 @@ def passed_by(tap: Tap, point: Point) -> list[int]:
     )
 
 
+@pytest.mark.soak
 def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
     own_server: Server, tap: Tap, simulator: Simulator
 ) -> None:

@@ -5,6 +5,7 @@ check_ports() {
     local url endpoint kind urls
     check_port tcp "$HTTP_PORT" "the page" DRONEMAP_HTTP_PORT
     check_port tcp "$STREAM_PORT" "the stream" DRONEMAP_STREAM_PORT
+    if [[ $PUBLIC == true && (-z $CERTIFICATE || -n $AUTHORITY) ]]; then check_port tcp "$PHONE_PORT" "the page for phones" DRONEMAP_PHONE_PORT; fi
     IFS=, read -r -a urls <<<"$ENDPOINTS"
     for url in "${urls[@]}"; do
         endpoint=${url##*:}

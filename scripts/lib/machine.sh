@@ -70,6 +70,7 @@ missing_packages() { # [for-tests]
     command -v shellcheck >/dev/null || echo shellcheck
     command -v openssl >/dev/null || echo openssl
     find_chromium >/dev/null || echo chromium
+    command -v certutil >/dev/null || echo libnss3-tools
     if compgen -G "$ROOT/php-*/composer.json" >/dev/null; then
         command -v phpunit >/dev/null || printf '%s\n' php-cli php-soap phpunit
     fi

@@ -92,6 +92,7 @@ print_welcome() {
         note "(You choose your own after signing in; then this line goes away.)"
     fi
     if [[ $PUBLIC == true ]]; then note "Open to the network. Certificate (SHA-256): $(fingerprint)"; fi
+    if [[ -n $AUTHORITY ]]; then note "For phones: $(phone_address) (fingerprint there: $(fingerprint "$AUTHORITY"))"; fi
     note "Drones: $(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value armed "$answer") armed. Vehicles connect to: ${ENDPOINTS//,/ }"
     note "Go on with: ./dronemap status | logs | down | help"
 }
@@ -102,6 +103,13 @@ page_address() {
     else
         local_address
     fi
+}
+
+# Phones seldom know machines by name: what the certificate names first is what they reach.
+phone_address() {
+    local name
+    name=$(certificate_names | tr ',' '\n' | head -n 1)
+    printf 'http://%s:%s/' "${name#*:}" "$PHONE_PORT"
 }
 
 command_status() {

@@ -5,6 +5,7 @@ DEMO=true
 FOREGROUND=false
 CERTIFICATE=""
 PRIVATE_KEY=""
+AUTHORITY=""
 WANT_PUBLIC=false
 
 command_up() {
@@ -127,6 +128,7 @@ server_environment() {
     export DRONEMAP_BIND=$BIND DRONEMAP_ENDPOINTS=$ENDPOINTS DRONEMAP_PUBLIC=$PUBLIC
     if [[ $PUBLIC == true ]]; then
         export DRONEMAP_TLS_CERT=$CERTIFICATE DRONEMAP_TLS_KEY=$PRIVATE_KEY
+        if [[ -n $AUTHORITY ]]; then export DRONEMAP_TLS_AUTHORITY=$AUTHORITY DRONEMAP_PHONE_PORT=$PHONE_PORT; fi
     fi
 }
 

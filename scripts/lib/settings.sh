@@ -9,6 +9,7 @@ load_settings() {
     DATA=$(realpath -m -- "${DRONEMAP_DATA_DIR:-$ROOT/.data}")
     HTTP_PORT=$(port_setting DRONEMAP_HTTP_PORT 8080) || exit
     STREAM_PORT=$(port_setting DRONEMAP_STREAM_PORT 8081) || exit
+    PHONE_PORT=$(port_setting DRONEMAP_PHONE_PORT 8082) || exit
     MAVLINK_UDP=$(port_setting DRONEMAP_MAVLINK_UDP 14550) || exit
     MAVLINK_TCP=$(port_setting DRONEMAP_MAVLINK_TCP 5760) || exit
     LOGS=$DATA/logs

@@ -40,7 +40,7 @@ prepare_suites() {
     : >"$RESULTS"
     SUITES_STARTED=$SECONDS
     # The tests choose their own ports and folders.
-    unset DRONEMAP_DATA_DIR DRONEMAP_HTTP_PORT DRONEMAP_STREAM_PORT DRONEMAP_MAVLINK_UDP DRONEMAP_MAVLINK_TCP DRONEMAP_ENDPOINTS DRONEMAP_OUTLET DRONEMAP_OUTLET_PORTS
+    unset DRONEMAP_DATA_DIR DRONEMAP_HTTP_PORT DRONEMAP_STREAM_PORT DRONEMAP_MAVLINK_UDP DRONEMAP_MAVLINK_TCP DRONEMAP_ENDPOINTS DRONEMAP_OUTLET DRONEMAP_OUTLET_PORTS DRONEMAP_PHONE_PORT DRONEMAP_NAMES
     DRONEMAP_CHROMIUM=$(find_chromium)
     export DRONEMAP_CHROMIUM
 }
@@ -135,7 +135,7 @@ suite_java() { # GOALS-NAME OPTIONS…
 
 # A failed test must not keep the modules that build on it from being tested; the reports tell that it failed.
 verify_java() { # OPTIONS…
-    mvn -B -ntp -T 2 -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" verify &&
+    mvn -B -ntp -T 3 -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" verify &&
         ! grep -qE '<(failure|error)[ >]' "$ROOT"/dronemap-*/target/surefire-reports/TEST-*.xml
 }
 

@@ -106,6 +106,7 @@ def checkout(tmp_path: Path) -> Iterator[Checkout]:
         {
             "DRONEMAP_HTTP_PORT": str(free_port()),
             "DRONEMAP_STREAM_PORT": str(free_port()),
+            "DRONEMAP_PHONE_PORT": str(free_port()),
             "DRONEMAP_MAVLINK_UDP": str(free_port(socket.SOCK_DGRAM)),
             "DRONEMAP_MAVLINK_TCP": str(free_port()),
         },

@@ -144,6 +144,22 @@ def make_certificates(folder: Path, *names: str) -> None:
         )
 
 
+def check_page_for_phones(built: Checkout, told: str) -> None:
+    """It hands out who signed the certificate, by the fingerprint that the terminal shows."""
+    port = built.settings["DRONEMAP_PHONE_PORT"]
+    shown = re.search(rf"For phones: http://\S+:{port}/ \(fingerprint there: ([0-9A-F:]+)\)", told)
+    assert shown, told
+    status, page = get(f"http://127.0.0.1:{port}/")
+    assert status == 200
+    assert shown[1] in page
+    tls = built.data / "tls"
+    assert all(file.stat().st_mode & 0o077 == 0 for file in [tls, *tls.iterdir()])
+    trusting = ssl.create_default_context(cafile=str(tls / "authority.pem"))
+    url = f"https://localhost:{built.http_port}/api/v1/health"
+    with urllib.request.urlopen(url, timeout=5, context=trusting) as answer:
+        assert answer.status == 200
+
+
 def check_own_certificate(built: Checkout, folder: Path) -> None:
     make_certificates(folder, "one", "two")
     own = ("up", "--no-demo", "--public", "--cert", str(folder / "one.pem"), "--key")
@@ -182,6 +198,7 @@ def test_stays_closed_to_the_network_until_the_first_password_is_changed(
     status, page = get(f"https://127.0.0.1:{built.http_port}/")
     assert status == 200
     assert "<html" in page.lower()
+    check_page_for_phones(built, public.stdout)
     addresses = listeners(descendants(built.data))
     assert any(re.match(rf"(0\.0\.0\.0|\*|\[::\]):{built.http_port}$", a) for a in addresses), addresses
 
