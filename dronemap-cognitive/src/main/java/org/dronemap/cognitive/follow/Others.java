@@ -4,10 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Drones that one which is led keeps apart from, on the ground or in height, as they are at one moment. The nearer it is, the
- * slower it may come closer; it gives way to who comes on, and past each other both keep right. Immutable.
+ * slower it may come closer; it steps out of the way of who comes on faster, and past each other both keep right. Immutable.
  */
 public final class Others {
     public static final Others NONE = new Others(List.of(), 0, 0);
@@ -17,6 +18,18 @@ public final class Others {
 
     private static final double GIVING_WAY = 1;
     private static final double FASTEST_AWAY = 6;
+    /** Whoever comes on by more than this beyond what it may gives way to nobody. */
+    private static final double UNYIELDING = 2;
+
+    /** It is out of the way of such a one before that is so near. */
+    private static final double CLEAR_METERS = 20;
+
+    private static final double FASTEST_ASIDE = 3;
+    /** From who comes straight on it goes to the right, seen from there. */
+    private static final double UNDECIDED_METERS = 3;
+
+    private static final double SLOWEST = 0.5;
+    private static final double SOONEST_SECONDS = 1;
     /** Of what keeps it from going straight, so much goes to its right. */
     private static final double SIDEWAYS = 0.7;
 
@@ -37,7 +50,25 @@ public final class Others {
     private final double horizontalMeters;
     private final double verticalMeters;
 
-    private record Neighbor(Spot spot, double eastward, double northward, double amslMeters) {}
+    private record Neighbor(Spot spot, double eastward, double northward, double amslMeters) {
+        double speed() {
+            return Math.hypot(eastward, northward);
+        }
+
+        /** Metres from it along the way that it goes. */
+        double ahead(Spot there) {
+            return (eastward * (there.eastMeters() - spot.eastMeters())
+                            + northward * (there.northMeters() - spot.northMeters()))
+                    / speed();
+        }
+
+        /** Metres to the right of the way that it goes. */
+        double right(Spot there) {
+            return (northward * (there.eastMeters() - spot.eastMeters())
+                            - eastward * (there.northMeters() - spot.northMeters()))
+                    / speed();
+        }
+    }
 
     /** Eastward and northward, m/s. */
     record Speed(double eastward, double northward) {}
@@ -71,8 +102,10 @@ public final class Others {
             Speed before = speed;
             for (Neighbor one : neighbors) {
                 if (Math.abs(one.amslMeters() - amslMeters) < verticalMeters) {
+                    // All of it goes out of the way on one side.
+                    boolean right = one.right(here.get(0)) > -UNDECIDED_METERS;
                     for (Spot spot : here) {
-                        speed = kept(one, spot, speed, round == 0);
+                        speed = kept(one, spot, speed, round == 0, right);
                     }
                 }
             }
@@ -83,7 +116,7 @@ public final class Others {
         return speed;
     }
 
-    private Speed kept(Neighbor other, Spot here, Speed wanted, boolean sideways) {
+    private Speed kept(Neighbor other, Spot here, Speed wanted, boolean sideways, boolean right) {
         double meters = other.spot().distanceMeters(here);
         if (meters > FAR) {
             return wanted;
@@ -97,10 +130,32 @@ public final class Others {
         if (closer <= most) {
             return wanted;
         }
+        Speed aside = most < -UNYIELDING && comes > 0 ? steppedAside(other, here, wanted, right) : null;
+        if (aside != null) {
+            return aside;
+        }
         double less = closer - Math.max(-FASTEST_AWAY, most);
-        double right = sideways ? SIDEWAYS * Math.min(less, Math.max(0, closer)) : 0;
+        double turn = sideways ? SIDEWAYS * Math.min(less, Math.max(0, closer)) : 0;
         return new Speed(
-                wanted.eastward() + east * less - north * right, wanted.northward() + north * less + east * right);
+                wanted.eastward() + east * less - north * turn, wanted.northward() + north * less + east * turn);
+    }
+
+    /**
+     * Whoever flies ahead of one that is faster is driven along for ever: it leaves that one's way instead, as fast as it has to be
+     * clear of it when it comes by; null: too late for that.
+     */
+    private @Nullable Speed steppedAside(Neighbor other, Spot here, Speed wanted, boolean right) {
+        double along = (wanted.eastward() * other.eastward() + wanted.northward() * other.northward()) / other.speed();
+        double seconds = (other.ahead(here) - CLEAR_METERS) / Math.max(other.speed() - along, SLOWEST);
+        double side = right ? 1 : -1;
+        double least = (horizontalMeters - other.right(here) * side) / seconds;
+        if (seconds < SOONEST_SECONDS || least > FASTEST_ASIDE) {
+            return null;
+        }
+        double east = other.northward() / other.speed() * side;
+        double north = -other.eastward() / other.speed() * side;
+        double more = Math.max(0, least - wanted.eastward() * east - wanted.northward() * north);
+        return new Speed(wanted.eastward() + east * more, wanted.northward() + north * more);
     }
 
     /** Of a speed at which the other flies ahead: one that is fast may brake before that is heard of. */

@@ -34,6 +34,21 @@ class SeparationTest {
     }
 
     @Test
+    void stepsAsideForWhoFliesPastInsteadOfBeingDrivenAlong() {
+        for (double aside : new double[] {-20, -3, 0, 10}) {
+            for (double speed : new double[] {10, 15}) {
+                Swarm swarm = Swarm.passed(aside, speed, 1);
+                assertThat(swarm.fly(10 + 400 / speed))
+                        .as("at %.0f m/s, %.0f m to its right", speed, -aside)
+                        .isGreaterThan(USUAL.groundMeters());
+                assertThat(swarm.farthest())
+                        .as("from its target, %.0f m/s, %.0f m", speed, -aside)
+                        .isLessThan(30);
+            }
+        }
+    }
+
+    @Test
     @Tag("soak")
     void keepsManyFollowsApart() {
         for (double meters : new double[] {5, 10, 20}) {

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.Collectors;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +25,8 @@ final class Swarm {
     private final SplittableRandom random;
     private final double meters;
     private double lowest = Double.POSITIVE_INFINITY;
+    private double farthest;
+    private @Nullable Passer passer;
 
     /** {@code apart}: what is to be kept; null: nobody looks out for others. */
     private Swarm(@Nullable Apart apart, SplittableRandom random) {
@@ -56,6 +59,34 @@ final class Swarm {
             swarm.add(walk, begins, begins, new Side.Fixed(random.nextDouble(360)));
         }
         return swarm;
+    }
+
+    /** One whose target stands still, and one more that is led by nobody and flies past, from the south at that speed. */
+    static Swarm passed(double metersAside, double speed, long seed) {
+        Swarm swarm = new Swarm(Apart.USUAL, new SplittableRandom(seed));
+        swarm.add(
+                Walk.recorded("standing", List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0})),
+                new Spot(0, 0),
+                new Spot(0, -20),
+                new Side.Fixed(180));
+        swarm.passer = new Passer(metersAside, speed);
+        return swarm;
+    }
+
+    /** Flies north, from 200 m south of the middle, ten seconds after all began. */
+    private record Passer(double east, double speed) {
+        private static final double BEGINS = 10;
+        private static final double FROM = -200;
+
+        Whereabouts at(double now, double amsl) {
+            double seconds = Math.max(0, now - BEGINS);
+            return new Whereabouts(
+                    Swarm.at(now),
+                    PLANE.place(new Spot(east, FROM + speed * seconds)),
+                    amsl,
+                    0,
+                    seconds > 0 ? speed : 0);
+        }
     }
 
     /** They begin no nearer than they are to stay. */
@@ -167,7 +198,10 @@ final class Swarm {
         List<Whereabouts> all = followers.stream()
                 .filter(other -> other != one)
                 .map(other -> other.seen)
-                .toList();
+                .collect(Collectors.toCollection(ArrayList::new));
+        if (passer != null) {
+            all.add(passer.at(Math.max(0, now - LINK.seconds()), SimDrone.HOME_AMSL + meters));
+        }
         List<Double> late = all.stream()
                 .map(other -> Math.min(2, Duration.between(other.at(), at(now)).toMillis() / 1e3 + LINK.seconds()))
                 .toList();
@@ -177,8 +211,13 @@ final class Swarm {
     private double nearest(double now) {
         double least = Double.POSITIVE_INFINITY;
         double level = apart == null ? Apart.USUAL.heightMeters() : apart.heightMeters();
-        List<Whereabouts> real =
-                followers.stream().map(one -> one.drone.whereabouts(at(now))).toList();
+        List<Whereabouts> real = followers.stream()
+                .map(one -> one.drone.whereabouts(at(now)))
+                .collect(Collectors.toCollection(ArrayList::new));
+        farthest = Math.max(farthest, fromTargets(now));
+        if (passer != null) {
+            real.add(passer.at(now, SimDrone.HOME_AMSL + meters));
+        }
         for (int i = 0; i < real.size(); i++) {
             lowest = Math.min(lowest, real.get(i).altitudeAmslMeters() - SimDrone.HOME_AMSL);
             for (int k = 0; k < i; k++) {
@@ -191,6 +230,11 @@ final class Swarm {
             }
         }
         return least;
+    }
+
+    /** Mean metres of the drones from their targets, at the worst moment. */
+    double farthest() {
+        return farthest;
     }
 
     /** Metres above its home that any was at the least. */
