@@ -175,6 +175,7 @@ class Relay:
             "lowest": -1,
             "separation": SEPARATION,
             "tracks": tracks,
+            "walked": [phone.walked for phone in self.phones],
         }
         file = self.folder / "truth.json"
         file.write_text(json.dumps(truth))
