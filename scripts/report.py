@@ -5,6 +5,7 @@ Input: a file of tab-separated lines `suite, kind, what, log`, where kind is
   skipped           `what` is the reason
   junit             `what` is a pattern of JUnit reports
   status            the program of the suite failed; counts only when no report of the suite shows a failure
+What each failed test said stands between the table and the end.
 Lines of a test's output that begin with "tried on: " say what it ran on and are repeated below the table.
 Exit code 1 when anything failed.
 """
@@ -17,6 +18,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 TRIED_ON = "tried on: "
+# Of what a failed test said: enough to see why without the log of another machine.
+MOST_LINES, MOST_COLUMNS = 30, 400
 
 
 @dataclass
@@ -28,6 +31,7 @@ class Suite:
     failures: list[str] = field(default_factory=list)
     skips: Counter[str] = field(default_factory=Counter)
     tried_on: list[str] = field(default_factory=list)
+    said: dict[str, str] = field(default_factory=dict)
 
     @property
     def skipped(self) -> int:
@@ -57,8 +61,10 @@ def reason_of(skipped: ElementTree.Element) -> str:
 def add_case(suite: Suite, case: ElementTree.Element) -> None:
     name = f"{case.get('classname', '')} {case.get('name', '')}".strip()
     skipped = case.find("skipped")
-    if case.find("failure") is not None or case.find("error") is not None:
+    broken = case.find("failure") if case.find("failure") is not None else case.find("error")
+    if broken is not None:
         suite.fail(name)
+        suite.said[name] = (broken.text or broken.get("message") or "").strip()
     elif skipped is not None:
         suite.skips[reason_of(skipped)] += 1
     else:
@@ -114,9 +120,20 @@ def print_table(suites: dict[str, Suite]) -> None:
     print()
 
 
+def print_reasons(suites: dict[str, Suite]) -> None:
+    """The first and the last lines of what each failed test said."""
+    for name, said in (entry for suite in suites.values() for entry in suite.said.items()):
+        lines = [line[:MOST_COLUMNS] for line in said.splitlines()]
+        if len(lines) > MOST_LINES:
+            half = MOST_LINES // 2
+            lines = [*lines[:half], "…", *lines[-half:]]
+        print(f"FAILED {name}", *(f"    {line}" for line in lines), "", sep="\n")
+
+
 def main(arguments: list[str]) -> int:
     suites = read_results(Path(arguments[0]))
     print_table(suites)
+    print_reasons(suites)
     passed = sum(suite.passed for suite in suites.values())
     failed = sum(suite.failed for suite in suites.values())
     skipped = sum(suite.skipped for suite in suites.values())

@@ -30,6 +30,18 @@ def test_counts_every_case_of_a_report(tmp_path: Path, capsys: pytest.CaptureFix
     assert "FAILED A lands" in printed
 
 
+def test_repeats_what_a_failed_test_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    long = "\n".join(f"line {number}" for number in range(100))
+    case = f'<testcase classname="B" name="turns"><failure message="m">{long}</failure></testcase>'
+    (tmp_path / "TEST-a.xml").write_text(JUNIT.replace("</testsuite>", f"{case}</testsuite>"))
+    report.main(results(tmp_path, ("java", "junit", f"{tmp_path}/TEST-*.xml", "log")))
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[lines.index("FAILED A lands") + 1] == "    at …"
+    assert lines[lines.index("FAILED A dives") + 1] == "    no water"
+    said = lines[lines.index("FAILED B turns") + 1 :]
+    assert said[0] == "    line 0" and "    line 99" in said and "    line 50" not in said
+
+
 def test_says_what_adapters_were_tried_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = "<system-out>12:00 noise\ntried on: PostgresTest, PostgreSQL 18.3\n</system-out>"
     (tmp_path / "TEST-a.xml").write_text(f'<testsuite><testcase name="a">{output}</testcase></testsuite>')
