@@ -43,7 +43,12 @@ public final class Guidance {
     private boolean risen;
 
     /** How much time passes, and what is to be kept to meanwhile. */
-    private record Step(double seconds, Limits limits, Surroundings around, Spot drone) {}
+    private record Step(double seconds, Limits limits, Surroundings around, Spot drone) {
+        /** Who rises goes nowhere but up, among trees as it may be: all others keep away from it. */
+        Step alone() {
+            return new Step(seconds, limits, new Surroundings(around.room(), Others.NONE), drone);
+        }
+    }
 
     /** What is kept out of the way of: edges, and other drones. */
     public record Surroundings(Room room, Others others) {}
@@ -90,7 +95,7 @@ public final class Guidance {
             next = moved(from, 0, 0, step);
         } else if (isLow(drone.altitudeAmslMeters(), limits)) {
             doing = Aim.Doing.CLIMBING;
-            next = moved(from, 0, 0, step);
+            next = moved(from, 0, 0, step.alone());
         } else {
             Spot free = room.nearest(wanted.spot());
             double share = room.clearShare(from.spot(), free);

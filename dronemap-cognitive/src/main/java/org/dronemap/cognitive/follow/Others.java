@@ -1,14 +1,12 @@
 package org.dronemap.cognitive.follow;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Drones that one which is led keeps apart from, on the ground or in height, as they are at one moment. The nearer it is, the
- * slower it may come closer; it steps out of the way of who comes on faster, and past each other both keep right. Immutable.
+ * slower it may come closer; past each other both keep right, and it leaves the way of who gives way to nobody. Immutable.
  */
 public final class Others {
     public static final Others NONE = new Others(List.of(), 0, 0);
@@ -18,13 +16,13 @@ public final class Others {
 
     private static final double GIVING_WAY = 1;
     private static final double FASTEST_AWAY = 6;
-    /** Whoever comes on by more than this beyond what it may gives way to nobody. */
-    private static final double UNYIELDING = 2;
-
-    /** It is out of the way of such a one before that is so near. */
+    /** It is out of the way of who gives way to nobody before that one is so near. */
     private static final double CLEAR_METERS = 20;
 
     private static final double FASTEST_ASIDE = 3;
+    /** Of a speed as much each way. */
+    private static final double DIAGONAL = Math.sqrt(0.5);
+
     /** From who comes straight on it goes to the right, seen from there. */
     private static final double UNDECIDED_METERS = 3;
 
@@ -50,7 +48,15 @@ public final class Others {
     private final double horizontalMeters;
     private final double verticalMeters;
 
-    private record Neighbor(Spot spot, double eastward, double northward, double amslMeters) {
+    /**
+     * One of them.
+     *
+     * @param late seconds since it was there
+     * @param led by one that keeps it apart from all others as well
+     */
+    public record Heard(Whereabouts there, double late, boolean led) {}
+
+    private record Neighbor(Spot spot, double eastward, double northward, double amslMeters, boolean led) {
         double speed() {
             return Math.hypot(eastward, northward);
         }
@@ -71,7 +77,14 @@ public final class Others {
     }
 
     /** Eastward and northward, m/s. */
-    record Speed(double eastward, double northward) {}
+    record Speed(double eastward, double northward) {
+        /** Of that component, in a direction of length 1. */
+        Speed atLeast(double speed, Speed direction) {
+            double has = eastward * direction.eastward() + northward * direction.northward();
+            double more = Math.max(0, speed - has);
+            return new Speed(eastward + direction.eastward() * more, northward + direction.northward() * more);
+        }
+    }
 
     private Others(List<Neighbor> neighbors, double horizontalMeters, double verticalMeters) {
         this.neighbors = List.copyOf(neighbors);
@@ -79,19 +92,18 @@ public final class Others {
         this.verticalMeters = verticalMeters;
     }
 
-    /** As they are in {@code seconds} after each was there. */
-    public static Others of(LocalPlane plane, List<Whereabouts> all, List<Double> seconds, Apart apart) {
-        List<Neighbor> neighbors = new ArrayList<>();
-        for (int i = 0; i < all.size(); i++) {
-            Whereabouts one = all.get(i);
-            Spot spot = plane.spot(one.point());
-            double later = seconds.get(i);
-            neighbors.add(new Neighbor(
-                    new Spot(spot.eastMeters() + one.eastward() * later, spot.northMeters() + one.northward() * later),
-                    one.eastward(),
-                    one.northward(),
-                    one.altitudeAmslMeters()));
-        }
+    /** As they are by now. */
+    public static Others of(LocalPlane plane, List<Heard> all, Apart apart) {
+        List<Neighbor> neighbors = all.stream()
+                .map(heard -> {
+                    Whereabouts one = heard.there();
+                    Spot spot = plane.spot(one.point());
+                    Spot now = new Spot(
+                            spot.eastMeters() + one.eastward() * heard.late(),
+                            spot.northMeters() + one.northward() * heard.late());
+                    return new Neighbor(now, one.eastward(), one.northward(), one.altitudeAmslMeters(), heard.led());
+                })
+                .toList();
         return new Others(neighbors, apart.groundMeters() + WANDER_METERS, apart.heightMeters() + WANDER_METERS / 2);
     }
 
@@ -130,9 +142,8 @@ public final class Others {
         if (closer <= most) {
             return wanted;
         }
-        Speed aside = most < -UNYIELDING && comes > 0 ? steppedAside(other, here, wanted, right) : null;
-        if (aside != null) {
-            return aside;
+        if (!other.led() && most < 0 && comes > 0) {
+            return outOfTheWay(other, here, wanted, new Speed(east, north), -most, right);
         }
         double less = closer - Math.max(-FASTEST_AWAY, most);
         double turn = sideways ? SIDEWAYS * Math.min(less, Math.max(0, closer)) : 0;
@@ -141,21 +152,23 @@ public final class Others {
     }
 
     /**
-     * Whoever flies ahead of one that is faster is driven along for ever: it leaves that one's way instead, as fast as it has to be
-     * clear of it when it comes by; null: too late for that.
+     * Whoever flies ahead of one that is faster and gives way to nobody is driven along by it for ever. It leaves the other's way,
+     * as fast as it has to be clear of it when it comes by; where it is late for that, away from it as well.
+     *
+     * @param away from the other to here, of length 1
+     * @param excess m/s that it comes on beyond what it may
      */
-    private @Nullable Speed steppedAside(Neighbor other, Spot here, Speed wanted, boolean right) {
+    private Speed outOfTheWay(Neighbor other, Spot here, Speed wanted, Speed away, double excess, boolean right) {
+        double side = right ? 1 : -1;
+        Speed aside = new Speed(other.northward() / other.speed() * side, -other.eastward() / other.speed() * side);
         double along = (wanted.eastward() * other.eastward() + wanted.northward() * other.northward()) / other.speed();
         double seconds = (other.ahead(here) - CLEAR_METERS) / Math.max(other.speed() - along, SLOWEST);
-        double side = right ? 1 : -1;
         double least = (horizontalMeters - other.right(here) * side) / seconds;
-        if (seconds < SOONEST_SECONDS || least > FASTEST_ASIDE) {
-            return null;
+        if (seconds >= SOONEST_SECONDS && least <= FASTEST_ASIDE) {
+            return wanted.atLeast(least, aside);
         }
-        double east = other.northward() / other.speed() * side;
-        double north = -other.eastward() / other.speed() * side;
-        double more = Math.max(0, least - wanted.eastward() * east - wanted.northward() * north);
-        return new Speed(wanted.eastward() + east * more, wanted.northward() + north * more);
+        double half = DIAGONAL * Math.min(FASTEST_AWAY, excess);
+        return wanted.atLeast(Math.max(half, DIAGONAL * FASTEST_ASIDE), aside).atLeast(half, away);
     }
 
     /** Of a speed at which the other flies ahead: one that is fast may brake before that is heard of. */

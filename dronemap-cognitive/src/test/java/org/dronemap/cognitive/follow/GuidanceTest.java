@@ -48,14 +48,12 @@ class GuidanceTest {
     }
 
     private Aim led(StandOff standOff, Limits limits, Room room, boolean heard) {
+        return led(standOff, limits, new Guidance.Surroundings(room, Others.NONE), heard);
+    }
+
+    private Aim led(StandOff standOff, Limits limits, Guidance.Surroundings around, boolean heard) {
         now += STEP;
-        Aim aim = guidance.lead(
-                moment(now),
-                standOff,
-                limits,
-                new Guidance.Surroundings(room, Others.NONE),
-                drone,
-                heard ? moment(now) : moment(now - 2.1));
+        Aim aim = guidance.lead(moment(now), standOff, limits, around, drone, heard ? moment(now) : moment(now - 2.1));
         drone = new Whereabouts(moment(now), aim.point(), aim.altitudeAmslMeters(), aim.eastward(), aim.northward());
         return aim;
     }
@@ -150,6 +148,27 @@ class GuidanceTest {
     }
 
     @Test
+    void isNotPushedAsideWhileItClimbs() {
+        Spot begins = new Spot(-40, 0);
+        drone = at(begins, SimDrone.HOME_AMSL + 2);
+        Whereabouts comes = new Whereabouts(ZERO, PLANE.place(new Spot(-40, 30)), SimDrone.HOME_AMSL + 6, 0, -6);
+        Guidance.Surroundings crowded = new Guidance.Surroundings(
+                Room.EVERYWHERE, Others.of(PLANE, List.of(new Others.Heard(comes, 0, true)), Apart.USUAL));
+        Aim aim = led(beside(new Side.Fixed(0)), LIMITS, crowded, true);
+        assertThat(aim.doing()).isEqualTo(Aim.Doing.CLIMBING);
+        while (aim.doing() == Aim.Doing.CLIMBING) {
+            assertThat(spot(aim).distanceMeters(begins)).isLessThan(0.2);
+            aim = led(beside(new Side.Fixed(0)), LIMITS, crowded, true);
+        }
+        for (int step = 0; step < 20; step++) {
+            aim = led(beside(new Side.Fixed(0)), LIMITS, crowded, true);
+        }
+        assertThat(spot(aim).distanceMeters(begins))
+                .as("gives way once it is high")
+                .isGreaterThan(2);
+    }
+
+    @Test
     void keepsBetweenTheLowestAndTheHighest() {
         assertThat(led(new StandOff(new Side.Fixed(0), 10, 0), 60).altitudeAmslMeters())
                 .isCloseTo(SimDrone.HOME_AMSL + 5.3, within(0.01));
@@ -161,7 +180,8 @@ class GuidanceTest {
     void evadesNobodyIntoTheGround() {
         double low = SimDrone.HOME_AMSL + 6;
         drone = at(new Spot(0, 10), low);
-        Others above = Others.of(PLANE, List.of(at(new Spot(2, 10), low + 1)), List.of(0.0), Apart.USUAL);
+        Others.Heard there = new Others.Heard(at(new Spot(2, 10), low + 1), 0, true);
+        Others above = Others.of(PLANE, List.of(there), Apart.USUAL);
         double lowest = low;
         for (int step = 0; step < 100; step++) {
             now += STEP;

@@ -37,8 +37,8 @@ class SeparationTest {
     void stepsAsideForWhoFliesPastInsteadOfBeingDrivenAlong() {
         for (double aside : new double[] {-20, -3, 0, 10}) {
             for (double speed : new double[] {10, 15}) {
-                Swarm swarm = Swarm.passed(aside, speed, 1);
-                assertThat(swarm.fly(10 + 400 / speed))
+                Swarm swarm = Swarm.passed(aside, 190, speed, 1);
+                assertThat(swarm.fly(25 + 400 / speed))
                         .as("at %.0f m/s, %.0f m to its right", speed, -aside)
                         .isGreaterThan(USUAL.groundMeters());
                 assertThat(swarm.farthest())

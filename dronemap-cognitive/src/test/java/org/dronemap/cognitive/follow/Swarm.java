@@ -62,30 +62,25 @@ final class Swarm {
     }
 
     /** One whose target stands still, and one more that is led by nobody and flies past, from the south at that speed. */
-    static Swarm passed(double metersAside, double speed, long seed) {
+    static Swarm passed(double metersAside, double metersAway, double speed, long seed) {
         Swarm swarm = new Swarm(Apart.USUAL, new SplittableRandom(seed));
-        swarm.add(
-                Walk.recorded("standing", List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0})),
-                new Spot(0, 0),
-                new Spot(0, -20),
-                new Side.Fixed(180));
-        swarm.passer = new Passer(metersAside, speed);
+        List<double[]> stands = List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0});
+        swarm.add(Walk.recorded("stands", stands), new Spot(0, 0), new Spot(0, -20), new Side.Fixed(180));
+        swarm.passer = new Passer(metersAside, -10 - metersAway, speed);
         return swarm;
     }
 
-    /** Flies north, from 200 m south of the middle, ten seconds after all began. */
-    private record Passer(double east, double speed) {
-        private static final double BEGINS = 10;
-        private static final double FROM = -200;
+    /** Flies north, faster and faster, when all others have come to rest. */
+    private record Passer(double east, double north, double speed) {
+        private static final double BEGINS = 20;
+        private static final double ACCELERATION = 2.5;
 
         Whereabouts at(double now, double amsl) {
             double seconds = Math.max(0, now - BEGINS);
+            double faster = Math.min(seconds, speed / ACCELERATION);
+            double flown = ACCELERATION * faster * faster / 2 + speed * (seconds - faster);
             return new Whereabouts(
-                    Swarm.at(now),
-                    PLANE.place(new Spot(east, FROM + speed * seconds)),
-                    amsl,
-                    0,
-                    seconds > 0 ? speed : 0);
+                    Swarm.at(now), PLANE.place(new Spot(east, north + flown)), amsl, 0, ACCELERATION * faster);
         }
     }
 
@@ -195,17 +190,19 @@ final class Swarm {
         if (apart == null) {
             return Others.NONE;
         }
-        List<Whereabouts> all = followers.stream()
+        List<Others.Heard> all = followers.stream()
                 .filter(other -> other != one)
-                .map(other -> other.seen)
+                .map(other -> new Others.Heard(other.seen, late(other.seen, now), true))
                 .collect(Collectors.toCollection(ArrayList::new));
         if (passer != null) {
-            all.add(passer.at(Math.max(0, now - LINK.seconds()), SimDrone.HOME_AMSL + meters));
+            Whereabouts seen = passer.at(Math.max(0, now - LINK.seconds()), SimDrone.HOME_AMSL + meters);
+            all.add(new Others.Heard(seen, late(seen, now), false));
         }
-        List<Double> late = all.stream()
-                .map(other -> Math.min(2, Duration.between(other.at(), at(now)).toMillis() / 1e3 + LINK.seconds()))
-                .toList();
-        return Others.of(PLANE, all, late, apart);
+        return Others.of(PLANE, all, apart);
+    }
+
+    private static double late(Whereabouts there, double now) {
+        return Math.min(2, Duration.between(there.at(), at(now)).toMillis() / 1e3 + LINK.seconds());
     }
 
     private double nearest(double now) {
@@ -214,7 +211,7 @@ final class Swarm {
         List<Whereabouts> real = followers.stream()
                 .map(one -> one.drone.whereabouts(at(now)))
                 .collect(Collectors.toCollection(ArrayList::new));
-        farthest = Math.max(farthest, fromTargets(now));
+        farthest = now < Passer.BEGINS ? 0 : Math.max(farthest, fromTargets(now));
         if (passer != null) {
             real.add(passer.at(now, SimDrone.HOME_AMSL + meters));
         }

@@ -1,6 +1,8 @@
 package org.dronemap.core.conduct;
 
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
@@ -22,6 +24,7 @@ import org.jspecify.annotations.Nullable;
 final class DroneCrew {
     private final CloudManager cloud;
     private final String face;
+    private final Set<DroneId> led = ConcurrentHashMap.newKeySet();
 
     /** {@code face}: the way in that its commands come by. */
     DroneCrew(CloudManager cloud, String face) {
@@ -74,6 +77,16 @@ final class DroneCrew {
 
     /** Why it cannot be steered so now, as a sentence; empty when it is. */
     Optional<String> steer(Holder.Operation by, DroneId drone, Setpoint setpoint) {
+        Optional<String> why = steered(by, drone, setpoint);
+        if (why.isEmpty()) {
+            led.add(drone);
+        } else {
+            led.remove(drone);
+        }
+        return why;
+    }
+
+    private Optional<String> steered(Holder.Operation by, DroneId drone, Setpoint setpoint) {
         try {
             return cloud.setpoints().steer(source(by), drone, setpoint);
         } catch (UnknownDroneException removed) {
@@ -83,9 +96,15 @@ final class DroneCrew {
 
     /** No-op when it is not steered. */
     void letGo(Holder.Operation by, DroneId drone) {
+        led.remove(drone);
         if (cloud.drone(drone).isPresent()) {
             cloud.setpoints().letGo(source(by), drone);
         }
+    }
+
+    /** All that are steered now, by whichever operation. */
+    Set<DroneId> led() {
+        return Set.copyOf(led);
     }
 
     private CommandGate.Source source(Holder.Operation by) {

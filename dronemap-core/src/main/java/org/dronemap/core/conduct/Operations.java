@@ -80,10 +80,11 @@ public final class Operations implements CloudListener, AutoCloseable {
         this.clock = clock;
         LongSupplier nanoTime = System::nanoTime;
         this.computations = new Computations(COMPUTING_THREADS, MOST_WAITING, nanoTime, clock);
+        DroneCrew crew = new DroneCrew(cloud, FACE);
         Conducted.Means means = new Conducted.Means(
                 store,
-                new DroneCrew(cloud, FACE),
-                new Scenery(cloud, rights, clock, nanoTime),
+                crew,
+                new Scenery(cloud, crew, rights, clock, nanoTime),
                 computations,
                 clock,
                 nanoTime,

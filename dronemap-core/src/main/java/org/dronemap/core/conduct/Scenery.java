@@ -24,6 +24,7 @@ final class Scenery {
     private static final long KEPT_NANOS = 40_000_000L;
 
     private final CloudManager cloud;
+    private final DroneCrew crew;
     private final OperationRights rights;
     private final Clock clock;
     private final Silence silence;
@@ -32,8 +33,9 @@ final class Scenery {
     private List<DroneState> aloft = List.of();
     private long aloftNanos;
 
-    Scenery(CloudManager cloud, OperationRights rights, Clock clock, LongSupplier nanoTime) {
+    Scenery(CloudManager cloud, DroneCrew crew, OperationRights rights, Clock clock, LongSupplier nanoTime) {
         this.cloud = cloud;
+        this.crew = crew;
         this.rights = rights;
         this.clock = clock;
         this.nanoTime = nanoTime;
@@ -60,7 +62,7 @@ final class Scenery {
                 id, cloud.zones().binding(owner, id, scene.now(), scene.now().plus(SOON))));
         List<DroneState> others =
                 aloft().stream().filter(drone -> !drones.contains(drone.id())).toList();
-        return new Scene(scene.now(), scene.drones(), new Surroundings(zones, others));
+        return new Scene(scene.now(), scene.drones(), new Surroundings(zones, others, crew.led()));
     }
 
     /** Found once for all operations that look at about the same time. */

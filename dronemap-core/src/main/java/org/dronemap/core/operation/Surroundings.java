@@ -2,6 +2,7 @@ package org.dronemap.core.operation;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.zone.Zone;
@@ -11,12 +12,14 @@ import org.dronemap.core.zone.Zone;
  *
  * @param zones that bind each drone now or soon
  * @param aloft all others that are in the air, or were when they were heard last
+ * @param led all that an operation steers now, its own among them: each is kept apart from others by whoever does
  */
-public record Surroundings(Map<DroneId, List<Zone>> zones, List<DroneState> aloft) {
-    public static final Surroundings NONE = new Surroundings(Map.of(), List.of());
+public record Surroundings(Map<DroneId, List<Zone>> zones, List<DroneState> aloft, Set<DroneId> led) {
+    public static final Surroundings NONE = new Surroundings(Map.of(), List.of(), Set.of());
 
     public Surroundings {
         zones = Map.copyOf(zones);
         aloft = List.copyOf(aloft);
+        led = Set.copyOf(led);
     }
 }

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.follow;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.follow.Aim;
 import org.dronemap.cognitive.follow.Apart;
@@ -99,11 +100,13 @@ final class Lead {
     }
 
     private Others others(Scene scene, DroneState drone, List<DroneState> aloft) {
-        List<Whereabouts> all = pursuits.of(aloft, drone);
-        List<Double> seconds = all.stream()
-                .map(one -> Math.max(0, Math.min(LONGEST_AHEAD, seconds(one.at(), scene.now()) + downlink(drone))))
-                .toList();
-        return Others.of(target.plane(), all, seconds, apart);
+        List<Others.Heard> all = new ArrayList<>();
+        pursuits.of(aloft, drone)
+                .forEach((id, one) -> all.add(new Others.Heard(
+                        one,
+                        Math.max(0, Math.min(LONGEST_AHEAD, seconds(one.at(), scene.now()) + downlink(drone))),
+                        scene.around().led().contains(id))));
+        return Others.of(target.plane(), all, apart);
     }
 
     private static double seconds(Instant from, Instant to) {

@@ -1,8 +1,8 @@
 package org.dronemap.cognitive.operation.follow;
 
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.cognitive.follow.Whereabouts;
@@ -40,22 +40,20 @@ final class Pursuits {
     }
 
     /** Those that are near this one; the others are forgotten. */
-    List<Whereabouts> of(List<DroneState> others, DroneState drone) {
+    Map<DroneId, Whereabouts> of(List<DroneState> others, DroneState drone) {
         Position position = drone.position();
         Geodetic here = position == null ? null : position.point();
-        List<Whereabouts> near = new ArrayList<>();
-        List<DroneId> kept = new ArrayList<>(List.of(drone.id()));
+        Map<DroneId, Whereabouts> near = new LinkedHashMap<>();
         for (DroneState other : others) {
             Position there = other.position();
             Geodetic point = there == null ? null : there.point();
             boolean isNear = here != null && point != null && Geodesy.distanceMeters(here, point) < FAR_METERS;
             Whereabouts one = isNear ? of(other) : null;
             if (one != null) {
-                near.add(one);
-                kept.add(other.id());
+                near.put(other.id(), one);
             }
         }
-        known.keySet().retainAll(kept);
+        known.keySet().removeIf(id -> !near.containsKey(id) && !id.equals(drone.id()));
         return near;
     }
 }

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.cognitive.follow.Side;
 import org.dronemap.core.command.Setpoint;
@@ -124,7 +125,7 @@ class FollowGuideTest {
             Instant now = ZERO.plus(Duration.ofMillis(100L * tenths));
             guide.sighted(new Sighting(tenths, now, now, now, Duration.ZERO, PHONE, 3, null));
             Scene.Seen seen = new Scene.Seen(drone("d1", falcon, now), OURS, Duration.ZERO, Duration.ZERO);
-            Surroundings around = new Surroundings(Map.of(FALCON, zones), aloft);
+            Surroundings around = new Surroundings(Map.of(FALCON, zones), aloft, Set.of());
             Scene scene = new Scene(now, List.of(seen), now, null, around, Map.of());
             Setpoint.Track said = (Setpoint.Track) guide.steer(state, scene).get(FALCON);
             falcon = said.point();
@@ -185,14 +186,16 @@ class FollowGuideTest {
         Geodetic first = PHONE;
         Geodetic second = new Geodetic(47.39870, 8.5456);
         double least = Double.POSITIVE_INFINITY;
+        Map<DroneId, Setpoint> said = Map.of();
         for (int tenth = 0; tenth < 400; tenth++) {
             Instant now = ZERO.plusMillis(100L * tenth);
             guide.sighted(new Sighting(tenth, now, now, now, Duration.ZERO, PHONE, 3, null));
             List<Scene.Seen> seen = List.of(
                     new Scene.Seen(drone("d1", first, now), OURS, Duration.ZERO, Duration.ZERO),
                     new Scene.Seen(drone("d2", second, now), OURS, Duration.ZERO, Duration.ZERO));
-            Map<DroneId, Setpoint> said =
-                    guide.steer(both, new Scene(now, seen, now, null, new Surroundings(Map.of(), List.of()), Map.of()));
+            said = guide.steer(
+                    both,
+                    new Scene(now, seen, now, null, new Surroundings(Map.of(), List.of(), said.keySet()), Map.of()));
             first = ((Setpoint.Track) said.get(FALCON)).point();
             second = ((Setpoint.Track) said.get(new DroneId("d2"))).point();
             least = Math.min(least, Geodesy.distanceMeters(first, second));
