@@ -159,27 +159,34 @@ public final class Follow implements Operation<FollowState, FollowInput> {
             return new Decision<>(next, List.of(), news(state, next));
         }
         List<Action<FollowInput>> actions = new ArrayList<>();
-        FollowState next = alone(state, input, true, actions);
+        FollowState next = alone(state, input, Part.LEADS, actions);
         List<FollowState> others = new ArrayList<>();
         for (FollowState other : state.crew().others()) {
             FollowInput befalls = input instanceof Looked looked ? looked.of(other.drone()) : input;
-            others.add(alone(other, befalls, false, actions));
+            others.add(alone(other, befalls, other.wasReplacedBy(state) ? Part.REPLACED : Part.COMES, actions));
         }
         List<FollowInput.Other> seen = input instanceof Looked looked ? looked.others() : List.of();
         next = Reliefs.settled(state, next, others, input.at(), seen, apart);
         return new Decision<>(next, actions, news(state, next));
     }
 
-    /** What becomes of one drone; {@code leads}: what the phone says and people wish is its concern. */
-    private FollowState alone(FollowState state, FollowInput input, boolean leads, List<Action<FollowInput>> actions) {
+    /** What a drone is to its follow; what the phone says and people wish is the concern of the one that leads. */
+    private enum Part {
+        LEADS,
+        COMES,
+        REPLACED
+    }
+
+    /** What becomes of one drone. */
+    private FollowState alone(FollowState state, FollowInput input, Part part, List<Action<FollowInput>> actions) {
         if (input instanceof FollowInput.Wish wish) {
-            boolean taken = leads ? refusal(state, wish).isEmpty() : wish instanceof FollowInput.Change;
+            boolean taken = part == Part.LEADS ? refusal(state, wish).isEmpty() : wish instanceof FollowInput.Change;
             return taken ? Wishes.taken(state, wish) : state;
         }
         Steps steps = new Steps(state);
         FollowState next;
         if (input instanceof Looked looked) {
-            next = looked(state, looked, leads, steps);
+            next = looked(state, looked, part, steps);
         } else if (input instanceof FollowInput.CommandEnded ended) {
             steps.ended(ended);
             next = steps.state();
@@ -197,7 +204,7 @@ public final class Follow implements Operation<FollowState, FollowInput> {
         return next.told().get(next.told().size() - 1).words();
     }
 
-    private static FollowState looked(FollowState state, Looked looked, boolean leads, Steps steps) {
+    private static FollowState looked(FollowState state, Looked looked, Part part, Steps steps) {
         Look look = looked.drone();
         Instant at = looked.at();
         String name = state.order().chosen().name();
@@ -218,9 +225,13 @@ public final class Follow implements Operation<FollowState, FollowInput> {
         }
         switch (state.stage()) {
             case STARTING -> steps.start(look, at);
-            case RETURNING -> steps.home(look, at);
+            case RETURNING -> {
+                if (part != Part.REPLACED || !isLed(state, look, at)) {
+                    steps.home(look, at);
+                }
+            }
             case TRACKING, PAUSED -> {
-                return watched(state, looked, look, leads);
+                return watched(state, looked, look, part == Part.LEADS);
             }
             case SUSPENDED -> {
                 return Grips.suspended(state, look, at);
@@ -230,6 +241,10 @@ public final class Follow implements Operation<FollowState, FollowInput> {
             }
         }
         return steps.state();
+    }
+
+    private static boolean isLed(FollowState state, Look look, Instant at) {
+        return look.airborne() && Homeward.isLed(state, look.guided(), look.homeMeters(), look.batteryPercent(), at);
     }
 
     /** Before it was started there is nothing to come back to. */

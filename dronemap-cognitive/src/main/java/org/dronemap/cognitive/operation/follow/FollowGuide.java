@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dronemap.cognitive.follow.Apart;
@@ -48,9 +49,15 @@ final class FollowGuide implements Guide<FollowState> {
     public Map<DroneId, Setpoint> steer(FollowState state, Scene scene) {
         FollowOrder.Place place = state.order().place();
         Map<DroneId, Setpoint> said = new HashMap<>();
-        steer(state, place, scene, said);
+        lead(state)
+                .beside(state, place, scene, aloft(scene, state.drone()))
+                .ifPresent(one -> said.put(state.drone(), one));
         for (FollowState other : state.crew().others()) {
-            steer(other, Relay.standBy(place, apart), scene, said);
+            List<DroneState> aloft = aloft(scene, other.drone());
+            Optional<Setpoint> one = other.wasReplacedBy(state)
+                    ? lead(other).home(other, scene, aloft)
+                    : lead(other).beside(other, Relay.standBy(place, apart), scene, aloft);
+            one.ifPresent(setpoint -> said.put(other.drone(), setpoint));
         }
         leads.keySet()
                 .retainAll(Stream.concat(Stream.of(state), state.crew().others().stream())
@@ -59,12 +66,8 @@ final class FollowGuide implements Guide<FollowState> {
         return said;
     }
 
-    private void steer(FollowState one, FollowOrder.Place place, Scene scene, Map<DroneId, Setpoint> said) {
-        Lead lead = leads.computeIfAbsent(one.drone(), drone -> new Lead(target, near, apart));
-        Setpoint setpoint = lead.steer(one, place, scene, aloft(scene, one.drone()));
-        if (setpoint != null) {
-            said.put(one.drone(), setpoint);
-        }
+    private Lead lead(FollowState one) {
+        return leads.computeIfAbsent(one.drone(), drone -> new Lead(target, near, apart));
     }
 
     /** All but that one; the follow's own are among them. */

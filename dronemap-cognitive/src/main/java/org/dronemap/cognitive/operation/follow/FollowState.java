@@ -112,6 +112,11 @@ public record FollowState(
         return crew().number() > leader.crew().number() && (stage == Stage.STARTING || stage == Stage.TRACKING);
     }
 
+    /** That one took over from it. */
+    boolean wasReplacedBy(FollowState leader) {
+        return crew().number() < leader.crew().number();
+    }
+
     /** A drone is on its way to take over. */
     public boolean isRelieved() {
         return crew().others().stream().anyMatch(other -> other.comes(this));

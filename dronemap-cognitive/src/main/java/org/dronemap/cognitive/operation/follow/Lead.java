@@ -4,25 +4,34 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.cognitive.follow.Aim;
 import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.cognitive.follow.Followed;
 import org.dronemap.cognitive.follow.Guidance;
 import org.dronemap.cognitive.follow.Limits;
+import org.dronemap.cognitive.follow.Motion;
 import org.dronemap.cognitive.follow.Others;
 import org.dronemap.cognitive.follow.Room;
+import org.dronemap.cognitive.follow.Side;
 import org.dronemap.cognitive.follow.StandOff;
 import org.dronemap.cognitive.follow.TargetFilter;
 import org.dronemap.cognitive.follow.Whereabouts;
 import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.operation.Scene;
 import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
 
-/** Leads one drone beside the phone. Owned by the conductor's thread. */
+/** Leads one drone beside the phone, or home. Owned by the conductor's thread. */
 final class Lead {
     private static final double LONGEST_AHEAD = 2;
     /** Where nothing is known of the link. */
@@ -35,8 +44,17 @@ final class Lead {
     private final Apart apart;
     private final Guidance guidance;
     private final Pursuits pursuits = new Pursuits();
+    private @Nullable Guidance homeward;
     private List<Zone> zones = List.of();
     private Room room = Room.EVERYWHERE;
+
+    /** What does not move. */
+    private record Standing(LocalPlane plane, Spot spot) implements Followed {
+        @Override
+        public Motion at(Instant time) {
+            return new Motion(spot.eastMeters(), spot.northMeters(), 0, 0, 0);
+        }
+    }
 
     /** {@code target} belongs to the follow, and was made with {@code near}. */
     Lead(TargetFilter target, Geodetic near, Apart apart) {
@@ -46,35 +64,74 @@ final class Lead {
         guidance = new Guidance(target);
     }
 
-    /** What it is told, so that it comes to that place beside the phone; null: nothing. {@code aloft}: all others in the air. */
-    @Nullable
-    Setpoint steer(FollowState state, FollowOrder.Place place, Scene scene, List<DroneState> aloft) {
-        DroneState drone = scene.of(state.drone())
-                .filter(seen -> seen.takenBy() == null)
-                .map(Scene.Seen::state)
-                .orElse(null);
+    /** What it is told, so that it comes to that place beside the phone; empty: nothing. {@code aloft}: all others in the air. */
+    Optional<Setpoint> beside(FollowState state, FollowOrder.Place place, Scene scene, List<DroneState> aloft) {
+        DroneState drone = ours(state, scene);
         Whereabouts here = drone == null ? null : pursuits.of(drone);
         if (drone == null || here == null || state.stage() != Stage.TRACKING || target.last() == null) {
             guidance.letGo();
-            return null;
+            return Optional.empty();
         }
-        FollowOrder order = state.order();
-        double home = order.chosen().homeAmslMeters();
+        double home = state.order().chosen().homeAmslMeters();
+        StandOff standOff = new StandOff(place.side(), place.distanceMeters(), home + place.heightMeters());
         Aim aim = guidance.lead(
-                scene.now(),
-                new StandOff(place.side(), place.distanceMeters(), home + place.heightMeters()),
-                new Limits(
-                        order.speed(),
-                        home + FollowOrder.LOWEST_METERS,
-                        home + FollowOrder.HIGHEST_METERS,
-                        downlink(drone)),
-                new Guidance.Surroundings(room(scene, state.drone()), others(scene, drone, aloft)),
-                here,
-                scene.sighted());
-        return setpoint(aim, Gaze.degrees(target, scene.now(), here, home));
+                scene.now(), standOff, limits(state, drone), around(scene, drone, aloft), here, scene.sighted());
+        return Optional.of(setpoint(aim, Gaze.degrees(target, scene.now(), here, home)));
     }
 
-    private static Setpoint setpoint(Aim aim, double gazeDegrees) {
+    /** What it is told on its way home, where it flies as high as it followed; empty: nothing, it comes home by itself. */
+    Optional<Setpoint> home(FollowState state, Scene scene, List<DroneState> aloft) {
+        DroneState drone = ours(state, scene);
+        Whereabouts here = drone == null ? null : pursuits.of(drone);
+        FollowOrder.Chosen chosen = state.order().chosen();
+        if (drone == null || here == null || !isLedHome(state, drone, here, scene.now())) {
+            homeward = null;
+            return Optional.empty();
+        }
+        if (homeward == null) {
+            homeward = new Guidance(new Standing(target.plane(), target.plane().spot(chosen.home())));
+        }
+        double height = state.order().place().heightMeters();
+        StandOff above = new StandOff(new Side.Fixed(0), 0, chosen.homeAmslMeters() + height);
+        Aim aim =
+                homeward.lead(scene.now(), above, limits(state, drone), around(scene, drone, aloft), here, scene.now());
+        return Optional.of(setpoint(aim, null));
+    }
+
+    private static boolean isLedHome(FollowState state, DroneState drone, Whereabouts here, Instant now) {
+        Battery battery = drone.battery();
+        boolean guided = drone.capabilities().steering(drone.mode()).orElse(null) == Steering.ORDERS;
+        return drone.airborne()
+                && Homeward.isLed(
+                        state,
+                        guided,
+                        Geodesy.distanceMeters(
+                                here.point(), state.order().chosen().home()),
+                        battery == null ? null : battery.percent(),
+                        now);
+    }
+
+    private static @Nullable DroneState ours(FollowState state, Scene scene) {
+        return scene.of(state.drone())
+                .filter(seen -> seen.takenBy() == null)
+                .map(Scene.Seen::state)
+                .orElse(null);
+    }
+
+    private static Limits limits(FollowState state, DroneState drone) {
+        double home = state.order().chosen().homeAmslMeters();
+        return new Limits(
+                state.order().speed(),
+                home + FollowOrder.LOWEST_METERS,
+                home + FollowOrder.HIGHEST_METERS,
+                downlink(drone));
+    }
+
+    private Guidance.Surroundings around(Scene scene, DroneState drone, List<DroneState> aloft) {
+        return new Guidance.Surroundings(room(scene, drone.id()), others(scene, drone, aloft));
+    }
+
+    private static Setpoint setpoint(Aim aim, @Nullable Double gazeDegrees) {
         return new Setpoint.Track(
                 aim.point(),
                 new Altitude(aim.altitudeAmslMeters(), Altitude.Reference.AMSL),

@@ -85,7 +85,7 @@ class FollowGuideTest {
                 link,
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", null, null),
                 Standing.UNPROVED,
-                Capabilities.NONE,
+                new Capabilities(Set.of(), List.of("GUIDED"), Map.of("GUIDED", Capabilities.Steering.ORDERS)),
                 "GUIDED",
                 true,
                 true,
@@ -203,6 +203,48 @@ class FollowGuideTest {
         assertThat(least).isGreaterThan(13.5);
         assertThat(Geodesy.distanceMeters(first, PHONE)).isLessThan(1);
         assertThat(Geodesy.distanceMeters(second, PHONE)).isBetween(15.0, 17.0);
+    }
+
+    @Test
+    void leadsHomeWhoWasReplacedAndKeepsItApart() {
+        Follow follow = new Follow(Apart.USUAL);
+        FollowOrder.Chosen kestrel = new FollowOrder.Chosen(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        FollowState relieved =
+                follow.decide(state, new FollowInput.Relieve(ZERO, kestrel)).next();
+        FollowState up = relieved.crew().others().get(0).to(Stage.TRACKING, ZERO, "It is in the air.");
+        FollowState ready = relieved.with(relieved.crew().with(List.of(up)));
+        falcon = new Geodetic(HOME.latitudeDegrees() + 0.0006, HOME.longitudeDegrees());
+        FollowInput.Look air = new FollowInput.Look(null, 0, true, true, true, false, "GUIDED", 90, 66.0);
+        FollowState after = follow.decide(
+                        ready,
+                        new FollowInput.Looked(
+                                ZERO,
+                                air,
+                                ZERO,
+                                null,
+                                null,
+                                List.of(new FollowInput.Other(kestrel.drone(), air, 20.0))))
+                .next();
+        assertThat(after.drone()).isEqualTo(kestrel.drone());
+        Geodetic inTheWay = new Geodetic(HOME.latitudeDegrees() + 0.0003, HOME.longitudeDegrees());
+        double nearest = Double.POSITIVE_INFINITY;
+        Setpoint said = null;
+        for (int tenth = 0; tenth < 580; tenth++) {
+            Instant now = ZERO.plusMillis(100L * tenth);
+            DroneState old = drone("d1", falcon, now);
+            Surroundings around = new Surroundings(Map.of(), List.of(drone("d3", inTheWay, now)), Set.of());
+            List<Scene.Seen> seen = List.of(new Scene.Seen(old, OURS, Duration.ZERO, Duration.ZERO));
+            said = guide.steer(after, new Scene(now, seen, now, null, around, Map.of()))
+                    .get(FALCON);
+            if (said == null) {
+                break;
+            }
+            falcon = ((Setpoint.Track) said).point();
+            nearest = Math.min(nearest, Geodesy.distanceMeters(falcon, inTheWay));
+        }
+        assertThat(said).as("the last metres it flies by itself").isNull();
+        assertThat(Geodesy.distanceMeters(falcon, HOME)).isBetween(13.0, 15.0);
+        assertThat(nearest).isGreaterThan(12);
     }
 
     @Test

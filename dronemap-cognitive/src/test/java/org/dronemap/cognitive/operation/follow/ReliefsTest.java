@@ -114,12 +114,36 @@ class ReliefsTest extends FollowBench {
         assertThat(stageOf(FALCON)).isEqualTo(Stage.RETURNING);
         assertThat(words()).last().isEqualTo("Kestrel has taken over; Falcon flies home.");
         pass(5);
+        assertThat(told.get(FALCON)).as("it is led home").isNull();
+        looks.put(FALCON, new Look(null, 0, true, true, true, false, "GUIDED", 24, 14.0));
+        pass(0.1);
         assertThat(told.get(FALCON)).containsExactly(new Command.ReturnToLaunch());
         looks.put(FALCON, GROUND);
         pass(1);
         assertThat(words()).last().isEqualTo("Falcon is down.");
         assertThat(follow.drones(state)).containsExactly(KESTREL);
         assertThat(state.crew().failed()).isEmpty();
+    }
+
+    @Test
+    void leavesTheOldOneToItselfWhenItHasLittleLeftOrWasLedForLong() {
+        follows();
+        relieve(KESTREL, "Kestrel");
+        apart.put(KESTREL, 20.0);
+        pass(10);
+        assertThat(stageOf(FALCON)).isEqualTo(Stage.RETURNING);
+        pass(50 - 10);
+        assertThat(told.get(FALCON)).isNull();
+        pass(25);
+        assertThat(told.get(FALCON)).containsExactly(new Command.ReturnToLaunch());
+        looks.put(FALCON, HOMING);
+        relieve(OSPREY, "Osprey");
+        apart.put(OSPREY, 20.0);
+        pass(2);
+        looks.put(KESTREL, LOW);
+        pass(10);
+        assertThat(state.drone()).isEqualTo(OSPREY);
+        assertThat(told.get(KESTREL)).last().isEqualTo(new Command.ReturnToLaunch());
     }
 
     @Test

@@ -1,0 +1,36 @@
+package org.dronemap.cognitive.operation.follow;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a drone that another one replaced comes home: led there, since vehicles that fly home by themselves give way to nobody and it
+ * sets off amidst those that follow on; and by itself as soon as it is near, has been led for long enough or has little left.
+ */
+final class Homeward {
+    private static final double NEAR_METERS = 15;
+    /** By then it is far from where it set off. */
+    private static final Duration LONGEST = Duration.ofSeconds(60);
+
+    private Homeward() {}
+
+    /**
+     * Whether it is to be led, and not told to come home by itself yet.
+     *
+     * @param one that was replaced
+     * @param guided it goes by what it is led by
+     * @param homeMeters from its home; null: not known
+     */
+    static boolean isLed(
+            FollowState one, boolean guided, @Nullable Double homeMeters, @Nullable Integer percent, Instant at) {
+        return one.stage() == Stage.RETURNING
+                && one.errand() == null
+                && one.tries().failed() == 0
+                && guided
+                && homeMeters != null
+                && homeMeters > NEAR_METERS
+                && (percent == null || percent >= Endurance.RESERVE_PERCENT + Endurance.percentBack(homeMeters))
+                && at.isBefore(one.since().plus(LONGEST));
+    }
+}
