@@ -28,8 +28,8 @@ public final class Guidance {
     private static final double SINK = 1.2;
     private static final double LEASH_METERS = 8;
     private static final double LOW_METERS = 1;
-    /** It is led no nearer to the lowest height: copters hold theirs within some tenths. */
-    private static final double FLOOR_METERS = 0.3;
+    /** It is led no nearer to the lowest height: in wind copters hold theirs within some tenths. */
+    private static final double FLOOR_METERS = 0.5;
 
     private static final double LONGEST_STEP = 1;
     private static final double NANOS = 1e9;
@@ -88,12 +88,13 @@ public final class Guidance {
         Stance.Wanted wanted = stance.at(there, standOff, seconds);
         Step step = new Step(seconds, limits, around, expected(drone, there));
         Room room = around.room();
+        boolean low = isLow(drone.altitudeAmslMeters(), limits);
         Carrot next;
         Aim.Doing doing;
         if (wanted == null || heard == null || Duration.between(heard, now).compareTo(PATIENCE) > 0) {
             doing = Aim.Doing.HOLDING;
-            next = moved(from, 0, 0, step);
-        } else if (isLow(drone.altitudeAmslMeters(), limits)) {
+            next = moved(from, 0, 0, low ? step.alone() : step);
+        } else if (low) {
             doing = Aim.Doing.CLIMBING;
             next = moved(from, 0, 0, step.alone());
         } else {

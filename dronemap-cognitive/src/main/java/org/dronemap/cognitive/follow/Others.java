@@ -35,7 +35,7 @@ public final class Others {
     private static final double TOO_NEAR_METERS = 2;
 
     /** m/s that another one goes on with, and the share of what it has beyond. */
-    private static final double RELIED_ON = 4;
+    private static final double RELIED_ON = 2;
 
     private static final double RELIED_ON_BEYOND = 0.4;
     private static final double SAME_HEIGHT_METERS = 0.5;
@@ -56,7 +56,8 @@ public final class Others {
      */
     public record Heard(Whereabouts there, double late, boolean led) {}
 
-    private record Neighbor(Spot spot, double eastward, double northward, double amslMeters, boolean led) {
+    /** {@code was}: where it said that it is; {@code spot}: where it is by now if it goes on. */
+    private record Neighbor(Spot was, Spot spot, double eastward, double northward, double amslMeters, boolean led) {
         double speed() {
             return Math.hypot(eastward, northward);
         }
@@ -101,7 +102,8 @@ public final class Others {
                     Spot now = new Spot(
                             spot.eastMeters() + one.eastward() * heard.late(),
                             spot.northMeters() + one.northward() * heard.late());
-                    return new Neighbor(now, one.eastward(), one.northward(), one.altitudeAmslMeters(), heard.led());
+                    return new Neighbor(
+                            spot, now, one.eastward(), one.northward(), one.altitudeAmslMeters(), heard.led());
                 })
                 .toList();
         return new Others(neighbors, apart.groundMeters() + WANDER_METERS, apart.heightMeters() + WANDER_METERS / 2);
@@ -129,16 +131,18 @@ public final class Others {
     }
 
     private Speed kept(Neighbor other, Spot here, Speed wanted, boolean sideways, boolean right) {
-        double meters = other.spot().distanceMeters(here);
+        // Who flies away may have stopped since.
+        Spot there = other.ahead(here) < 0 ? other.was() : other.spot();
+        double meters = there.distanceMeters(here);
         if (meters > FAR) {
             return wanted;
         }
         // From the other to here; right above each other any way out is as good.
-        double east = meters < 0.1 ? 1 : (here.eastMeters() - other.spot().eastMeters()) / meters;
-        double north = meters < 0.1 ? 0 : (here.northMeters() - other.spot().northMeters()) / meters;
+        double east = meters < 0.1 ? 1 : (here.eastMeters() - there.eastMeters()) / meters;
+        double north = meters < 0.1 ? 0 : (here.northMeters() - there.northMeters()) / meters;
         double comes = other.eastward() * east + other.northward() * north;
-        double most = closing(meters) + (comes > 0 ? -comes : lasting(-comes));
         double closer = -(wanted.eastward() * east + wanted.northward() * north);
+        double most = most(other, closing(meters), comes, closer);
         if (closer <= most) {
             return wanted;
         }
@@ -174,6 +178,24 @@ public final class Others {
     /** Of a speed at which the other flies ahead: one that is fast may brake before that is heard of. */
     private static double lasting(double ahead) {
         return Math.min(ahead, RELIED_ON + (ahead - RELIED_ON) * RELIED_ON_BEYOND);
+    }
+
+    /**
+     * How fast it may come closer itself, m/s; negative: so fast it flees.
+     *
+     * @param may how fast the two may come closer
+     * @param comes how fast the other comes on
+     * @param closer how fast it would come closer
+     */
+    private static double most(Neighbor other, double may, double comes, double closer) {
+        if (comes <= 0) {
+            return may + lasting(-comes);
+        }
+        if (comes <= may || !other.led()) {
+            return may - comes;
+        }
+        // That one may come on by so much, and by what it is left: who flees from that is driven along.
+        return Math.min(0, may + lasting(Math.max(0, -closer)) - comes);
     }
 
     /** How fast the two may come closer, m/s. */

@@ -70,6 +70,19 @@ final class Swarm {
         return swarm;
     }
 
+    /** One whose target stands still, and one that is led past it to a target 150 m farther north. */
+    static Swarm crossed(double metersAside, long seed) {
+        Swarm swarm = new Swarm(Apart.USUAL, new SplittableRandom(seed));
+        List<double[]> stands = List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0});
+        swarm.add(Walk.recorded("stands", stands), new Spot(0, 0), new Spot(0, -10), new Side.Fixed(180));
+        swarm.add(
+                Walk.recorded("stands", stands),
+                new Spot(metersAside, 150),
+                new Spot(metersAside, -200),
+                new Side.Fixed(180));
+        return swarm;
+    }
+
     /** Flies north, faster and faster, when all others have come to rest. */
     private record Passer(double east, double north, double speed) {
         private static final double BEGINS = 20;
@@ -211,7 +224,8 @@ final class Swarm {
         List<Whereabouts> real = followers.stream()
                 .map(one -> one.drone.whereabouts(at(now)))
                 .collect(Collectors.toCollection(ArrayList::new));
-        farthest = now < Passer.BEGINS ? 0 : Math.max(farthest, fromTargets(now));
+        boolean waits = passer != null && now < Passer.BEGINS;
+        farthest = waits ? 0 : Math.max(farthest, fromTargets(followers.subList(0, 1), now));
         if (passer != null) {
             real.add(passer.at(now, SimDrone.HOME_AMSL + meters));
         }
@@ -229,7 +243,7 @@ final class Swarm {
         return least;
     }
 
-    /** Mean metres of the drones from their targets, at the worst moment. */
+    /** Metres of the first drone from its target, at the worst moment. */
     double farthest() {
         return farthest;
     }
@@ -241,7 +255,11 @@ final class Swarm {
 
     /** Mean metres of the drones from their targets, as they are now. */
     double fromTargets(double now) {
-        return followers.stream()
+        return fromTargets(followers, now);
+    }
+
+    private static double fromTargets(List<Follower> some, double now) {
+        return some.stream()
                 .mapToDouble(one -> {
                     Spot here = PLANE.spot(one.drone.whereabouts(at(now)).point());
                     Walk.Point truth = one.walk.at(now);
