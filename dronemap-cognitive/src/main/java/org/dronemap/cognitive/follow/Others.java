@@ -16,6 +16,10 @@ public final class Others {
 
     private static final double GIVING_WAY = 1;
     private static final double FASTEST_AWAY = 6;
+    /** Who is led brakes by itself, unless it is very near. */
+    private static final double FASTEST_FROM_LED = 2;
+
+    private static final double NEAR_METERS = 4;
     /** It is out of the way of who gives way to nobody before that one is so near. */
     private static final double CLEAR_METERS = 20;
 
@@ -149,7 +153,8 @@ public final class Others {
         if (!other.led() && most < 0 && comes > 0) {
             return outOfTheWay(other, here, wanted, new Speed(east, north), -most, right);
         }
-        double less = closer - Math.max(-FASTEST_AWAY, most);
+        double fastest = other.led() && meters > horizontalMeters + NEAR_METERS ? FASTEST_FROM_LED : FASTEST_AWAY;
+        double less = closer - Math.max(-fastest, most);
         double turn = sideways ? SIDEWAYS * Math.min(less, Math.max(0, closer)) : 0;
         return new Speed(
                 wanted.eastward() + east * less - north * turn, wanted.northward() + north * less + east * turn);
