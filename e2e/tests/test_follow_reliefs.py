@@ -13,7 +13,7 @@ PHONES = 10
 LONGEST_SECONDS = 400
 AFTER_SECONDS = 45
 # From who is followed to the nearest of the drones of that follow, on the ground: up to 12 m are asked for,
-# who runs ahead of somebody that turns round has as much to make up and more, and ten cross each other's ways.
+# who runs ahead of somebody that turns round has as much to make up, and ten cross each other's ways.
 KEPT_METRES = 50
 
 
