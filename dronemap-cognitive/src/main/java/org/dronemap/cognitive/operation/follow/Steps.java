@@ -52,7 +52,9 @@ final class Steps {
         } else if (!look.airborne()) {
             give(Errand.Kind.TAKE_OFF, new Command.TakeOff(state.order().place().heightMeters()));
         } else {
-            state = state.to(Stage.TRACKING, at, state.order().chosen().name() + " is in the air and follows.");
+            // One that replaces another leads only once it is there.
+            String what = state.crew().number() == 0 ? "follows." : "comes.";
+            state = state.to(Stage.TRACKING, at, state.order().chosen().name() + " is in the air and " + what);
         }
     }
 

@@ -107,6 +107,7 @@ class ReliefsTest extends FollowBench {
         assertThat(state.drone()).isEqualTo(FALCON);
         assertThat(state.stage()).isEqualTo(Stage.TRACKING);
         assertThat(stageOf(KESTREL)).isEqualTo(Stage.TRACKING);
+        assertThat(words()).last().isEqualTo("Kestrel is in the air and comes.");
         apart.put(KESTREL, 25.0);
         pass(0.1);
         assertThat(state.drone()).isEqualTo(KESTREL);
