@@ -27,6 +27,9 @@ SPEEDS = (1.4, 1.4, 3.0)
 # What is left in the fullest battery that is to be replaced, and how much less there is in each next one.
 FULLEST_PERCENT, APART_PERCENT = 46, 1.5
 LOOK_SECONDS = 1.0
+# From who is followed to the nearest of the drones of that follow, on the ground: up to 12 m are asked for,
+# and ten cross each other's ways.
+KEPT_METRES = 50
 # Each drone is heard in each of these, also on a busy machine.
 MOMENT_SECONDS = 2.0
 
@@ -182,15 +185,20 @@ class Relay:
         judge = [sys.executable, "-m", "dronemap_e2e.chase_judge", str(file)]
         root = Path(__file__).resolve().parents[1]
         found: Json = json.loads(subprocess.run(judge, capture_output=True, check=True, cwd=root).stdout)
-        lost = [
-            self._farthest(phone, [tracks[numbers[drone]] for drone in seen.drones], when)
+        away = [
+            self._away(phone, [tracks[numbers[drone]] for drone in seen.drones], when)
             for phone, seen in zip(self.phones, self.seen, strict=True)
         ]
-        return {"apart": found["apart"], "vehicles": found["vehicles"], "farthest": lost}
+        return {
+            "apart": found["apart"],
+            "vehicles": found["vehicles"],
+            "farthest": [max(metres) for metres in away],
+            "longest": [MOMENT_SECONDS * longest(metres, KEPT_METRES) for metres in away],
+        }
 
     @staticmethod
-    def _farthest(phone: Stroller, tracks: list[list[list[float]]], when: tuple[float, float]) -> float:
-        """How far from the nearest of its drones in the air a phone was, in metres; infinite: none did."""
+    def _away(phone: Stroller, tracks: list[list[list[float]]], when: tuple[float, float]) -> list[float]:
+        """How far a phone was from the nearest of its drones in the air, each moment; infinite: none flew."""
         nearest: dict[int, float] = {}
         for track in tracks:
             for at, east, north, _, above_home in track:
@@ -200,4 +208,13 @@ class Relay:
                     moment = int(at / MOMENT_SECONDS)
                     nearest[moment] = min(nearest.get(moment, math.inf), metres)
         moments = range(int(when[0] / MOMENT_SECONDS) + 1, int(when[1] / MOMENT_SECONDS))
-        return max(nearest.get(moment, math.inf) for moment in moments)
+        return [nearest.get(moment, math.inf) for moment in moments]
+
+
+def longest(metres: list[float], kept: float) -> int:
+    """Of all moments in a row that were farther than that."""
+    most = row = 0
+    for one in metres:
+        row = row + 1 if one > kept else 0
+        most = max(most, row)
+    return most
