@@ -220,7 +220,10 @@ class Chase:
         ended = time.monotonic()
         states = [self.api.get(f"/follows/{phone.follow}") for phone in phones]
         self.link.weather = CLEAR
-        return self._judged(origin, ground, (begun, ended)) | {"states": [one["state"] for one in states]}
+        return self._judged(origin, ground, (begun, ended)) | {
+            "states": [one["state"] for one in states],
+            "why": [one["told"][-1]["words"] for one in states if one["state"] != "tracking"],
+        }
 
     def _ask(self, phone: Phone, drone: Json, origin: Json) -> None:
         sides: list[Json] = [
