@@ -15,6 +15,7 @@ import org.dronemap.sim.personality.AutopilotKind;
 import org.dronemap.sim.personality.SimulatedVehicle;
 import org.dronemap.sim.personality.VehicleSettings;
 import org.dronemap.sim.personality.arducopter.ArduCopter;
+import org.dronemap.sim.physics.Airframe;
 import org.dronemap.sim.physics.Battery;
 import org.dronemap.sim.physics.Body;
 import org.dronemap.sim.physics.LocalFrame;
@@ -46,8 +47,17 @@ final class SimDrone implements Copter {
 
     /** The same over another home. */
     SimDrone(Geodetic home, double meters, double wind, long seed) {
+        this(home, Airframe.quadcopter(), meters, wind, seed);
+    }
+
+    /** The same that leans no farther than a real ArduCopter as it is delivered. */
+    static SimDrone leaning(double meters, double wind, long seed) {
+        return new SimDrone(HOME, Airframe.leaning(30), meters, wind, seed);
+    }
+
+    private SimDrone(Geodetic home, Airframe airframe, double meters, double wind, long seed) {
         frame = new LocalFrame(home.latitudeDegrees(), home.longitudeDegrees(), HOME_AMSL);
-        craft = new Craft(frame, new Battery(50_000), new Wind(wind, seed % 7, seed), new Navigation(3_000));
+        craft = new Craft(frame, airframe, new Battery(50_000), new Wind(wind, seed % 7, seed), new Navigation(3_000));
         vehicle = new SimulatedVehicle(
                 new VehicleSettings(1, 1, 2, -1, 1500, 0, true, 0, Map.of("WPNAV_SPEED", 1_500.0)),
                 new AutopilotKind("arducopter", "", ArduCopter::new),

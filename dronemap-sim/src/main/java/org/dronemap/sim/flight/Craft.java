@@ -27,9 +27,13 @@ public final class Craft {
     private long groundedSince;
 
     public Craft(LocalFrame frame, Battery battery, Wind wind, Navigation navigation) {
+        this(frame, Airframe.quadcopter(), battery, wind, navigation);
+    }
+
+    public Craft(LocalFrame frame, Airframe airframe, Battery battery, Wind wind, Navigation navigation) {
         this.frame = frame;
         this.home = frame;
-        this.body = new Body(Airframe.quadcopter(), 0);
+        this.body = new Body(airframe, 0);
         this.battery = battery;
         this.wind = wind;
         this.navigation = navigation;

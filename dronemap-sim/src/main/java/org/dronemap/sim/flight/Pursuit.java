@@ -37,8 +37,8 @@ public final class Pursuit implements Manoeuvre {
         }
         long passed = nowMillis - begun;
         Position place = moving.after(Math.min(passed, FRESH_MILLIS) / 1000.0);
-        return passed < FRESH_MILLIS
-                ? new Setpoint.Chase(cruise.to(place, yaw), moving.north(), moving.east(), moving.up())
-                : cruise.to(place, yaw);
+        double moves = passed < FRESH_MILLIS ? 1 : 0;
+        return new Setpoint.Chase(
+                cruise.to(place, yaw), moving.north() * moves, moving.east() * moves, moving.up() * moves);
     }
 }

@@ -2,7 +2,7 @@ package org.dronemap.sim.physics;
 
 /**
  * What an airframe can do: accelerations in m/s² (the deceleration is the planned one), rates in rad/s, drag as the acceleration per m/s of airspeed,
- * terminal speed of a fall in m/s.
+ * terminal speed of a fall in m/s, and how far it leans of its own accord, in radians, beside a place that moves; infinite: it is never at the end of that.
  */
 public record Airframe(
         double horizontalAcceleration,
@@ -11,10 +11,26 @@ public record Airframe(
         double yawRate,
         double maxLean,
         double drag,
-        double terminalSpeed) {
+        double terminalSpeed,
+        double asksToLean) {
 
     /** A quadcopter of about two kilograms; falls at the 11.8 m/s seen with one motor dead. */
     public static Airframe quadcopter() {
-        return new Airframe(2.5, 1.3, 1.0, Math.toRadians(60), Math.toRadians(35), 0.25, 11.8);
+        return new Airframe(
+                2.5, 1.3, 1.0, Math.toRadians(60), Math.toRadians(35), 0.25, 11.8, Double.POSITIVE_INFINITY);
+    }
+
+    /** The same that leans no farther than that: 30 degrees as ArduCopter is delivered (ANGLE_MAX). */
+    public static Airframe leaning(double degrees) {
+        return new Airframe(2.5, 1.3, 1.0, Math.toRadians(60), Math.toRadians(35), 0.25, 11.8, Math.toRadians(degrees));
+    }
+
+    boolean isNeverAtItsEnd() {
+        return Double.isInfinite(asksToLean);
+    }
+
+    /** What the air takes of its leaning, in m/s² for each m/s of airspeed; 11.5 m/s are the most at 30 degrees, as of a real ArduCopter. */
+    double resistance(double airspeed) {
+        return 0.15 + 0.0295 * airspeed;
     }
 }

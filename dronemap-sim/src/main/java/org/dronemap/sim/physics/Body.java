@@ -1,5 +1,7 @@
 package org.dronemap.sim.physics;
 
+import org.jspecify.annotations.Nullable;
+
 /** Position, velocity and attitude of one multicopter, moved in steps of at most a tenth of a second. Owned by its vehicle. */
 public final class Body {
     private static final double GRAVITY = 9.80665;
@@ -22,6 +24,7 @@ public final class Body {
     private double yawRate;
     private double thrust;
     private double impactSpeed;
+    private @Nullable Chaser chaser;
 
     public Body(Airframe airframe, double yaw) {
         this.airframe = airframe;
@@ -29,10 +32,13 @@ public final class Body {
     }
 
     public void step(Setpoint setpoint, Wind wind, double seconds) {
+        if (!(setpoint instanceof Setpoint.Chase)) {
+            chaser = null;
+        }
         if (setpoint instanceof Setpoint.Reach reach) {
             reach(reach, 0, 0, 0, wind, seconds);
         } else if (setpoint instanceof Setpoint.Chase chase) {
-            reach(chase.place(), chase.north(), chase.east(), chase.up(), wind, seconds);
+            chase(chase, wind, seconds);
         } else if (setpoint instanceof Setpoint.Velocity velocity) {
             powered(velocity.north(), velocity.east(), velocity.up(), wind, seconds);
             turn(velocity.yaw(), seconds);
@@ -49,16 +55,56 @@ public final class Body {
                 Math.hypot(reach.target().north() - north, reach.target().east() - east);
         double speed = Math.min(reach.horizontalSpeed(), approach(distance, airframe.horizontalDeceleration()));
         double share = distance > 1e-9 ? speed / distance : 0;
-        double rise = reach.target().up() - up;
-        double vertical = approach(Math.abs(rise), airframe.verticalAcceleration());
-        double wantedUp = rise > 0 ? Math.min(vertical, reach.climbSpeed()) : -Math.min(vertical, reach.sinkSpeed());
         powered(
                 movingNorth + (reach.target().north() - north) * share,
                 movingEast + (reach.target().east() - east) * share,
-                movingUp + wantedUp,
+                movingUp + climb(reach),
                 wind,
                 seconds);
         turn(reach.yaw(), seconds);
+    }
+
+    private double climb(Setpoint.Reach reach) {
+        double rise = reach.target().up() - up;
+        double vertical = approach(Math.abs(rise), airframe.verticalAcceleration());
+        return rise > 0 ? Math.min(vertical, reach.climbSpeed()) : -Math.min(vertical, reach.sinkSpeed());
+    }
+
+    private void chase(Setpoint.Chase chase, Wind wind, double seconds) {
+        Setpoint.Reach reach = chase.place();
+        if (airframe.isNeverAtItsEnd()) {
+            reach(reach, chase.north(), chase.east(), chase.up(), wind, seconds);
+            return;
+        }
+        Flat leans = leans(chase, wind, seconds);
+        setAttitude(
+                Math.atan2(leans.east() * Math.cos(yaw) - leans.north() * Math.sin(yaw), GRAVITY),
+                -Math.atan2(leans.north() * Math.cos(yaw) + leans.east() * Math.sin(yaw), GRAVITY),
+                seconds);
+        double forward = -GRAVITY * Math.tan(pitch);
+        double right = GRAVITY * Math.tan(roll);
+        Flat resistance = resistance(wind);
+        velocityNorth += (forward * Math.cos(yaw) - right * Math.sin(yaw) - resistance.north()) * seconds;
+        velocityEast += (forward * Math.sin(yaw) + right * Math.cos(yaw) - resistance.east()) * seconds;
+        rise(chase.up() + climb(reach), seconds);
+        turn(reach.yaw(), seconds);
+    }
+
+    /** What the autopilot leans for: what the air takes of that it learns only as it falls behind. */
+    private Flat leans(Setpoint.Chase chase, Wind wind, double seconds) {
+        Chaser.Moving here = new Chaser.Moving(new Flat(north, east), new Flat(velocityNorth, velocityEast));
+        if (chaser == null) {
+            chaser = new Chaser(here, GRAVITY * Math.tan(airframe.asksToLean()), resistance(wind));
+        }
+        Position place = chase.place().target();
+        Chaser.Moving target =
+                new Chaser.Moving(new Flat(place.north(), place.east()), new Flat(chase.north(), chase.east()));
+        return chaser.leans(target, here, chase.place().horizontalSpeed(), seconds);
+    }
+
+    private Flat resistance(Wind wind) {
+        Flat air = new Flat(velocityNorth - wind.north(), velocityEast - wind.east());
+        return air.times(airframe.resistance(air.length()));
     }
 
     /** Speed from which a constant deceleration still stops in time; soft close to the target. */
@@ -76,7 +122,6 @@ public final class Body {
             accelerationNorth *= limit / size;
             accelerationEast *= limit / size;
         }
-        double accelerationUp = clamp((wantUp - velocityUp) / seconds, airframe.verticalAcceleration() * 2);
         boolean airborne = up > 0.05;
         lean(accelerationNorth, accelerationEast, wind, airborne ? seconds : 0);
         if (airborne) {
@@ -84,6 +129,11 @@ public final class Body {
             velocityNorth += (accelerationNorth + wind.gustNorth() * airframe.drag() / 2) * seconds;
             velocityEast += (accelerationEast + wind.gustEast() * airframe.drag() / 2) * seconds;
         }
+        rise(wantUp, seconds);
+    }
+
+    private void rise(double wantUp, double seconds) {
+        double accelerationUp = clamp((wantUp - velocityUp) / seconds, airframe.verticalAcceleration() * 2);
         velocityUp += accelerationUp * seconds;
         thrust = (1 + accelerationUp / GRAVITY + Math.max(0, velocityUp) * 0.05)
                 / Math.max(0.5, Math.cos(roll) * Math.cos(pitch));
