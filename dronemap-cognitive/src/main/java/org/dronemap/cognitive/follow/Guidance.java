@@ -23,10 +23,15 @@ public final class Guidance {
     private static final double ACCELERATION = 2.3;
     private static final double BRAKING = 1.3;
 
+    /**
+     * An ArduCopter turns by as much as it is off what it is told (2 m/s² for each m/s), and heeds no acceleration beside a
+     * place: so it is told how it shall move so much later.
+     */
+    private static final double TURNING_SECONDS = 0.5;
+
     private static final double GAIN = 1.2;
     private static final double CLIMB = 2;
     private static final double SINK = 1.2;
-    private static final double LEASH_METERS = 8;
     private static final double LOW_METERS = 1;
     /** It is led no nearer to the lowest height: in wind copters hold theirs within some tenths. */
     private static final double FLOOR_METERS = 0.5;
@@ -43,10 +48,10 @@ public final class Guidance {
     private boolean risen;
 
     /** How much time passes, and what is to be kept to meanwhile. */
-    private record Step(double seconds, Limits limits, Surroundings around, Spot drone) {
+    private record Step(double seconds, Limits limits, double speed, Surroundings around, Spot drone) {
         /** Who rises goes nowhere but up, among trees as it may be: all others keep away from it. */
         Step alone() {
-            return new Step(seconds, limits, new Surroundings(around.room(), Others.NONE), drone);
+            return new Step(seconds, limits, speed, new Surroundings(around.room(), Others.NONE), drone);
         }
     }
 
@@ -84,9 +89,12 @@ public final class Guidance {
         double seconds = before == null ? 0 : Math.min(LONGEST_STEP, seconds(before, now));
         before = now;
         Instant there = now.plusNanos((long) (limits.downlinkSeconds() * NANOS));
-        Carrot from = leashed(carrot == null ? begun(drone) : carrot, drone, there);
+        Spot expected = expected(drone, there);
+        Carrot loose = carrot == null ? begun(drone) : carrot;
+        Leash leash = leash(loose, drone, there);
+        Carrot from = leashed(loose, leash, expected);
         Stance.Wanted wanted = stance.at(there, standOff, seconds);
-        Step step = new Step(seconds, limits, around, expected(drone, there));
+        Step step = new Step(seconds, limits, Math.min(limits.speed(), leash.speed()), around, expected);
         Room room = around.room();
         boolean low = isLow(drone.altitudeAmslMeters(), limits);
         Carrot next;
@@ -107,7 +115,28 @@ public final class Guidance {
         next = levelled(next, standOff, step);
         carrot = next;
         look(wanted, next);
-        return aim(next, doing);
+        return aim(next, told(from, next, step), doing);
+    }
+
+    /** Turned on by what it turns meanwhile, slowed by half of what it brakes, and no faster. */
+    private static Others.Speed told(Carrot from, Carrot next, Step step) {
+        double speed = Math.hypot(next.eastward(), next.northward());
+        if (step.seconds() == 0 || speed == 0) {
+            return new Others.Speed(next.eastward(), next.northward());
+        }
+        double share = TURNING_SECONDS / step.seconds();
+        double slower = Math.max(0, Math.hypot(from.eastward(), from.northward()) - speed) * share / 2;
+        double aside = next.eastward() * from.northward() - next.northward() * from.eastward();
+        double turned = aside / speed * share;
+        double size = Math.max(0, speed - slower) / Math.hypot(speed, turned);
+        double across = turned / speed * size;
+        double east = next.eastward() * size + next.northward() * across;
+        double north = next.northward() * size - next.eastward() * across;
+        Others.Speed apart = step.around()
+                .others()
+                .allowed(List.of(next.spot(), step.drone()), next.up(), new Others.Speed(east, north));
+        double free = freely(step.around().room(), next.spot(), apart.eastward(), apart.northward());
+        return new Others.Speed(apart.eastward() * free, apart.northward() * free);
     }
 
     /** A gust that presses it down a little does not hold it up once it has risen. */
@@ -116,9 +145,9 @@ public final class Guidance {
         return amslMeters < limits.lowestAmslMeters() - (risen ? LOW_METERS : 0);
     }
 
-    private Aim aim(Carrot next, Aim.Doing doing) {
+    private Aim aim(Carrot next, Others.Speed told, Aim.Doing doing) {
         return new Aim(
-                plane.place(next.spot()), next.up(), next.eastward(), next.northward(), next.upward(), heading, doing);
+                plane.place(next.spot()), next.up(), told.eastward(), told.northward(), next.upward(), heading, doing);
     }
 
     private Carrot begun(Whereabouts drone) {
@@ -126,24 +155,34 @@ public final class Guidance {
                 plane.spot(drone.point()), drone.eastward(), drone.northward(), drone.altitudeAmslMeters(), 0);
     }
 
+    private Leash leash(Carrot from, Whereabouts drone, Instant there) {
+        return Leash.of(
+                expected(drone, there).distanceMeters(from.spot()),
+                Math.hypot(drone.eastward(), drone.northward()),
+                late(drone, there));
+    }
+
     /** The drone may be blown away, or be slower than it should: then the carrot waits for it. */
-    private Carrot leashed(Carrot from, Whereabouts drone, Instant there) {
-        Spot expected = expected(drone, there);
+    private static Carrot leashed(Carrot from, Leash leash, Spot expected) {
         double apart = expected.distanceMeters(from.spot());
-        return apart <= LEASH_METERS
-                ? from
-                : new Carrot(
-                        at(expected, from.spot(), LEASH_METERS / apart),
-                        from.eastward(),
-                        from.northward(),
-                        from.up(),
-                        from.upward());
+        double speed = Math.hypot(from.eastward(), from.northward());
+        double slower = speed > leash.speed() ? leash.speed() / speed : 1;
+        return new Carrot(
+                apart <= leash.meters() ? from.spot() : at(expected, from.spot(), leash.meters() / apart),
+                from.eastward() * slower,
+                from.northward() * slower,
+                from.up(),
+                from.upward());
     }
 
     private Spot expected(Whereabouts drone, Instant there) {
-        double late = Math.max(0, Math.min(2, seconds(drone.at(), there)));
+        double late = late(drone, there);
         Spot last = plane.spot(drone.point());
         return new Spot(last.eastMeters() + drone.eastward() * late, last.northMeters() + drone.northward() * late);
+    }
+
+    private static double late(Whereabouts drone, Instant there) {
+        return Math.max(0, Math.min(2, seconds(drone.at(), there)));
     }
 
     private static Spot at(Spot from, Spot to, double share) {
@@ -171,8 +210,7 @@ public final class Guidance {
 
     /** Towards these speeds, as fast as may be. */
     private static Carrot moved(Carrot from, double eastward, double northward, Step step) {
-        double faster =
-                Math.max(1, Math.hypot(eastward, northward) / step.limits().speed());
+        double faster = Math.max(1, Math.hypot(eastward, northward) / step.speed());
         double moreEast = eastward / faster - from.eastward();
         double moreNorth = northward / faster - from.northward();
         double change = Math.hypot(moreEast, moreNorth);

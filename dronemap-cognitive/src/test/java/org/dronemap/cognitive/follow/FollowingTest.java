@@ -61,6 +61,19 @@ class FollowingTest {
                         * flown(Walk::cycling, Way.LAST_FIX, Noise.NONE, SLOW).mean());
     }
 
+    /** Upwind they fly at the end of what they can lean for; one that is asked for more flies straight on where it had to turn. */
+    @Test
+    void turnsWithACyclistWhomItCanHardlyKeepUpWith() {
+        Result all = new Result(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
+        for (long seed : List.of(1L, 3L, 5L)) {
+            Setup setup = setup(Way.FORESEEN, Noise.NONE, SLOW, seed);
+            SimDrone drone = SimDrone.leaning(Trial.height(setup), WIND, seed);
+            all.error().addAll(Trial.fly(Walk.cycling(seed), setup, drone).error());
+        }
+        assertThat(all.mean()).isLessThan(6);
+        assertThat(all.quantile(1)).isLessThan(40);
+    }
+
     @Test
     void addsLittleToTheErrorOfAPhone() {
         for (LongFunction<Walk> walks : List.<LongFunction<Walk>>of(Walk::walking, Walk::running)) {

@@ -66,14 +66,14 @@ final class SitlDrone implements Copter, AutoCloseable {
     private long beatNanos;
 
     /** In the air over its home at that height, in a wind of so many m/s; it takes a minute until then. */
-    SitlDrone(Path binary, double meters, double wind, long seed) {
+    SitlDrone(Path binary, double lean, double meters, double wind, long seed) {
         try {
             socket = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
             socket.setSoTimeout(SILENT_MILLIS);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        process = new SitlProcess(binary, socket.getLocalPort(), wind, seed);
+        process = new SitlProcess(binary, socket.getLocalPort(), lean, wind, seed);
         try {
             rise(meters);
         } catch (RuntimeException e) {

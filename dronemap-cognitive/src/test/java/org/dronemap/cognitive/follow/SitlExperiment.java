@@ -3,6 +3,7 @@ package org.dronemap.cognitive.follow;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -15,11 +16,17 @@ import org.dronemap.cognitive.follow.Trial.Way;
 
 /**
  * {@code BINARY SEEDS}: has real ArduCopters follow the walkers and the cyclists of {@link Experiment} over its slow link, as fast
- * as life and many at a time, and writes a line of JSON for each kind.
+ * as life and many at a time, and writes a line of JSON for each kind. The cyclists are followed twice: by some that lean as far
+ * as they are delivered, and by some that may lean farther.
  */
 public final class SitlExperiment {
-    private static final List<LongFunction<Walk>> WALKS = List.of(Walk::walking, Walk::cycling);
+    private static final double DELIVERED = 30;
+    private static final List<Kind> KINDS = List.of(
+            new Kind(Walk::walking, DELIVERED), new Kind(Walk::cycling, DELIVERED), new Kind(Walk::cycling, 45));
     private static final int AT_A_TIME = 20;
+
+    /** {@code lean}: how far they may at most, in degrees. */
+    private record Kind(LongFunction<Walk> walk, double lean) {}
 
     private record Flown(String vehicle, Result result) {}
 
@@ -31,16 +38,16 @@ public final class SitlExperiment {
         ExecutorService each = Executors.newFixedThreadPool(AT_A_TIME);
         try {
             List<List<Future<Flown>>> all = new ArrayList<>();
-            for (LongFunction<Walk> walk : WALKS) {
+            for (Kind kind : KINDS) {
                 List<Future<Flown>> flights = new ArrayList<>();
                 for (int seed = 1; seed <= seeds; seed++) {
                     int number = seed;
-                    flights.add(each.submit(() -> fly(binary, walk.apply(number), number)));
+                    flights.add(each.submit(() -> fly(binary, kind, number)));
                 }
                 all.add(flights);
             }
-            for (int kind = 0; kind < WALKS.size(); kind++) {
-                String walk = WALKS.get(kind).apply(1).name();
+            for (int kind = 0; kind < KINDS.size(); kind++) {
+                String walk = KINDS.get(kind).walk().apply(1).name();
                 System.out.println(line(walk, all.get(kind)).json());
             }
         } finally {
@@ -48,7 +55,7 @@ public final class SitlExperiment {
         }
     }
 
-    private static Flown fly(Path binary, Walk walk, long seed) {
+    private static Flown fly(Path binary, Kind kind, long seed) {
         Setup setup = new Setup(
                 Way.FORESEEN,
                 Experiment.SOUTH,
@@ -57,8 +64,10 @@ public final class SitlExperiment {
                 Experiment.WIND,
                 seed,
                 Experiment.SETTLED);
-        try (SitlDrone drone = new SitlDrone(binary, Trial.height(setup), setup.wind(), seed)) {
-            return new Flown(drone.name(), Trial.fly(walk, setup, drone));
+        try (SitlDrone drone = new SitlDrone(binary, kind.lean(), Trial.height(setup), setup.wind(), seed)) {
+            String leans =
+                    kind.lean() == DELIVERED ? "" : String.format(Locale.ROOT, ", leaning up to %.0f°", kind.lean());
+            return new Flown(drone.name() + leans, Trial.fly(kind.walk().apply(seed), setup, drone));
         }
     }
 

@@ -15,21 +15,22 @@ final class SitlProcess implements AutoCloseable {
     private final Path folder;
     private final Process process;
 
-    /** {@code binary}: its {@code copter.parm} lies beside it. */
-    SitlProcess(Path binary, int port, double wind, long seed) {
+    /** {@code binary}: its {@code copter.parm} lies beside it; {@code lean}: how far it may at most, in degrees. */
+    SitlProcess(Path binary, int port, double lean, double wind, long seed) {
         try {
             folder = Files.createTempDirectory("sitl");
-            process = start(binary, port, own(wind, seed));
+            process = start(binary, port, own(lean, wind, seed));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
     /** The same wind as for simulated ones, at all heights, and a battery that lasts. */
-    private Path own(double wind, long seed) throws IOException {
+    private Path own(double lean, double wind, long seed) throws IOException {
         double from = (Math.toDegrees(seed % 7) + 180) % 360;
         List<String> lines = List.of(
                 "WPNAV_SPEED 1500",
+                String.format(Locale.ROOT, "ANGLE_MAX %.0f", lean * 100),
                 "SIM_BATT_CAP_AH 50",
                 "SIM_WIND_T 1",
                 String.format(Locale.ROOT, "SIM_WIND_SPD %.2f", wind),
