@@ -223,7 +223,10 @@ public final class Guidance {
                         new Others.Speed(from.eastward() + moreEast * share, from.northward() + moreNorth * share));
         double east = apart.eastward();
         double north = apart.northward();
-        double free = freely(step.around().room(), from.spot(), east, north);
+        Room room = step.around().room();
+        // The drone may be some metres beside its carrot, and does not turn sooner for a fence that is in its own way
+        // only.
+        double free = Math.min(freely(room, from.spot(), east, north), freely(room, step.drone(), east, north));
         return new Carrot(
                 new Spot(
                         from.spot().eastMeters() + east * free * step.seconds(),

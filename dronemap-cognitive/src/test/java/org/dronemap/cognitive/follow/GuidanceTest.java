@@ -211,6 +211,23 @@ class GuidanceTest {
         assertThat(spot(aim).eastMeters()).isBetween(50.0, 55.1);
     }
 
+    @Test
+    void stopsForAFenceThatIsInTheWayOfADroneBesideItsCarrot() {
+        Room room = room(List.of(), List.of(square(60, 17, 10)));
+        target.motion = new Motion(-30, -20, 5, 0, 0);
+        led(beside(new Side.Fixed(0)), LIMITS, room, true);
+        double farthest = Double.NEGATIVE_INFINITY;
+        for (int step = 0; step < 400; step++) {
+            Aim aim = led(beside(new Side.Fixed(0)), LIMITS, room, true);
+            Spot carrot = spot(aim);
+            // A gust holds it 16 m north of where it is led at first, and the carrot waits for it.
+            Spot beside = new Spot(carrot.eastMeters(), 10);
+            drone = new Whereabouts(moment(now), PLANE.place(beside), AMSL, aim.eastward(), 0);
+            farthest = Math.max(farthest, beside.eastMeters());
+        }
+        assertThat(farthest).isBetween(20.0, 45.1);
+    }
+
     private static List<Geodetic> square(double east, double north, double half) {
         return List.of(
                 PLANE.place(new Spot(east - half, north - half)),
