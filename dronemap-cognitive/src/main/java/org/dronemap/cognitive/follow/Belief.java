@@ -2,29 +2,28 @@ package org.dronemap.cognitive.follow;
 
 /**
  * One opinion of where the target is and how it moves, with its uncertainty: an extended Kalman filter over east, north, their
- * speeds and the rate of turn. Owned by its {@link TargetFilter}.
+ * speeds and the acceleration to its left. Owned by its {@link Hypothesis}.
  */
 final class Belief {
     static final int SIZE = 5;
-    private static final int TURN = 4;
+    private static final int LEAN = 4;
     private static final double NUDGE = 1e-4;
-    private static final double TURN_SECONDS = 4;
+    /** Whoever is slower turns no quicker than at this speed, m/s. */
+    private static final double SLOW = 1.5;
 
     private final Manner manner;
     private double[] mean = new double[SIZE];
     private double[][] spread = new double[SIZE][SIZE];
 
     /**
-     * How it is taken to move.
+     * How it is taken to move. Whoever walks, runs or rides leans into bends about as much: how quickly they turn follows from
+     * that and from their speed.
      *
-     * @param acceleration what speeds change by, m/s² (one sigma)
-     * @param turning the rate of turn that is usual, rad/s (one sigma), for some seconds each time; 0: it goes straight on
+     * @param push what speeds change by in a second, m/s (one sigma)
+     * @param lean the acceleration to its left, m/s²; 0: it goes straight on
+     * @param leanSpread how much more or less that may be (one sigma)
      */
-    record Manner(double acceleration, double turning) {
-        boolean turns() {
-            return turning > 0;
-        }
-    }
+    record Manner(double push, double lean, double leanSpread) {}
 
     Belief(Manner manner) {
         this.manner = manner;
@@ -34,10 +33,10 @@ final class Belief {
     void begin(double east, double north, double meters, double speed) {
         mean = new double[] {east, north, 0, 0, 0};
         spread = new double[SIZE][SIZE];
-        for (int i = 0; i < TURN; i++) {
+        for (int i = 0; i < LEAN; i++) {
             spread[i][i] = i < 2 ? meters * meters : speed * speed;
         }
-        spread[TURN][TURN] = manner.turning() * manner.turning();
+        lean();
     }
 
     void set(double[] newMean, double[][] newSpread) {
@@ -53,25 +52,24 @@ final class Belief {
         return spread;
     }
 
-    Motion motion() {
-        return motion(mean);
+    /** How it moves after so many seconds. */
+    Motion after(double seconds) {
+        return motion(mean).after(seconds);
     }
 
     private static Motion motion(double[] state) {
-        return new Motion(state[0], state[1], state[2], state[3], state[TURN]);
+        double speed = Math.hypot(state[2], state[3]);
+        return new Motion(state[0], state[1], state[2], state[3], state[LEAN] / Math.max(SLOW, speed));
     }
 
-    private double[] moved(double[] from, double seconds) {
+    private static double[] moved(double[] from, double seconds) {
         Motion after = motion(from).after(seconds);
-        double turn = after.turn() * Math.exp(-seconds / TURN_SECONDS);
-        return new double[] {after.east(), after.north(), after.eastward(), after.northward(), turn};
+        return new double[] {after.east(), after.north(), after.eastward(), after.northward(), from[LEAN]};
     }
 
-    /** Lets time pass. */
-    void pass(double seconds) {
-        if (!manner.turns()) {
-            stopTurning();
-        }
+    /** Lets time pass; {@code wander}: what the phone's error changes by meanwhile, in metres an axis for a second. */
+    void pass(double seconds, double wander) {
+        lean();
         double[][] change = new double[SIZE][SIZE];
         for (int column = 0; column < SIZE; column++) {
             double[] more = mean.clone();
@@ -86,22 +84,23 @@ final class Belief {
         }
         mean = moved(mean, seconds);
         spread = product(product(change, spread), transposed(change));
-        double pushed = manner.acceleration() * manner.acceleration();
+        double pushed = manner.push() * manner.push();
         for (int axis = 0; axis < 2; axis++) {
-            spread[axis][axis] += pushed * Math.pow(seconds, 4) / 4;
-            spread[axis][axis + 2] += pushed * Math.pow(seconds, 3) / 2;
-            spread[axis + 2][axis] += pushed * Math.pow(seconds, 3) / 2;
-            spread[axis + 2][axis + 2] += pushed * seconds * seconds;
+            spread[axis][axis] += (pushed * seconds * seconds / 3 + wander * wander) * seconds;
+            spread[axis][axis + 2] += pushed * seconds * seconds / 2;
+            spread[axis + 2][axis] += pushed * seconds * seconds / 2;
+            spread[axis + 2][axis + 2] += pushed * seconds;
         }
-        spread[TURN][TURN] += manner.turning() * manner.turning() * (1 - Math.exp(-2 * seconds / TURN_SECONDS));
     }
 
-    private void stopTurning() {
-        mean[TURN] = 0;
+    /** What was learnt of it before counts no longer: it may lean otherwise from one fix to the next. */
+    private void lean() {
+        mean[LEAN] = manner.lean();
         for (int i = 0; i < SIZE; i++) {
-            spread[TURN][i] = 0;
-            spread[i][TURN] = 0;
+            spread[LEAN][i] = 0;
+            spread[i][LEAN] = 0;
         }
+        spread[LEAN][LEAN] = manner.leanSpread() * manner.leanSpread();
     }
 
     /** How many sigmas a place is from where it is expected. */

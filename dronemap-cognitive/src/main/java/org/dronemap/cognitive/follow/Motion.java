@@ -8,6 +8,7 @@ import org.dronemap.core.geo.Spot;
  * @param turn radians a second, from east towards north
  */
 public record Motion(double east, double north, double eastward, double northward, double turn) {
+    static final Motion NONE = new Motion(0, 0, 0, 0, 0);
     private static final double STRAIGHT = 1e-4;
 
     Spot spot() {
@@ -16,6 +17,16 @@ public record Motion(double east, double north, double eastward, double northwar
 
     double speed() {
         return Math.hypot(eastward, northward);
+    }
+
+    /** With a share of another one. */
+    Motion plus(Motion other, double share) {
+        return new Motion(
+                east + share * other.east,
+                north + share * other.north,
+                eastward + share * other.eastward,
+                northward + share * other.northward,
+                turn + share * other.turn);
     }
 
     /** After a time of going on and turning as it does. */

@@ -3,15 +3,14 @@ package org.dronemap.cognitive.follow;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says from a phone's fixes where it is, how it moves and where it will be. It goes on, turns, or changes its speed: three
- * opinions are kept, and each counts as much as it foretold the fixes (interacting multiple models). Owned by one thread.
+ * Says from a phone's fixes where it is, how it moves and where it will be. What a phone says of its accuracy tells little of how
+ * its error changes: each {@link Hypothesis} of that counts as much as it foretold the fixes. Owned by one thread.
  */
 public final class TargetFilter implements Followed {
     /** What becomes of a fix. */
@@ -28,44 +27,32 @@ public final class TargetFilter implements Followed {
     static final double VAGUE_METERS = 50;
     private static final double FAR_OFF_SIGMAS = 6;
     private static final int BELIEVED_AFTER = 3;
-    private static final double LEAST_METERS = 0.4;
+    /** No phone is taken to be better than one that tells so many metres. */
+    private static final double LEAST_METERS = 2;
     /** Of a speed that a receiver measured, m/s. */
-    private static final double SPEED_ACCURACY = 0.5;
+    private static final double SPEED_ACCURACY = 0.3;
 
-    private static final double LIKELY_SPEED = 3;
     private static final Duration FORGOTTEN = Duration.ofSeconds(20);
     /** Nobody goes on as before for longer. */
     private static final double LONGEST_SECONDS = 4;
 
     private static final double NANOS = 1e9;
 
-    private final Habits habits;
-    private final List<Belief> beliefs;
-    private double[] weights = {0.6, 0.2, 0.2};
+    private static final List<Hypothesis.Phone> PHONES = List.of(
+            new Hypothesis.Phone(0.02, 0.01),
+            new Hypothesis.Phone(0.05, 0.04),
+            new Hypothesis.Phone(0.12, 0.1),
+            new Hypothesis.Phone(0.3, 0.25));
+
+    private final List<Hypothesis> hypotheses =
+            PHONES.stream().map(Hypothesis::new).toList();
     private final LocalPlane plane;
     private @Nullable Instant last;
     private int outliers;
 
-    /**
-     * What those who are followed do.
-     *
-     * @param fresh most of a phone's error stays the same from fix to fix: the share of its accuracy that is new in each
-     * @param stays how likely it is that they go on in their manner for a second
-     */
-    record Habits(double fresh, double stays, Belief.Manner straight, Belief.Manner turning, Belief.Manner changing) {
-        static final Habits USUAL = new Habits(
-                0.14, 0.78, new Belief.Manner(0.6, 0), new Belief.Manner(1.1, 0.4), new Belief.Manner(1.5, 0));
-    }
-
     /** {@code near}: some place within some kilometres of where it will be. */
     public TargetFilter(Geodetic near) {
-        this(near, Habits.USUAL);
-    }
-
-    TargetFilter(Geodetic near, Habits habits) {
         plane = new LocalPlane(near);
-        this.habits = habits;
-        beliefs = List.of(new Belief(habits.straight()), new Belief(habits.turning()), new Belief(habits.changing()));
     }
 
     public Verdict take(PhoneFix fix) {
@@ -73,7 +60,7 @@ public final class TargetFilter implements Followed {
             return Verdict.VAGUE;
         }
         Instant before = last;
-        double meters = Math.max(LEAST_METERS, habits.fresh() * fix.accuracyMeters());
+        double meters = Math.max(LEAST_METERS, fix.accuracyMeters());
         if (before == null || Duration.between(before, fix.at()).compareTo(FORGOTTEN) > 0) {
             begin(fix, meters);
             return Verdict.TAKEN;
@@ -83,11 +70,10 @@ public final class TargetFilter implements Followed {
             return Verdict.LATE;
         }
         Spot spot = plane.spot(fix.point());
-        mix(seconds);
-        beliefs.forEach(belief -> belief.pass(seconds));
+        hypotheses.forEach(hypothesis -> hypothesis.pass(seconds, meters));
         last = fix.at();
-        boolean expected = beliefs.stream()
-                .anyMatch(belief -> belief.surprise(spot.eastMeters(), spot.northMeters(), meters) < FAR_OFF_SIGMAS);
+        boolean expected =
+                hypotheses.stream().anyMatch(hypothesis -> hypothesis.surprise(spot, meters) < FAR_OFF_SIGMAS);
         if (!expected && ++outliers < BELIEVED_AFTER) {
             return Verdict.OUTLIER;
         }
@@ -96,83 +82,18 @@ public final class TargetFilter implements Followed {
             return Verdict.TAKEN;
         }
         outliers = 0;
-        learn(belief -> belief.learn(spot.eastMeters(), spot.northMeters(), meters));
+        hypotheses.forEach(hypothesis -> hypothesis.learn(spot, meters));
         PhoneFix.Course course = fix.course();
         if (course != null) {
-            learn(belief -> belief.learnSpeed(course.eastward(), course.northward(), SPEED_ACCURACY));
+            hypotheses.forEach(hypothesis -> hypothesis.learnSpeed(course, SPEED_ACCURACY));
         }
         return Verdict.TAKEN;
     }
 
     private void begin(PhoneFix fix, double meters) {
-        Spot spot = plane.spot(fix.point());
-        beliefs.forEach(belief -> belief.begin(spot.eastMeters(), spot.northMeters(), meters, LIKELY_SPEED));
-        weights = new double[] {0.6, 0.2, 0.2};
+        hypotheses.forEach(hypothesis -> hypothesis.begin(plane.spot(fix.point()), meters));
         last = fix.at();
         outliers = 0;
-    }
-
-    /** Each opinion begins from what all think, by how likely it is that the target changed over to it. */
-    private void mix(double seconds) {
-        int count = beliefs.size();
-        double stays = Math.pow(habits.stays(), Math.min(3, seconds));
-        double changes = (1 - stays) / (count - 1);
-        double[] next = new double[count];
-        double[][] means = new double[count][];
-        double[][][] spreads = new double[count][][];
-        for (int to = 0; to < count; to++) {
-            double[] shares = new double[count];
-            for (int from = 0; from < count; from++) {
-                shares[from] = weights[from] * (from == to ? stays : changes);
-                next[to] += shares[from];
-            }
-            for (int from = 0; from < count; from++) {
-                shares[from] /= next[to];
-            }
-            means[to] = mean(shares);
-            spreads[to] = spread(shares, means[to]);
-        }
-        for (int to = 0; to < count; to++) {
-            beliefs.get(to).set(means[to], spreads[to]);
-        }
-        weights = next;
-    }
-
-    private double[] mean(double[] shares) {
-        double[] mean = new double[Belief.SIZE];
-        for (int i = 0; i < Belief.SIZE; i++) {
-            for (int from = 0; from < shares.length; from++) {
-                mean[i] += shares[from] * beliefs.get(from).mean()[i];
-            }
-        }
-        return mean;
-    }
-
-    private double[][] spread(double[] shares, double[] mean) {
-        double[][] spread = new double[Belief.SIZE][Belief.SIZE];
-        for (int from = 0; from < shares.length; from++) {
-            Belief belief = beliefs.get(from);
-            for (int i = 0; i < Belief.SIZE; i++) {
-                for (int j = 0; j < Belief.SIZE; j++) {
-                    double apart = (belief.mean()[i] - mean[i]) * (belief.mean()[j] - mean[j]);
-                    spread[i][j] += shares[from] * (belief.spread()[i][j] + apart);
-                }
-            }
-        }
-        return spread;
-    }
-
-    /** Whoever found it likelier counts for more. */
-    private void learn(ToDoubleFunction<Belief> likelihood) {
-        double sum = 0;
-        for (int i = 0; i < weights.length; i++) {
-            // None is ever ruled out.
-            weights[i] = Math.max(1e-3, weights[i] * likelihood.applyAsDouble(beliefs.get(i)) + 1e-12);
-            sum += weights[i];
-        }
-        for (int i = 0; i < weights.length; i++) {
-            weights[i] /= sum;
-        }
     }
 
     @Override
@@ -192,18 +113,15 @@ public final class TargetFilter implements Followed {
             return null;
         }
         double seconds = Math.max(0, Math.min(LONGEST_SECONDS, seconds(from, time)));
-        Motion sum = new Motion(0, 0, 0, 0, 0);
-        for (int i = 0; i < weights.length; i++) {
-            Motion one = beliefs.get(i).motion().after(seconds);
-            double share = weights[i];
-            sum = new Motion(
-                    sum.east() + share * one.east(),
-                    sum.north() + share * one.north(),
-                    sum.eastward() + share * one.eastward(),
-                    sum.northward() + share * one.northward(),
-                    sum.turn() + share * one.turn());
+        double best = hypotheses.stream().mapToDouble(Hypothesis::credit).max().orElseThrow();
+        double all = 0;
+        Motion sum = Motion.NONE;
+        for (Hypothesis hypothesis : hypotheses) {
+            double likelihood = Math.exp(hypothesis.credit() - best);
+            sum = sum.plus(hypothesis.after(seconds), likelihood);
+            all += likelihood;
         }
-        return sum;
+        return Motion.NONE.plus(sum, 1 / all);
     }
 
     /** Where it was by its newest fixes, without a look ahead; null: nothing is known of it. */

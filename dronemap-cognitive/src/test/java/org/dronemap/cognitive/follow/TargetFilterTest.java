@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.SplittableRandom;
 import org.dronemap.cognitive.follow.TargetFilter.Verdict;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.Spot;
@@ -57,6 +58,50 @@ class TargetFilterTest {
         double later = 16.2;
         assertThat(missed(later, radius * Math.sin(turn * later), radius * (1 - Math.cos(turn * later))))
                 .isLessThan(2);
+    }
+
+    @Test
+    void tellsABendTwoFixesAfterItBegan() {
+        double radius = 40;
+        double turn = 8 / radius;
+        for (int second = -15; second <= 2; second++) {
+            double angle = turn * Math.max(0, second);
+            heard(20 + second, radius * Math.sin(angle) + Math.min(0, 8 * second), radius * (1 - Math.cos(angle)));
+        }
+        double later = turn * 3.3;
+        assertThat(missed(23.3, radius * Math.sin(later), radius * (1 - Math.cos(later))))
+                .isLessThan(0.8);
+    }
+
+    /** On average, of somebody who runs eastwards, by a phone that always says that it is right within 5 m. */
+    private double speedMissed(double wander, double fresh) {
+        SplittableRandom random = new SplittableRandom(7);
+        double east = 0;
+        double north = 0;
+        double missed = 0;
+        for (int second = 0; second < 400; second++) {
+            east += wander * random.nextGaussian();
+            north += wander * random.nextGaussian();
+            heard(second, 4 * second + east + fresh * random.nextGaussian(), north + fresh * random.nextGaussian());
+            Motion motion = filter.at(at(second + 0.6));
+            missed += second < 20 ? 0 : Math.hypot(motion.eastward() - 4, motion.northward());
+        }
+        return missed / 380;
+    }
+
+    @Test
+    void tellsTheSpeedByAPhoneThatIsBetterThanItSays() {
+        assertThat(speedMissed(0.02, 0.05)).isLessThan(0.1);
+    }
+
+    @Test
+    void tellsTheSpeedByAPhoneWhoseErrorWanders() {
+        assertThat(speedMissed(0.5, 0.5)).isLessThan(0.55);
+    }
+
+    @Test
+    void tellsTheSpeedByAPhoneWhoseErrorIsAnotherEachTime() {
+        assertThat(speedMissed(0, 2)).isLessThan(1);
     }
 
     @Test
