@@ -342,7 +342,7 @@ public final class CommandGate {
         }
         if (entry.isUnderControl()) {
             // Idle counts from here.
-            entry.drone().control().apply(new LeaseEvent.Tick(true));
+            entry.drone().control().apply(new LeaseEvent.Tick(true, false));
         }
         CommandRecord done = before.ended(outcome, clock.instant());
         entry.open().ended(done, entry.drone().lane().activeNanos());

@@ -104,9 +104,10 @@ final class ControlWatch implements Lane.Ticker {
 
     @Override
     public void tick() {
-        drone.control().tick(() -> gate.isBusy(drone));
         DroneState state = drone.drone().state();
-        String mode = state.link().state() == LinkState.LIVE ? state.mode() : null;
+        LinkState link = state.link().state();
+        drone.control().tick(() -> gate.isBusy(drone), link != LinkState.LOST && saysWhatItDoes(state));
+        String mode = link == LinkState.LIVE ? state.mode() : null;
         Control control = drone.control().control();
         if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {
             if (Boolean.FALSE.equals(state.armed())) {
@@ -116,6 +117,11 @@ final class ControlWatch implements Lane.Ticker {
             drone.control().apply(new LeaseEvent.PilotActed(mode));
         }
         lastMode = mode;
+    }
+
+    /** Whether {@link #isLeftAlone} can be told. */
+    private static boolean saysWhatItDoes(DroneState state) {
+        return state.mode() != null && state.armed() != null && (state.phase() != null || state.position() != null);
     }
 
     /** A mode for sticks that nobody here asked for, and no fail-safe explains. */

@@ -13,6 +13,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.Lapse;
 import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseMachine;
@@ -147,9 +148,9 @@ final class DroneControl {
     }
 
     /** Lets time go by; {@code busy} is asked only when it matters. */
-    void tick(BooleanSupplier busy) {
+    void tick(BooleanSupplier busy, boolean heard) {
         if (machine.isDue(control, nanoTime.getAsLong())) {
-            apply(new LeaseEvent.Tick(busy.getAsBoolean()));
+            apply(new LeaseEvent.Tick(busy.getAsBoolean(), heard));
         }
     }
 
@@ -163,8 +164,12 @@ final class DroneControl {
     }
 
     private @Nullable SavedLease saved(Control of) {
+        Lapse lapse = of.lapse();
+        if (lapse != null && !lapse.returned()) {
+            return new SavedLease(drone, lapse.user(), lapse.at(), of.epoch(), true);
+        }
         return of.tenure() != null && of.tenure().explicit() && of.tenure().holder() instanceof Holder.Person person
-                ? new SavedLease(drone, person.name(), of.tenure().since(), of.epoch())
+                ? new SavedLease(drone, person.name(), of.tenure().since(), of.epoch(), false)
                 : null;
     }
 

@@ -1,9 +1,12 @@
 package org.dronemap.core.lease;
 
+import java.time.Instant;
+
 /**
  * A holder fell silent and nobody has taken control since.
  *
- * @param sinceNanos monotonic
+ * @param at when that was seen
+ * @param sinceNanos the same, monotonic
  * @param returned the drone was told to return already
  */
-public record Lapse(String user, long sinceNanos, boolean returned) {}
+public record Lapse(String user, Instant at, long sinceNanos, boolean returned) {}

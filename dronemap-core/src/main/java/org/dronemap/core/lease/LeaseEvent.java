@@ -48,6 +48,11 @@ public sealed interface LeaseEvent {
     /** The flight of the pilot at the vehicle is over. */
     record PilotLeft() implements LeaseEvent {}
 
-    /** Time goes by; {@code busy}: a command of this epoch is under way. */
-    record Tick(boolean busy) implements LeaseEvent {}
+    /**
+     * Time goes by.
+     *
+     * @param busy a command of this epoch is under way
+     * @param heard the drone is there and has said what it does: a call back is not spent on one that is not
+     */
+    record Tick(boolean busy, boolean heard) implements LeaseEvent {}
 }

@@ -24,8 +24,14 @@ public final class LeaseMachine {
         this.epochs = epochs;
     }
 
-    /** An explicit holder of an earlier process, who gets time to come back; the epoch is a new one. */
+    /**
+     * An explicit holder of an earlier process, who gets time to come back; or one who was lost in that, and then the time
+     * until the return begins anew. The epoch is a new one.
+     */
     public Control restored(SavedLease lease, Moment now) {
+        if (lease.lapsed()) {
+            return freed(epochs.getAsLong(), new Lapse(lease.user(), lease.since(), now.nanos(), false));
+        }
         Tenure tenure = new Tenure(
                 new Holder.Person(lease.user()), true, lease.since(), now.nanos() + RETURNING_NANOS, lease.epoch());
         return new Control(epochs.getAsLong(), tenure, List.of(), null, null);
@@ -36,7 +42,7 @@ public final class LeaseMachine {
             return command(control, command, now);
         }
         if (event instanceof LeaseEvent.Tick tick) {
-            return tick(control, tick.busy(), now);
+            return tick(control, tick, now);
         }
         if (event instanceof LeaseEvent.Heartbeat heartbeat) {
             return heartbeat(control, heartbeat, now);
@@ -203,7 +209,7 @@ public final class LeaseMachine {
         if (tenure == null || !rest.isHeldBy(user)) {
             return LeaseStep.granted(rest);
         }
-        Lapse lapse = tenure.explicit() ? new Lapse(user, now.nanos(), false) : null;
+        Lapse lapse = tenure.explicit() ? new Lapse(user, now.at(), now.nanos(), false) : null;
         return LeaseStep.granted(freed(epochs.getAsLong(), lapse), change(Kind.EXPELLED, tenure.holder(), null));
     }
 
@@ -283,18 +289,18 @@ public final class LeaseMachine {
                 && nowNanos - lapse.sinceNanos() >= rules.untilReturn().toNanos();
     }
 
-    private LeaseStep tick(Control control, boolean busy, Moment now) {
+    private LeaseStep tick(Control control, LeaseEvent.Tick tick, Moment now) {
         Control rest = control.withRequests(control.requests().stream()
                 .filter(request -> !isOld(request, now.nanos()))
                 .toList());
         Tenure tenure = rest.tenure();
         if (tenure == null) {
-            return lapsed(rest, now);
+            return tick.heard() ? lapsed(rest, now) : LeaseStep.granted(rest);
         }
         if (!(tenure.holder() instanceof Holder.Person person)) {
             return LeaseStep.granted(rest);
         }
-        if (busy && !tenure.explicit()) {
+        if (tick.busy() && !tenure.explicit()) {
             return LeaseStep.granted(rest.with(tenure.heard(now)));
         }
         if (now.nanos() - tenure.heardNanos() <= patienceNanos(tenure)) {
@@ -302,7 +308,7 @@ public final class LeaseMachine {
         }
         return tenure.explicit()
                 ? LeaseStep.granted(
-                        freed(epochs.getAsLong(), new Lapse(person.name(), now.nanos(), false)),
+                        freed(epochs.getAsLong(), new Lapse(person.name(), now.at(), now.nanos(), false)),
                         change(Kind.LOST, person, null))
                 : LeaseStep.granted(freed(rest.epoch(), null), change(Kind.EXPIRED, person, null));
     }
@@ -312,7 +318,7 @@ public final class LeaseMachine {
         if (lapse == null || !isReturnDue(control, now.nanos())) {
             return LeaseStep.granted(control);
         }
-        Lapse returned = new Lapse(lapse.user(), lapse.sinceNanos(), true);
+        Lapse returned = new Lapse(lapse.user(), lapse.at(), lapse.sinceNanos(), true);
         return LeaseStep.granted(
                 new Control(control.epoch(), null, control.requests(), returned, null),
                 change(Kind.RETURN_DUE, new Holder.Person(lapse.user()), null));

@@ -3,5 +3,10 @@ package org.dronemap.core.lease;
 import java.time.Instant;
 import org.dronemap.core.drone.DroneId;
 
-/** Explicit control by a user, as it outlives the process; the epoch is the one that the user knows it by. */
-public record SavedLease(DroneId drone, String user, Instant since, long epoch) {}
+/**
+ * Explicit control by a user, as it outlives the process; or that it lapsed, and the drone has to be called back.
+ *
+ * @param since when it began, or lapsed
+ * @param epoch that the user knows it by
+ */
+public record SavedLease(DroneId drone, String user, Instant since, long epoch, boolean lapsed) {}

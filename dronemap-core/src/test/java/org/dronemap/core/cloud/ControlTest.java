@@ -5,6 +5,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -31,6 +32,7 @@ import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.lease.SavedLease;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -87,9 +89,17 @@ class ControlTest {
                 changes.add(change.kind());
             }
         });
+        link = bound(cloud);
+        hoverInGuided();
+    }
+
+    private DroneLink bound(CloudManager to) {
         LinkSession session =
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
-        link = Fixtures.bound(cloud.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        return Fixtures.bound(to.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+    }
+
+    private void hoverInGuided() {
         hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
         hear(new DroneEvent.ModeHeard("GUIDED", true));
         hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
@@ -188,6 +198,29 @@ class ControlTest {
 
         assertThat(vehicle.performed).containsExactly(new Command.Hold(), new Command.ReturnToLaunch());
         assertThat(commands.records.values()).allMatch(record -> record.by().equals("dronemap"));
+    }
+
+    @Test
+    void remembersThatADroneHasToBeCalledBackUntilItIs() {
+        apply(new LeaseEvent.Take("ann"));
+
+        await().atMost(PATIENCE).until(() -> leases.leases.values().stream().anyMatch(SavedLease::lapsed));
+        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+        await().atMost(PATIENCE).until(leases.leases::isEmpty);
+    }
+
+    @Test
+    void callsADroneBackAfterARestartAsSoonAsItIsHeard() {
+        await().atMost(PATIENCE).until(() -> !drones.records.isEmpty());
+        leases.save(new SavedLease(link.id(), "ann", Instant.now(), control().epoch(), true));
+
+        CloudManager again = cloud();
+        await().during(Duration.ofSeconds(2)).atMost(PATIENCE).until(() -> vehicle.performed.isEmpty());
+        link = bound(again);
+        hoverInGuided();
+
+        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+        await().atMost(PATIENCE).until(leases.leases::isEmpty);
     }
 
     @Test

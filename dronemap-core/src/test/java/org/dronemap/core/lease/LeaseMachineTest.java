@@ -42,7 +42,7 @@ class LeaseMachineTest {
     void keepsTheEpochOfOneHolderWhateverTheyCommand() {
         granted(new LeaseEvent.Command("ann", null));
         after(29, new LeaseEvent.Command("ann", null));
-        after(29, new LeaseEvent.Tick(false));
+        after(29, new LeaseEvent.Tick(false, true));
 
         assertThat(control.isHeldBy("ann")).isTrue();
         assertThat(control.epoch()).isEqualTo(101);
@@ -51,7 +51,7 @@ class LeaseMachineTest {
     @Test
     void endsImplicitControlWhenItsHolderIsIdle() {
         granted(new LeaseEvent.Command("ann", null));
-        after(30.1, new LeaseEvent.Tick(false));
+        after(30.1, new LeaseEvent.Tick(false, true));
 
         assertThat(control.tenure()).isNull();
         assertThat(control.lapse()).isNull();
@@ -61,8 +61,8 @@ class LeaseMachineTest {
     @Test
     void doesNotCallAHolderIdleWhoseCommandIsUnderWay() {
         granted(new LeaseEvent.Command("ann", null));
-        after(60, new LeaseEvent.Tick(true));
-        after(29, new LeaseEvent.Tick(false));
+        after(60, new LeaseEvent.Tick(true, true));
+        after(29, new LeaseEvent.Tick(false, true));
 
         assertThat(control.isHeldBy("ann")).isTrue();
     }
@@ -72,7 +72,7 @@ class LeaseMachineTest {
         granted(new LeaseEvent.Take("ann"));
         for (int i = 0; i < 30; i++) {
             after(2, new LeaseEvent.Heartbeat("ann", 101));
-            after(0, new LeaseEvent.Tick(false));
+            after(0, new LeaseEvent.Tick(false, true));
         }
 
         assertThat(control.isHeldBy("ann")).isTrue();
@@ -81,7 +81,7 @@ class LeaseMachineTest {
     @Test
     void losesAnExplicitHolderWhoFallsSilentAndStopsTheirCommands() {
         granted(new LeaseEvent.Take("ann"));
-        after(6.1, new LeaseEvent.Tick(true));
+        after(6.1, new LeaseEvent.Tick(true, true));
 
         assertThat(control.tenure()).isNull();
         assertThat(control.epoch()).isEqualTo(102);
@@ -91,24 +91,35 @@ class LeaseMachineTest {
     @Test
     void callsTheDroneBackOnceWhenNobodyTakesItAfterALoss() {
         granted(new LeaseEvent.Take("ann"));
-        after(6.1, new LeaseEvent.Tick(false));
-        after(29, new LeaseEvent.Tick(false));
+        after(6.1, new LeaseEvent.Tick(false, true));
+        after(29, new LeaseEvent.Tick(false, true));
         assertThat(kinds()).isEmpty();
 
-        after(1.1, new LeaseEvent.Tick(false));
+        after(1.1, new LeaseEvent.Tick(false, true));
         assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
 
-        after(100, new LeaseEvent.Tick(false));
+        after(100, new LeaseEvent.Tick(false, true));
         assertThat(kinds()).isEmpty();
+    }
+
+    @Test
+    void waitsWithTheReturnUntilTheDroneIsHeard() {
+        granted(new LeaseEvent.Take("ann"));
+        after(6.1, new LeaseEvent.Tick(false, true));
+        after(100, new LeaseEvent.Tick(false, false));
+        assertThat(kinds()).isEmpty();
+
+        after(1, new LeaseEvent.Tick(false, true));
+        assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
     }
 
     @Test
     void callsNothingBackThatSomebodyHasTaken() {
         granted(new LeaseEvent.Take("ann"));
-        after(6.1, new LeaseEvent.Tick(false));
+        after(6.1, new LeaseEvent.Tick(false, true));
         granted(new LeaseEvent.Command("bob", null));
         after(29.9, new LeaseEvent.Command("bob", null));
-        after(20, new LeaseEvent.Tick(false));
+        after(20, new LeaseEvent.Tick(false, true));
 
         assertThat(kinds()).isEmpty();
         assertThat(control.lapse()).isNull();
@@ -171,7 +182,7 @@ class LeaseMachineTest {
         step(new LeaseEvent.Request("bob", null));
         after(25, new LeaseEvent.Command("ann", null));
         after(25, new LeaseEvent.Command("ann", null));
-        after(10.1, new LeaseEvent.Tick(false));
+        after(10.1, new LeaseEvent.Tick(false, true));
 
         assertThat(control.requests()).isEmpty();
         assertThat(denied(new LeaseEvent.Grant("ann", "bob"))).startsWith("bob does not ask");
@@ -188,7 +199,7 @@ class LeaseMachineTest {
     void doesNotLoseWhoWasHandedControlWithoutLooking() {
         granted(new LeaseEvent.Take("ann"));
         granted(new LeaseEvent.HandOver("ann", "bob"));
-        after(30.1, new LeaseEvent.Tick(false));
+        after(30.1, new LeaseEvent.Tick(false, true));
 
         assertThat(kinds()).containsExactly(Kind.EXPIRED);
         assertThat(control.lapse()).isNull();
@@ -214,7 +225,7 @@ class LeaseMachineTest {
         assertThat(denied(new LeaseEvent.Command("ann", null)))
                 .isEqualTo("The pilot at the vehicle has had control of it since 2026-05-01 12:00:00 UTC; take control"
                         + " to command it again.");
-        after(100, new LeaseEvent.Tick(false));
+        after(100, new LeaseEvent.Tick(false, true));
         assertThat(control.tenure()).isNotNull();
 
         granted(new LeaseEvent.Take("ann"));
@@ -258,18 +269,31 @@ class LeaseMachineTest {
     @Test
     void givesAHolderTimeToComeBackAfterARestart() {
         control = machine.restored(
-                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77), new Moment(START, 0));
+                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, false), new Moment(START, 0));
 
-        after(15, new LeaseEvent.Tick(false));
+        after(15, new LeaseEvent.Tick(false, true));
         assertThat(control.isHeldBy("ann")).isTrue();
         assertThat(control.epoch()).isEqualTo(101);
-        after(6.1, new LeaseEvent.Tick(false));
+        after(6.1, new LeaseEvent.Tick(false, true));
         assertThat(kinds()).containsExactly(Kind.LOST);
     }
 
     @Test
+    void stillOwesTheReturnAfterARestart() {
+        control = machine.restored(
+                new SavedLease(new DroneId("d1"), "ann", START.minusSeconds(60), 77, true), new Moment(START, 0));
+        assertThat(control.tenure()).isNull();
+        assertThat(control.epoch()).isEqualTo(101);
+
+        after(29, new LeaseEvent.Tick(false, true));
+        assertThat(kinds()).isEmpty();
+        after(1.1, new LeaseEvent.Tick(false, true));
+        assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
+    }
+
+    @Test
     void knowsAHolderByTheEpochFromBeforeARestart() {
-        control = machine.restored(new SavedLease(new DroneId("d1"), "ann", START, 77), new Moment(START, 0));
+        control = machine.restored(new SavedLease(new DroneId("d1"), "ann", START, 77, false), new Moment(START, 0));
 
         granted(new LeaseEvent.Heartbeat("ann", 77));
         granted(new LeaseEvent.Command("ann", 77L));

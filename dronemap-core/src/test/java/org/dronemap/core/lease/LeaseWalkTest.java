@@ -66,7 +66,7 @@ class LeaseWalkTest {
             Moment moment = walk.moments().get(i);
             boolean due = machine.isDue(now, moment.nanos());
             Control then =
-                    machine.apply(now, new LeaseEvent.Tick(false), moment).control();
+                    machine.apply(now, new LeaseEvent.Tick(false, true), moment).control();
             assertThat(then.equals(now)).as("step %d: %s", i, now).isNotEqualTo(due);
         }
     }
@@ -119,7 +119,7 @@ class LeaseWalkTest {
             case 12 -> new LeaseEvent.Release(user);
             case 13 -> random.nextInt(4) == 0 ? new LeaseEvent.Expel(user) : new LeaseEvent.PilotActed("LOITER");
             case 14 -> new LeaseEvent.PilotLeft();
-            default -> new LeaseEvent.Tick(random.nextBoolean());
+            default -> new LeaseEvent.Tick(random.nextBoolean(), random.nextBoolean());
         };
     }
 }

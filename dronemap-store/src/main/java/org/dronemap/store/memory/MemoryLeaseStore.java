@@ -22,7 +22,8 @@ public final class MemoryLeaseStore implements LeaseStore {
     public synchronized void save(SavedLease lease) {
         leases.put(
                 lease.drone().value(),
-                new SavedLease(lease.drone(), lease.user(), StoredInstant.of(lease.since()), lease.epoch()));
+                new SavedLease(
+                        lease.drone(), lease.user(), StoredInstant.of(lease.since()), lease.epoch(), lease.lapsed()));
     }
 
     @Override

@@ -22,15 +22,17 @@ public final class PostgresLeaseStore implements LeaseStore {
                         new DroneId(row.text("drone_id")),
                         row.text("account_name"),
                         row.time("since"),
-                        row.longInteger("epoch")));
+                        row.longInteger("epoch"),
+                        row.bool("lapsed")));
     }
 
     @Override
     public void save(SavedLease lease) {
         sql.update("""
-                INSERT INTO control_lease (drone_id, account_name, since, epoch) VALUES (?, ?, ?, ?)
+                INSERT INTO control_lease (drone_id, account_name, since, epoch, lapsed)
+                VALUES (?, ?, ?, ?, ?)
                 ON CONFLICT (drone_id) DO UPDATE SET account_name = excluded.account_name, since = excluded.since,
-                    epoch = excluded.epoch""", lease.drone().value(), lease.user(), lease.since(), lease.epoch());
+                    epoch = excluded.epoch, lapsed = excluded.lapsed""", lease.drone().value(), lease.user(), lease.since(), lease.epoch(), lease.lapsed());
     }
 
     @Override

@@ -42,9 +42,9 @@ public abstract class LeaseStoreContract {
 
     @Test
     void keepsOneLeaseForEachDrone() {
-        SavedLease first = new SavedLease(ONE, "ann", THEN, 3);
-        SavedLease second = new SavedLease(ONE, "bob", THEN.plusSeconds(1), 4);
-        SavedLease other = new SavedLease(OTHER, "ann", THEN, 3);
+        SavedLease first = new SavedLease(ONE, "ann", THEN, 3, false);
+        SavedLease second = new SavedLease(ONE, "bob", THEN.plusSeconds(1), 4, true);
+        SavedLease other = new SavedLease(OTHER, "ann", THEN, 3, false);
 
         store.save(other);
         store.save(first);
