@@ -6,12 +6,14 @@ import org.dronemap.cognitive.follow.Room;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.zone.Zone;
 
 /** Zones as edges of the room that a drone is led in, at whatever height they begin and end. */
 final class Fences {
     private static final double MARGIN_METERS = 5;
+    private static final double UNDER_METERS = 2;
     private static final int CORNERS = 36;
 
     private Fences() {}
@@ -23,6 +25,18 @@ final class Fences {
             (zone.shape().inside() ? stayIn : keepOut).add(corners(zone.shape()));
         }
         return Room.of(near, stayIn, keepOut, MARGIN_METERS);
+    }
+
+    /** What drones are led no higher than by themselves: a little below the lowest ceiling of those that they stay in. */
+    static double ceilingAmslMeters(List<Zone> zones, double homeAmslMeters) {
+        return zones.stream()
+                        .filter(zone -> zone.shape().inside())
+                        .map(Zone::band)
+                        .mapToDouble(band ->
+                                band.highMeters() + (band.reference() == Altitude.Reference.HOME ? homeAmslMeters : 0))
+                        .min()
+                        .orElse(Double.POSITIVE_INFINITY)
+                - UNDER_METERS;
     }
 
     /** Of a circle within which it stays the area is a little smaller, of one that it keeps out of a little larger. */

@@ -20,7 +20,6 @@ import org.dronemap.cognitive.follow.Whereabouts;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities.Steering;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
@@ -47,6 +46,7 @@ final class Lead {
     private @Nullable Guidance homeward;
     private List<Zone> zones = List.of();
     private Room room = Room.EVERYWHERE;
+    private double ceilingAmslMeters = Double.POSITIVE_INFINITY;
 
     /** What does not move. */
     private record Standing(LocalPlane plane, Spot spot) implements Followed {
@@ -74,12 +74,12 @@ final class Lead {
         }
         double home = state.order().chosen().homeAmslMeters();
         StandOff standOff = new StandOff(place.side(), place.distanceMeters(), home + place.heightMeters());
-        Aim aim = guidance.lead(
-                scene.now(), standOff, limits(state, drone), around(scene, drone, aloft), here, scene.sighted());
+        Guidance.Surroundings around = around(state, scene, drone, aloft);
+        Aim aim = guidance.lead(scene.now(), standOff, limits(state, drone), around, here, scene.sighted());
         return Optional.of(setpoint(aim, Gaze.degrees(target, scene.now(), here, home)));
     }
 
-    /** What it is told on its way home, where it flies as high as it followed; empty: nothing, it comes home by itself. */
+    /** What it is told on its way home, above all that follow; empty: nothing, it comes home by itself. */
     Optional<Setpoint> home(FollowState state, Scene scene, List<DroneState> aloft) {
         DroneState drone = ours(state, scene);
         Whereabouts here = drone == null ? null : pursuits.of(drone);
@@ -91,10 +91,10 @@ final class Lead {
         if (homeward == null) {
             homeward = new Guidance(new Standing(target.plane(), target.plane().spot(chosen.home())));
         }
-        double height = state.order().place().heightMeters();
+        double height = Relay.homewardMeters(state.order().place(), apart);
         StandOff above = new StandOff(new Side.Fixed(0), 0, chosen.homeAmslMeters() + height);
-        Aim aim =
-                homeward.lead(scene.now(), above, limits(state, drone), around(scene, drone, aloft), here, scene.now());
+        Guidance.Surroundings around = around(state, scene, drone, aloft);
+        Aim aim = homeward.lead(scene.now(), above, limits(state, drone), around, here, scene.now());
         return Optional.of(setpoint(aim, null));
     }
 
@@ -118,17 +118,23 @@ final class Lead {
                 .orElse(null);
     }
 
-    private static Limits limits(FollowState state, DroneState drone) {
-        double home = state.order().chosen().homeAmslMeters();
+    /** Once what is around it is known: what it is asked for may be as high as zones let it, and nothing else higher. */
+    private Limits limits(FollowState state, DroneState drone) {
+        FollowOrder order = state.order();
+        double home = order.chosen().homeAmslMeters();
+        double asked = home + order.place().heightMeters();
         return new Limits(
-                state.order().speed(),
+                order.speed(),
                 home + FollowOrder.LOWEST_METERS,
-                home + FollowOrder.HIGHEST_METERS,
+                Math.min(home + FollowOrder.HIGHEST_METERS, Math.max(asked, ceilingAmslMeters)),
                 downlink(drone));
     }
 
-    private Guidance.Surroundings around(Scene scene, DroneState drone, List<DroneState> aloft) {
-        return new Guidance.Surroundings(room(scene, drone.id()), others(scene, drone, aloft));
+    private Guidance.Surroundings around(FollowState state, Scene scene, DroneState drone, List<DroneState> aloft) {
+        heed(
+                scene.around().zones().getOrDefault(drone.id(), List.of()),
+                state.order().chosen().homeAmslMeters());
+        return new Guidance.Surroundings(room, others(scene, drone, aloft));
     }
 
     private static Setpoint setpoint(Aim aim, @Nullable Double gazeDegrees) {
@@ -147,13 +153,12 @@ final class Lead {
     }
 
     /** Made anew when the zones are others: what binds the drone may come and go while it follows. */
-    private Room room(Scene scene, DroneId drone) {
-        List<Zone> now = scene.around().zones().getOrDefault(drone, List.of());
+    private void heed(List<Zone> now, double homeAmslMeters) {
         if (!now.equals(zones)) {
             zones = now;
             room = Fences.room(near, now);
+            ceilingAmslMeters = Fences.ceilingAmslMeters(now, homeAmslMeters);
         }
-        return room;
     }
 
     private Others others(Scene scene, DroneState drone, List<DroneState> aloft) {

@@ -23,6 +23,9 @@ public record Relay(
     /** More than what drones keep apart: who waits there is not pushed aside. */
     private static final double ROOM_METERS = 6;
 
+    /** In height, beyond what drones keep apart: those of neighbouring layers do not push each other aside. */
+    private static final double ROOM_IN_HEIGHT_METERS = 3;
+
     private static final double FARTHEST_METERS = 200;
     private static final double BESIDE_METERS = 15;
 
@@ -64,14 +67,26 @@ public record Relay(
         return new Relay(other, sent, drones, failed, false, false);
     }
 
-    /** Where a drone waits to take over: on the same side, so much farther that two have room. */
+    /**
+     * Where a drone waits to take over: on the same side, so much farther that two have room, and above those that follow,
+     * whose ways it crosses as it comes.
+     */
     static FollowOrder.Place standBy(FollowOrder.Place place, Apart apart) {
         double more = apart.groundMeters() + ROOM_METERS;
         double distance = place.distanceMeters() + more;
         return new FollowOrder.Place(
                 place.side(),
                 distance <= FARTHEST_METERS ? distance : place.distanceMeters() - more,
-                place.heightMeters());
+                place.heightMeters() + 2 * layerMeters(apart));
+    }
+
+    /** How high a drone that was replaced flies home: above those that follow, and above those that come. */
+    static double homewardMeters(FollowOrder.Place place, Apart apart) {
+        return place.heightMeters() + 3 * layerMeters(apart);
+    }
+
+    private static double layerMeters(Apart apart) {
+        return apart.heightMeters() + ROOM_IN_HEIGHT_METERS;
     }
 
     /** Metres between two drones from which on one takes over. */

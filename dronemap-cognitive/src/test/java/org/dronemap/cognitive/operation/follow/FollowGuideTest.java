@@ -29,6 +29,7 @@ import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.Scene;
@@ -106,16 +107,12 @@ class FollowGuideTest {
     }
 
     private static Zone circle(Geodetic center, double meters) {
+        return zone(new FenceZone.Circle(false, center, meters), AltitudeBand.ALL);
+    }
+
+    private static Zone zone(FenceZone shape, AltitudeBand band) {
         return new Zone(
-                "z1",
-                "the stage",
-                new FenceZone.Circle(false, center, meters),
-                AltitudeBand.ALL,
-                Binding.EVERYBODY,
-                Validity.ALWAYS,
-                BreachAction.HOLD,
-                "ann",
-                ZERO);
+                "z1", "the stage", shape, band, Binding.EVERYBODY, Validity.ALWAYS, BreachAction.HOLD, "ann", ZERO);
     }
 
     /** For so long; the nearest that it came to a place. */
@@ -176,6 +173,22 @@ class FollowGuideTest {
 
     @Test
     void leadsTheOtherOneToWhereBothHaveRoom() {
+        assertThat(waitingHeight()).as("above all that follow").isCloseTo(15 + 16, within(0.1));
+    }
+
+    @Test
+    void leadsTheOtherOneNoHigherThanTheZonesThatItStaysIn() {
+        AltitudeBand low = new AltitudeBand(null, 25.0, Altitude.Reference.HOME);
+        zones = List.of(zone(new FenceZone.Circle(true, PHONE, 500), low));
+        assertThat(waitingHeight()).isCloseTo(25 - 2, within(0.1));
+        zones = List.of(
+                zone(new FenceZone.Circle(true, PHONE, 500), new AltitudeBand(null, 510.0, Altitude.Reference.AMSL)));
+        assertThat(waitingHeight()).isCloseTo(22 - 2, within(0.1));
+    }
+
+    /** Metres above its home. */
+    private double waitingHeight() {
+        guide = new FollowGuide(state.order().near(), Apart.USUAL);
         FollowOrder.Chosen kestrel = new FollowOrder.Chosen(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
         FollowState relieved = new Follow(Apart.USUAL)
                 .decide(state, new FollowInput.Relieve(ZERO, kestrel))
@@ -195,7 +208,13 @@ class FollowGuideTest {
                     new Scene.Seen(drone("d2", second, now), OURS, Duration.ZERO, Duration.ZERO));
             said = guide.steer(
                     both,
-                    new Scene(now, seen, now, null, new Surroundings(Map.of(), List.of(), said.keySet()), Map.of()));
+                    new Scene(
+                            now,
+                            seen,
+                            now,
+                            null,
+                            new Surroundings(Map.of(new DroneId("d2"), zones), List.of(), said.keySet()),
+                            Map.of()));
             first = ((Setpoint.Track) said.get(FALCON)).point();
             second = ((Setpoint.Track) said.get(new DroneId("d2"))).point();
             least = Math.min(least, Geodesy.distanceMeters(first, second));
@@ -203,10 +222,11 @@ class FollowGuideTest {
         assertThat(least).isGreaterThan(13.5);
         assertThat(Geodesy.distanceMeters(first, PHONE)).isLessThan(1);
         assertThat(Geodesy.distanceMeters(second, PHONE)).isBetween(15.0, 17.0);
+        return ((Setpoint.Track) said.get(new DroneId("d2"))).altitude().meters() - 488;
     }
 
-    @Test
-    void leadsHomeWhoWasReplacedAndKeepsItApart() {
+    /** By one that waited 20 m away; it has flown beside its home. */
+    private FollowState replaced() {
         Follow follow = new Follow(Apart.USUAL);
         FollowOrder.Chosen kestrel = new FollowOrder.Chosen(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowState relieved =
@@ -226,8 +246,15 @@ class FollowGuideTest {
                                 List.of(new FollowInput.Other(kestrel.drone(), air, 20.0))))
                 .next();
         assertThat(after.drone()).isEqualTo(kestrel.drone());
+        return after;
+    }
+
+    @Test
+    void leadsHomeWhoWasReplacedAndKeepsItApart() {
+        FollowState after = replaced();
         Geodetic inTheWay = new Geodetic(HOME.latitudeDegrees() + 0.0003, HOME.longitudeDegrees());
         double nearest = Double.POSITIVE_INFINITY;
+        double highest = 0;
         Setpoint said = null;
         for (int tenth = 0; tenth < 580; tenth++) {
             Instant now = ZERO.plusMillis(100L * tenth);
@@ -240,8 +267,14 @@ class FollowGuideTest {
                 break;
             }
             falcon = ((Setpoint.Track) said).point();
-            nearest = Math.min(nearest, Geodesy.distanceMeters(falcon, inTheWay));
+            highest = ((Setpoint.Track) said).altitude().meters();
+            if (highest - AMSL < Apart.USUAL.heightMeters()) {
+                nearest = Math.min(nearest, Geodesy.distanceMeters(falcon, inTheWay));
+            }
         }
+        assertThat(highest)
+                .as("above those that come, who are above all that follow")
+                .isGreaterThan(488 + 15 + 16);
         assertThat(said).as("the last metres it flies by itself").isNull();
         assertThat(Geodesy.distanceMeters(falcon, HOME)).isBetween(13.0, 15.0);
         assertThat(nearest).isGreaterThan(12);
