@@ -51,7 +51,7 @@ class SeparationTest {
     @Test
     @Tag("soak")
     void keepsManyFollowsApart() {
-        for (double meters : new double[] {5, 10, 20}) {
+        for (double meters : new double[] {Apart.LEAST_GROUND_METERS, 10, 20}) {
             Tracks.Tally tally = Tracks.swarms(0, 60, new Apart(meters, 5));
             assertThat(tally.failed()).as("closer than %.0f m", meters).isEmpty();
         }
