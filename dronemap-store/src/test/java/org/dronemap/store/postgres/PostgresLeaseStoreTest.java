@@ -26,7 +26,7 @@ class PostgresLeaseStoreTest extends LeaseStoreContract {
     @Test
     void forgetsTheLeaseOfADroneThatIsForgotten() {
         LeaseStore store = emptyStore(known);
-        store.save(new SavedLease(known.get(0).id(), "ann", THEN, 1));
+        store.save(new SavedLease(known.get(0).id(), "ann", THEN, 1, false));
 
         droneStore.delete(known.get(0).id());
 
