@@ -105,9 +105,8 @@ final class ControlWatch implements Lane.Ticker {
     @Override
     public void tick() {
         DroneState state = drone.drone().state();
-        LinkState link = state.link().state();
-        drone.control().tick(() -> gate.isBusy(drone), link != LinkState.LOST && saysWhatItDoes(state));
-        String mode = link == LinkState.LIVE ? state.mode() : null;
+        drone.control().tick(() -> gate.isBusy(drone), hasSaidWhatItDoes(state));
+        String mode = state.link().state() == LinkState.LIVE ? state.mode() : null;
         Control control = drone.control().control();
         if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {
             if (Boolean.FALSE.equals(state.armed())) {
@@ -119,8 +118,11 @@ final class ControlWatch implements Lane.Ticker {
         lastMode = mode;
     }
 
-    /** Whether {@link #isLeftAlone} can be told. */
-    private static boolean saysWhatItDoes(DroneState state) {
+    /**
+     * Whether {@link #isLeftAlone} can be told. One that fell silent since is not waited for: what is known of it would be old
+     * when it is heard again, and a pilot may have it by then.
+     */
+    private static boolean hasSaidWhatItDoes(DroneState state) {
         return state.mode() != null && state.armed() != null && (state.phase() != null || state.position() != null);
     }
 

@@ -52,7 +52,7 @@ public sealed interface LeaseEvent {
      * Time goes by.
      *
      * @param busy a command of this epoch is under way
-     * @param heard the drone is there and has said what it does: a call back is not spent on one that is not
+     * @param heard the drone has said what it does since the server began: before that a call back would be spent on nothing
      */
     record Tick(boolean busy, boolean heard) implements LeaseEvent {}
 }

@@ -72,10 +72,13 @@ class ControlTest {
     }
 
     private CloudManager cloud() {
+        return cloud(new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)));
+    }
+
+    private CloudManager cloud(Watchdog watchdog) {
         return new CloudManager(
                 lanes,
-                new CloudManager.Rules(
-                        new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)), RULES),
+                new CloudManager.Rules(watchdog, RULES),
                 Clock.systemUTC(),
                 new CloudManager.Keeping(drones, commands, leases, journal),
                 () -> new DroneId("drone-1"));
@@ -221,6 +224,28 @@ class ControlTest {
 
         await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
         await().atMost(PATIENCE).until(leases.leases::isEmpty);
+    }
+
+    @Test
+    void callsNothingBackThatFellSilentBeforeAndIsHeardLater() {
+        Duration soon = Duration.ofSeconds(1);
+        CloudManager hasty = cloud(new Watchdog(soon, soon, soon));
+        List<ControlChange.Kind> seen = new CopyOnWriteArrayList<>();
+        hasty.addListener(new CloudListener() {
+            @Override
+            public void controlChanged(DroneId drone, Control now, ControlChange change) {
+                seen.add(change.kind());
+            }
+        });
+        link = bound(hasty);
+        hoverInGuided();
+        hasty.controls().apply(link.id(), new LeaseEvent.Take("ann"));
+
+        await().atMost(PATIENCE).until(() -> seen.contains(ControlChange.Kind.RETURN_DUE));
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+        await().during(Duration.ofSeconds(1))
+                .atMost(PATIENCE)
+                .until(() -> !vehicle.performed.contains(new Command.ReturnToLaunch()));
     }
 
     @Test
