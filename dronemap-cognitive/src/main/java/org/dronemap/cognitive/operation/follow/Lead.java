@@ -44,9 +44,10 @@ final class Lead {
     private final Guidance guidance;
     private final Pursuits pursuits = new Pursuits();
     private @Nullable Guidance homeward;
-    private List<Zone> zones = List.of();
-    private Room room = Room.EVERYWHERE;
-    private double ceilingAmslMeters = Double.POSITIVE_INFINITY;
+    private Bounds bounds = new Bounds(List.of(), Room.EVERYWHERE, Double.POSITIVE_INFINITY);
+
+    /** What zones leave it: {@code room} to the sides, and how high. */
+    private record Bounds(List<Zone> zones, Room room, double ceilingAmslMeters) {}
 
     /** What does not move. */
     private record Standing(LocalPlane plane, Spot spot) implements Followed {
@@ -74,8 +75,9 @@ final class Lead {
         }
         double home = state.order().chosen().homeAmslMeters();
         StandOff standOff = new StandOff(place.side(), place.distanceMeters(), home + place.heightMeters());
-        Guidance.Surroundings around = around(state, scene, drone, aloft);
-        Aim aim = guidance.lead(scene.now(), standOff, limits(state, drone), around, here, scene.sighted());
+        Bounds within = bounds(state, scene, drone);
+        Guidance.Surroundings around = new Guidance.Surroundings(within.room(), others(scene, drone, aloft));
+        Aim aim = guidance.lead(scene.now(), standOff, limits(state, drone, within), around, here, scene.sighted());
         return Optional.of(setpoint(aim, Gaze.degrees(target, scene.now(), here, home)));
     }
 
@@ -93,8 +95,9 @@ final class Lead {
         }
         double height = Relay.homewardMeters(state.order().place(), apart);
         StandOff above = new StandOff(new Side.Fixed(0), 0, chosen.homeAmslMeters() + height);
-        Guidance.Surroundings around = around(state, scene, drone, aloft);
-        Aim aim = homeward.lead(scene.now(), above, limits(state, drone), around, here, scene.now());
+        Bounds within = bounds(state, scene, drone);
+        Guidance.Surroundings around = new Guidance.Surroundings(within.room(), others(scene, drone, aloft));
+        Aim aim = homeward.lead(scene.now(), above, limits(state, drone, within), around, here, scene.now());
         return Optional.of(setpoint(aim, null));
     }
 
@@ -118,23 +121,16 @@ final class Lead {
                 .orElse(null);
     }
 
-    /** Once what is around it is known: what it is asked for may be as high as zones let it, and nothing else higher. */
-    private Limits limits(FollowState state, DroneState drone) {
+    /** What it is asked for may be as high as zones let it, and nothing else higher. */
+    private static Limits limits(FollowState state, DroneState drone, Bounds within) {
         FollowOrder order = state.order();
         double home = order.chosen().homeAmslMeters();
         double asked = home + order.place().heightMeters();
         return new Limits(
                 order.speed(),
                 home + FollowOrder.LOWEST_METERS,
-                Math.min(home + FollowOrder.HIGHEST_METERS, Math.max(asked, ceilingAmslMeters)),
+                Math.min(home + FollowOrder.HIGHEST_METERS, Math.max(asked, within.ceilingAmslMeters())),
                 downlink(drone));
-    }
-
-    private Guidance.Surroundings around(FollowState state, Scene scene, DroneState drone, List<DroneState> aloft) {
-        heed(
-                scene.around().zones().getOrDefault(drone.id(), List.of()),
-                state.order().chosen().homeAmslMeters());
-        return new Guidance.Surroundings(room, others(scene, drone, aloft));
     }
 
     private static Setpoint setpoint(Aim aim, @Nullable Double gazeDegrees) {
@@ -153,12 +149,13 @@ final class Lead {
     }
 
     /** Made anew when the zones are others: what binds the drone may come and go while it follows. */
-    private void heed(List<Zone> now, double homeAmslMeters) {
-        if (!now.equals(zones)) {
-            zones = now;
-            room = Fences.room(near, now);
-            ceilingAmslMeters = Fences.ceilingAmslMeters(now, homeAmslMeters);
+    private Bounds bounds(FollowState state, Scene scene, DroneState drone) {
+        List<Zone> now = scene.around().zones().getOrDefault(drone.id(), List.of());
+        if (!now.equals(bounds.zones())) {
+            double home = state.order().chosen().homeAmslMeters();
+            bounds = new Bounds(now, Fences.room(near, now), Fences.ceilingAmslMeters(now, home));
         }
+        return bounds;
     }
 
     private Others others(Scene scene, DroneState drone, List<DroneState> aloft) {
