@@ -25,6 +25,8 @@ TOLD = {
 NOTHING_TAKEN = -1.0
 # A vehicle slows down that long before it says that it has come there.
 TELLING_SECONDS = 2.0
+# Who hears no server for so long brakes, wherever it is, and flies home.
+MISSING_SECONDS = 5.0
 
 
 def seeds() -> range:
@@ -103,12 +105,13 @@ def check_doubles(conductor: Conductor, trial: Trial, twice: dict[str, list[Visi
     cut = trial.of("link")
     since = conductor.boot_seconds(cut.at) - TELLING_SECONDS
     gone, back = (conductor.boot_seconds(moment) for moment in trial.dead)
+    missed = max(back, gone + MISSING_SECONDS)
     for name, some in twice.items():
         in_contact = [
             visit
             for visit in some
             if not (visit.vehicle == cut.system_id and visit.seconds >= since)
-            and not gone - TELLING_SECONDS <= visit.seconds <= back
+            and not gone - TELLING_SECONDS <= visit.seconds <= missed + TELLING_SECONDS
         ]
         assert len(in_contact) <= 1, f"waypoint {name}: {some}\n{words}"
 

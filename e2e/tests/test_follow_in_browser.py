@@ -123,7 +123,8 @@ def test_a_drone_follows_a_phone_over_tls(machine: Machine, browser: Browser) ->
     assert page.evaluate("isSecureContext")
 
     expect(page.get_by_text("You are on the map, to 4 m.")).to_be_visible()
-    page.get_by_role("button", name="Change that").tap()
+    page.get_by_role("button", name="Ask for a drone").tap()
+    expect(page.get_by_role("alert").filter(has_text="The warehouse has no drone")).to_be_visible()
     page.get_by_role("combobox", name=re.compile("^Drone")).select_option(machine.drone["id"])
     picture(page, "follow-ask")
     page.get_by_role("button", name="Ask for a drone").tap()

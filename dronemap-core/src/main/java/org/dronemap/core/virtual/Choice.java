@@ -58,7 +58,8 @@ public record Choice(
     /** Names drones as {@code name} does: for those who may know them. */
     public String sentence(Function<DroneId, String> name) {
         String why = deciding == null || runnerUp == null
-                ? name.apply(chosen) + " was chosen: no other drone could serve."
+                ? name.apply(chosen) + " was chosen: no other drone "
+                        + (unfit.isEmpty() ? "came into question." : "could serve.")
                 : name.apply(chosen) + " was chosen: " + deciding.words(chosenValue) + ", the runner-up "
                         + name.apply(runnerUp) + " " + deciding.words(otherValue) + ".";
         return why + taking() + others(name);

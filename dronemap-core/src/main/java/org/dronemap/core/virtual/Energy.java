@@ -29,6 +29,7 @@ public record Energy(
         @Nullable Wind wind) {
     private static final double CLIMB_METERS_PER_SECOND = 2;
     private static final double SECONDS_PER_MINUTE = 60;
+    private static final double CALM = 0.5;
 
     /**
      * Assumed of a kind of vehicle.
@@ -118,12 +119,19 @@ public record Energy(
                 minutes,
                 draw.cruiseMetersPerSecond(),
                 draw.percentPerMinute(),
-                wind == null
-                        ? ""
-                        : String.format(
-                                Locale.ROOT,
-                                "; a wind of %.0f m/s from %.0f°, as felt in the air",
-                                wind.metersPerSecond(),
-                                wind.fromDegrees()));
+                felt());
+    }
+
+    private String felt() {
+        if (wind == null) {
+            return "";
+        }
+        return wind.metersPerSecond() < CALM
+                ? "; no wind, as felt in the air"
+                : String.format(
+                        Locale.ROOT,
+                        "; a wind of %.0f m/s from %.0f°, as felt in the air",
+                        wind.metersPerSecond(),
+                        wind.fromDegrees());
     }
 }

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.VehicleKind;
@@ -60,6 +61,18 @@ class SelectionTest {
                 .doesNotContain("a-used");
     }
 
+    @Test
+    void saysWhetherAnotherOneCouldHaveServed() {
+        Drone near = new Drone("near", 1_030);
+
+        assertThat(inWind(0, 4, near).sentence(DroneId::value))
+                .startsWith("near was chosen: no other drone came into question.");
+        Drone absent = new Drone("absent", 1_030);
+        absent.link = LinkState.LOST;
+        assertThat(inWind(0, 4, near, absent).sentence(DroneId::value))
+                .startsWith("near was chosen: no other drone could serve.");
+    }
+
     private static Choice inWind(double fromDegrees, double speed, Drone... drones) {
         Wind wind = new Wind(fromDegrees, speed, VirtualFixtures.NOW);
         return Selection.of(
@@ -81,6 +94,7 @@ class SelectionTest {
         assertThat(slowed.chosen()).isEqualTo(plane.id);
         assertThat(slowed.unfit().get(0).why()).contains("no headway", "a wind of 11 m/s from 0°");
         assertThat(slowed.energy()).contains("a wind of 11 m/s from 0°, as felt in the air");
+        assertThat(inWind(180, 0.4, copter).energy()).contains("no wind, as felt in the air");
     }
 
     @Test

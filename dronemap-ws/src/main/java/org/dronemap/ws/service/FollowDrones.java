@@ -58,7 +58,7 @@ final class FollowDrones {
         return found.chosen()
                 .orElseThrow(() -> Rejection.conflict(
                         drones.isEmpty()
-                                ? "No drone of the warehouse is yours to command; name one that you look after."
+                                ? "The warehouse has no drone that you may command. Name one that you look after."
                                 : "No drone can follow now. " + found.why()));
     }
 
