@@ -362,7 +362,7 @@ class FollowsTest {
         supervisor.send("/api/v1/warehouse/" + falcon.id(), HttpRequest.Builder::DELETE);
         assertThat(detail(phone.post(PATH, "{" + HERE + "}")))
                 .startsWith("409 ")
-                .contains("No drone of the warehouse");
+                .contains("The warehouse has no drone that you may command");
         asked(",\"drone\":\"" + falcon.id() + "\"");
     }
 
@@ -378,6 +378,9 @@ class FollowsTest {
         assertThat(detail(phone.post(follow + "/positions", "{}"))).startsWith("422 sent ");
         assertThat(detail(phone.post(follow + "/positions", "{\"sent\":\"" + Instant.now() + "\",\"positions\":[{}]}")))
                 .startsWith("422 positions[0].at ");
+        assertThat(detail(phone.post(follow + "/positions", "{\"sent\":\"yesterday\",\"positions\":[]}")))
+                .startsWith("422 sent ")
+                .contains("must be a time");
         assertThat(detail(patch(follow, "{\"side\":\"above\"}"))).startsWith("422 side ");
         assertThat(detail(patch(follow, "{\"side\":\"orbit\",\"turn\":0}"))).startsWith("422 turn ");
         assertThat(detail(phone.post(PATH, "{\"latitude\":47}"))).startsWith("422 longitude ");

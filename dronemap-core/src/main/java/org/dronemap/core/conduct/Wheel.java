@@ -1,5 +1,6 @@
 package org.dronemap.core.conduct;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.HashMap;
@@ -23,6 +24,8 @@ final class Wheel<S> {
     /** Between two turns of the conductor some few come, or what a phone kept while it was cut off. */
     private static final int MOST_WAITING = 128;
 
+    private static final Duration LATELY = Duration.ofSeconds(5);
+
     private final DroneCrew crew;
     private final Holder.Operation holder;
     private final Guide<S> guide;
@@ -30,6 +33,9 @@ final class Wheel<S> {
     private final Map<DroneId, String> refusals = new HashMap<>();
     private Set<DroneId> steered = Set.of();
     private @Nullable Instant heard;
+    /** When the newest came that was of no use. */
+    private @Nullable Instant vaguely;
+
     private volatile @Nullable Reach reach;
     // This and what waits are guarded by what waits.
     private @Nullable Sighting newest;
@@ -86,19 +92,30 @@ final class Wheel<S> {
     /** Tells the guide what came in, and the gate what the guide says; the scene with what became of it. */
     Scene turn(S state, Scene scene) {
         for (Sighting one : taken()) {
-            guide.sighted(one);
+            boolean useful = guide.sighted(one);
             // What was kept while nobody could be told shows where it was, and not that it still says so.
-            if (one.isFresh() && (heard == null || one.heard().isAfter(heard))) {
+            if (one.isFresh() && !useful) {
+                vaguely = one.heard();
+            } else if (one.isFresh() && (heard == null || one.heard().isAfter(heard))) {
                 heard = one.heard();
             }
         }
-        Scene now = new Scene(scene.now(), scene.drones(), heard, reach, scene.around(), Map.of());
+        Reach how = reach(scene.now());
+        Scene now = new Scene(scene.now(), scene.drones(), heard, how, scene.around(), Map.of());
         Map<DroneId, Setpoint> said = guide.steer(state, now);
         refusals.clear();
         said.forEach(
                 (drone, setpoint) -> crew.steer(holder, drone, setpoint).ifPresent(why -> refusals.put(drone, why)));
         letGo(said.keySet());
-        return new Scene(scene.now(), scene.drones(), heard, reach, Surroundings.NONE, refusals);
+        return new Scene(scene.now(), scene.drones(), heard, how, Surroundings.NONE, refusals);
+    }
+
+    private @Nullable Reach reach(Instant now) {
+        Reach connection = reach;
+        boolean speaks = connection == null || connection == Reach.SPEAKS;
+        boolean vague =
+                vaguely != null && vaguely.plus(LATELY).isAfter(now) && (heard == null || vaguely.isAfter(heard));
+        return speaks && vague ? Reach.VAGUE : connection;
     }
 
     /** Of all others at once: they stand still. */

@@ -11,7 +11,8 @@ import org.dronemap.core.drone.DroneId;
  * @param <S> what the operation remembers
  */
 public interface Guide<S> {
-    void sighted(Sighting sighting);
+    /** False: it is of no use, and no sign that what is guided may go on. */
+    boolean sighted(Sighting sighting);
 
     /** What drones are told now, each time that the operation looks; who is not among them is let go of. */
     Map<DroneId, Setpoint> steer(S state, Scene scene);

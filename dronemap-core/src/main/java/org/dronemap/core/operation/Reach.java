@@ -1,9 +1,11 @@
 package org.dronemap.core.operation;
 
-/** How whoever tells of {@link Sighting}s is reached, as its connection shows. */
+/** How whoever tells of {@link Sighting}s is reached, as its connection and what it tells show. */
 public enum Reach {
     /** It said something lately, if only that it is there. */
     SPEAKS,
+    /** It tells of sightings, but of none that is of use. */
+    VAGUE,
     /** Its connection answers, and itself it says nothing: it was put to sleep, or stands still. */
     ASLEEP,
     /** Nothing comes back any more. */

@@ -18,6 +18,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.operation.Guide;
+import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.Scene;
 import org.dronemap.core.operation.Sighting;
 import org.junit.jupiter.api.AfterEach;
@@ -42,8 +43,9 @@ class WheelTest {
     private final Wheel<String> wheel =
             new Wheel<>(new DroneCrew(cloud, "test"), new Holder.Operation("o1", "mia", "The trial"), new Guide<>() {
                 @Override
-                public void sighted(Sighting sighting) {
+                public boolean sighted(Sighting sighting) {
                     guided.add(sighting.number());
+                    return sighting.accuracyMeters() < 50;
                 }
 
                 @Override
@@ -61,6 +63,33 @@ class WheelTest {
     private Reception said(long number, Duration age) {
         Instant sent = ZERO.plusSeconds(number);
         return wheel.sighted(new Sighting(number, sent.minus(age), sent, sent, null, new Geodetic(47, 8), 5, null));
+    }
+
+    private void vaguely(long number) {
+        Instant sent = ZERO.plusSeconds(number);
+        wheel.sighted(new Sighting(number, sent, sent, sent, null, new Geodetic(47, 8), 80, null));
+    }
+
+    private Scene turn(long seconds) {
+        return wheel.turn("", new Scene(ZERO.plusSeconds(seconds), List.of()));
+    }
+
+    @Test
+    void takesWhatIsOfNoUseForNoSignThatItMayGoOnAndTellsItFromSilence() {
+        said(1, Duration.ZERO);
+        turn(1);
+        vaguely(2);
+        Scene vague = turn(2);
+        assertThat(vague.sighted()).isEqualTo(ZERO.plusSeconds(1));
+        assertThat(vague.reach()).isEqualTo(Reach.VAGUE);
+        assertThat(turn(8).reach()).as("it says nothing any more").isNull();
+        vaguely(9);
+        wheel.reached(Reach.CUT);
+        assertThat(turn(9).reach()).as("the connection tells more").isEqualTo(Reach.CUT);
+        wheel.reached(Reach.SPEAKS);
+        assertThat(turn(9).reach()).isEqualTo(Reach.VAGUE);
+        said(10, Duration.ZERO);
+        assertThat(turn(10).reach()).isEqualTo(Reach.SPEAKS);
     }
 
     private Scene turn() {

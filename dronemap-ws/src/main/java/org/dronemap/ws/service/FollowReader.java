@@ -21,6 +21,9 @@ final class FollowReader {
 
     private static final Instant EARLIEST = Instant.EPOCH;
     private static final Instant LATEST = Instant.parse("2200-01-01T00:00:00Z");
+    /** A phone's receiver may be so far ahead of its own clock. */
+    private static final Duration AHEAD = Duration.ofSeconds(60);
+
     private static final double USUAL_MINUTES = 10;
     private static final double USUAL_SPEED = 12;
     private static final double USUAL_PATIENCE = 60;
@@ -137,12 +140,17 @@ final class FollowReader {
         if (id != null && (id < 0 || id > MOST_ID)) {
             throw InvalidInput.outside(field + ".id", "0 to " + MOST_ID, id);
         }
-        Double speed = position.speed();
-        Double course = position.course();
+        if (at.isAfter(said.sent().plus(AHEAD))) {
+            String allowed = "at most " + AHEAD.toSeconds() + " s after \"sent\"";
+            throw InvalidInput.outside(field + ".at", allowed, at.toString());
+        }
+        Double speed = optional(field + ".speed", position.speed(), 0, 100, "m/s");
+        Double course = optional(field + ".course", position.course(), -360, 360, "degrees");
+        Instant then = at.isAfter(said.sent()) ? said.sent() : at;
         return new Sighting(
-                id == null ? at.toEpochMilli() : id,
-                // Some receivers are ahead of their own phone.
-                at.isAfter(said.sent()) ? said.sent() : at,
+                // By the time that it is taken for: nothing that comes later may seem to be known.
+                id == null ? then.toEpochMilli() : id,
+                then,
                 said.sent(),
                 said.heard(),
                 said.roundTrip(),
@@ -150,10 +158,10 @@ final class FollowReader {
                         Ranges.latitude(field + ".latitude", position.latitude()),
                         Ranges.longitude(field + ".longitude", position.longitude())),
                 Ranges.checked(field + ".accuracy", or(position.accuracy(), USUAL_ACCURACY), 0, 100_000, "m"),
-                speed == null || course == null
-                        ? null
-                        : new Sighting.Motion(
-                                Ranges.checked(field + ".speed", speed, 0, 100, "m/s"),
-                                Ranges.checked(field + ".course", course, -360, 360, "degrees")));
+                speed == null || course == null ? null : new Sighting.Motion(speed, course));
+    }
+
+    private static @Nullable Double optional(String field, @Nullable Double value, int least, int most, String unit) {
+        return value == null ? null : Double.valueOf(Ranges.checked(field, value, least, most, unit));
     }
 }

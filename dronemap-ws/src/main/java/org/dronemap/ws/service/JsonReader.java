@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import com.fasterxml.jackson.annotation.Nulls;
+import java.time.Instant;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -120,6 +121,9 @@ public final class JsonReader {
         }
         if (List.class.isAssignableFrom(type)) {
             return "a list";
+        }
+        if (type == Instant.class) {
+            return "a time, like 2026-01-31T12:00:00Z";
         }
         return type == String.class ? "a text" : "an object";
     }

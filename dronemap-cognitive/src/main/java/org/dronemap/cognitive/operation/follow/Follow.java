@@ -25,6 +25,7 @@ import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.Decision;
 import org.dronemap.core.operation.Guide;
 import org.dronemap.core.operation.Operation;
+import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -290,7 +291,10 @@ public final class Follow implements Operation<FollowState, FollowInput> {
             return state.to(
                     Stage.RETURNING,
                     looked.at(),
-                    "The phone has said nothing for " + patience + " s; "
+                    (looked.reach() == Reach.VAGUE
+                                    ? "The phone has not known well enough where it is for "
+                                    : "The phone has said nothing for ")
+                            + patience + " s; "
                             + state.order().chosen().name() + " flies home.");
         }
         if (silent.compareTo(ASKS) > 0) {

@@ -35,14 +35,15 @@ final class FollowGuide implements Guide<FollowState> {
     }
 
     @Override
-    public void sighted(Sighting said) {
+    public boolean sighted(Sighting said) {
         clock.heard(said.sent(), said.heard(), said.roundTrip());
         Sighting.Motion motion = said.motion();
-        TargetFilter.Verdict unused = target.take(new PhoneFix(
+        TargetFilter.Verdict verdict = target.take(new PhoneFix(
                 clock.toCloud(said.at()),
                 said.point(),
                 said.accuracyMeters(),
                 motion == null ? null : new PhoneFix.Course(motion.speed(), motion.courseDegrees())));
+        return verdict != TargetFilter.Verdict.VAGUE;
     }
 
     @Override

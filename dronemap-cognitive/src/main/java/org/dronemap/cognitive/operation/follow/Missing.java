@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
 public enum Missing {
     /** It is there, and finds no position. */
     BLIND("The phone does not know where it is: it lets its page find no position."),
+    /** It says where it is, to more than fifty metres. */
+    VAGUE("The phone knows its place to no better than 50 m."),
     ASLEEP("The phone's page stands still: the screen is off, or something else is in front of it."),
     CUT("The phone cannot be reached: it has no network."),
     GONE("The phone's page was closed, or has crashed."),
@@ -29,6 +31,7 @@ public enum Missing {
         }
         return switch (reach) {
             case SPEAKS -> BLIND;
+            case VAGUE -> VAGUE;
             case ASLEEP -> ASLEEP;
             case CUT -> CUT;
             case GONE -> GONE;

@@ -115,6 +115,14 @@ class FollowGuideTest {
                 "z1", "the stage", shape, band, Binding.EVERYBODY, Validity.ALWAYS, BreachAction.HOLD, "ann", ZERO);
     }
 
+    @Test
+    void takesAPlaceThatIsKnownToMoreThanFiftyMetresForNone() {
+        assertThat(guide.sighted(new Sighting(1, ZERO, ZERO, ZERO, null, PHONE, 51, null)))
+                .isFalse();
+        assertThat(guide.sighted(new Sighting(2, ZERO, ZERO, ZERO, null, PHONE, 50, null)))
+                .isTrue();
+    }
+
     /** For so long; the nearest that it came to a place. */
     private double led(double seconds, Geodetic place) {
         double nearest = Double.POSITIVE_INFINITY;

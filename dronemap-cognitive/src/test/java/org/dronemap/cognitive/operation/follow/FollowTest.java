@@ -127,6 +127,9 @@ class FollowTest extends FollowBench {
         reach = Reach.SPEAKS;
         silent(AIR, 4);
         assertThat(state.note()).contains("does not know where it is", "flies home 60 s after");
+        reach = Reach.VAGUE;
+        silent(AIR, 1);
+        assertThat(state.note()).contains("no better than 50 m", "flies home 60 s after");
         List<String> before = state.told().stream().map(FollowState.Told::words).toList();
         reach = Reach.ASLEEP;
         silent(AIR, 1);
