@@ -82,7 +82,10 @@ public final class FollowRequest {
             @Nullable
             Long id,
 
-            @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
+            @Schema(
+                    description = "When the phone was there; not more than 60 s after sent",
+                    requiredMode = Schema.RequiredMode.REQUIRED)
+            @Nullable
             Instant at,
 
             @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
@@ -91,12 +94,16 @@ public final class FollowRequest {
             @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             Double longitude,
 
-            @Schema(description = "metres: it is within them in two cases of three; left out: 10") @Nullable
+            @Schema(
+                    description =
+                            "metres: it is within them in two cases of three; left out: 10. Above 50 the position leads no"
+                                    + " drone")
+            @Nullable
             Double accuracy,
 
-            @Schema(description = "m/s over the ground") @Nullable
+            @Schema(description = "m/s over the ground, 0 to 100; counts with a course") @Nullable
             Double speed,
 
-            @Schema(description = "degrees clockwise from north") @Nullable
+            @Schema(description = "degrees clockwise from north, -360 to 360; counts with a speed") @Nullable
             Double course) {}
 }
