@@ -185,8 +185,10 @@ final class WebSocketServerEndpoint implements Endpoint {
 
         @Override
         public void onError(@Nullable WebSocket socket, Exception e) {
-            if (socket != null || !listening.completeExceptionally(e)) {
+            if (socket != null) {
                 LOG.debug("{}: a connection broke", url, e);
+            } else if (!listening.completeExceptionally(e)) {
+                LOG.error("{} failed", url, e);
             }
         }
 
