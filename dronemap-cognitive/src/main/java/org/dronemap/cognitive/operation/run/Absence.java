@@ -19,7 +19,7 @@ final class Absence {
 
     static void begin(Draft draft) {
         draft.drones().stream()
-                .filter(drone -> drone.stage().takesOrders() || drone.stage() == DroneStage.RETURNING)
+                .filter(drone -> drone.stage().compareTo(DroneStage.RETURNING) <= 0)
                 .forEach(drone -> draft.put(noting(drone, UNCLEAR)));
     }
 
@@ -28,7 +28,7 @@ final class Absence {
         return drone.signs().told().contains(UNCLEAR);
     }
 
-    /** True while nothing more can be said of it. */
+    /** True while nothing more can be said of it; who has told all since the restart is missed like any other. */
     static boolean isWaitedFor(Draft draft, Look look) {
         RunDrone drone = draft.drone(look.drone());
         if (!isUnclear(drone)) {

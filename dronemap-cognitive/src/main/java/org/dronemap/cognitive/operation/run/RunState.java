@@ -39,7 +39,7 @@ public record RunState(
      * @param begun zero of the clock that waypoints' windows go by
      * @param launched the first drone was started, or may have been
      * @param asksAfter no plan is asked for before
-     * @param hearsAfter no drone counts as lost before
+     * @param hearsAfter after a restart, no drone that has not told all since counts as lost before
      * @param pausedSince all wait where they are; null: they go on
      */
     public record Clock(

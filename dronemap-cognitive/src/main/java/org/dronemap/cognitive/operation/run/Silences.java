@@ -30,10 +30,6 @@ final class Silences {
     private Silences() {}
 
     static void begin(Draft draft, RunDrone drone, Look look) {
-        Instant hears = draft.clock().hearsAfter();
-        if (hears != null && draft.now().isBefore(hears)) {
-            return;
-        }
         if (drone.stage().compareTo(DroneStage.STARTING) < 0) {
             onTheGround(draft, drone);
         } else if (drone.stage().compareTo(DroneStage.RETURNING) <= 0) {

@@ -99,6 +99,40 @@ class AbsenceTest {
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
     }
 
+    @Test
+    void missesADroneAfterARestartAsSoonAsItsLinkIsLostThatWasHeardSince() {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.restart(3);
+        fleet.fly(8);
+        fleet.vehicle(1).cut = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.SILENT, 6);
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = DroneStage.class,
+            names = {"ARMING", "FLYING", "RESUMING"})
+    void waitsForADroneThatWasNotHeardSinceTheRestart(DroneStage stage) {
+        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
+        if (stage == DroneStage.RESUMING) {
+            fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+            fleet.vehicle(1).mode = "LOITER";
+            fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.SUSPENDED, 10);
+            fleet.wish(new RunInput.ResumeDrone(fleet.now, "Ann", fleet.vehicle(1).id));
+        } else {
+            fleet.flyUntil(() -> fleet.drone(1).stage() == stage, 60);
+        }
+        fleet.vehicle(1).cut = true;
+        fleet.restart(10);
+        fleet.fly(19);
+        assertThat(fleet.drone(1).stage()).as("%s", fleet.said).isEqualTo(stage);
+        fleet.flyUntil(() -> fleet.drone(1).stage() != stage, 2);
+    }
+
     private static Stream<RunDrone> landed(TestFleet fleet) {
         return fleet.state.drones().stream().filter(drone -> drone.stage() == DroneStage.LANDED);
     }
