@@ -18,8 +18,8 @@ import org.slf4j.LoggerFactory;
 /** Gives the commands of one operation, and finds out how they ended. Owned by the conductor's thread. */
 final class Hands {
     private static final Logger LOG = LoggerFactory.getLogger(Hands.class);
-    /** The gate gives up after 90 s. */
-    private static final Duration LONGEST = Duration.ofMinutes(3);
+    /** The gate, which hears of more, gives up after 90 s without a sign; a transfer that goes on may take as long as it does. */
+    private static final Duration LONGEST_WITHOUT_NEWS = Duration.ofMinutes(3);
 
     private static final Outcome NEVER_SENT =
             new Outcome.Refused("gate", "It was not sent: the server stopped, or could not write it down, before.");
@@ -27,7 +27,10 @@ final class Hands {
     private final DroneCrew crew;
     private final Holder.Operation holder;
     private final LongSupplier nanoTime;
-    private final Map<CommandId, Long> sinceNanos = new HashMap<>();
+    private final Map<CommandId, News> newest = new HashMap<>();
+
+    /** How far a command was when that was seen first. */
+    private record News(CommandRecord record, long seenNanos) {}
 
     Hands(DroneCrew crew, Holder.Operation holder, LongSupplier nanoTime) {
         this.crew = crew;
@@ -59,13 +62,15 @@ final class Hands {
             return Optional.of(outcome);
         }
         long now = nanoTime.getAsLong();
-        long since = sinceNanos.computeIfAbsent(given.command(), id -> now);
-        return now - since > LONGEST.toNanos()
+        News news = newest.compute(
+                given.command(),
+                (id, last) -> last == null || !last.record().equals(record.get()) ? new News(record.get(), now) : last);
+        return now - news.seenNanos() > LONGEST_WITHOUT_NEWS.toNanos()
                 ? Optional.of(new Outcome.Unknown("Nothing was heard of it; look at the drone."))
                 : Optional.empty();
     }
 
     void told(SavedOperation.Given given) {
-        sinceNanos.remove(given.command());
+        newest.remove(given.command());
     }
 }
