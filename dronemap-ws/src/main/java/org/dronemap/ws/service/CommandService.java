@@ -118,6 +118,14 @@ public final class CommandService {
                         .orElse(command));
     }
 
+    /** The command once it has ended, or as it stands when there was no news of it for so long (twice as long at most). */
+    CompletableFuture<CommandView> awaitEndOrSilence(CommandView command, Duration silence) {
+        return awaitEnd(command, silence)
+                .thenCompose(now -> now.outcome() != null || now.equals(command)
+                        ? CompletableFuture.completedFuture(now)
+                        : awaitEndOrSilence(now, silence));
+    }
+
     public CommandView command(Principal principal, String id) {
         return Optional.of(id)
                 .filter(CommandService::isId)

@@ -20,7 +20,9 @@ import org.slf4j.LoggerFactory;
  */
 final class PlanLaunch {
     private static final Logger LOG = LoggerFactory.getLogger(PlanLaunch.class);
-    private static final Duration LONGEST_COMMAND = Duration.ofMinutes(3);
+    /** The gate gives up before; a mission that goes up over a bad link may take longer than that in all. */
+    private static final Duration LONGEST_SILENCE = Duration.ofMinutes(3);
+
     private static final double MILLIS = 1_000;
     private static final CompletableFuture<Boolean> NO = CompletableFuture.completedFuture(false);
 
@@ -187,13 +189,13 @@ final class PlanLaunch {
         }
         job.settle(new PlanFlight(drone, during, null, given.id()));
         desk.tell(job);
-        return commands.awaitEnd(given, LONGEST_COMMAND).thenApply(ended -> ended(drone, after, ended));
+        return commands.awaitEndOrSilence(given, LONGEST_SILENCE).thenApply(ended -> ended(drone, after, ended));
     }
 
     private boolean ended(DroneId drone, PlanFlight.Stage after, CommandView command) {
         CommandView.OutcomeView outcome = command.outcome();
         boolean succeeded = outcome != null && outcome.result().equals("succeeded");
-        String why = outcome == null ? "It has not ended after three minutes." : outcome.reason();
+        String why = outcome == null ? "There was no news of it for three minutes." : outcome.reason();
         job.settle(
                 succeeded
                         ? new PlanFlight(drone, after, null, command.id())

@@ -25,6 +25,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
 
 /** A vehicle at the end of a channel: keeps what it was asked for, and ends each command as the test says. */
 public final class ScriptedVehicle implements VehicleChannel {
@@ -36,6 +37,8 @@ public final class ScriptedVehicle implements VehicleChannel {
     private final List<Command> performed = new CopyOnWriteArrayList<>();
     private final List<Setpoint> setpoints = new CopyOnWriteArrayList<>();
     private volatile Function<Command, Outcome> script = command -> new Outcome.Succeeded();
+    private volatile boolean slow;
+    private volatile @Nullable Report underWay;
     private final DroneLink link;
     private final DroneKey key;
 
@@ -124,6 +127,16 @@ public final class ScriptedVehicle implements VehicleChannel {
         script = how;
     }
 
+    /** From now on the test says how far a command is. */
+    public void takesItsTime() {
+        slow = true;
+    }
+
+    /** The one that takes its time; null: none does yet. */
+    public @Nullable Report underWay() {
+        return underWay;
+    }
+
     public void says(DroneEvent event) {
         link.lane().execute(() -> link.accept(event));
     }
@@ -153,6 +166,10 @@ public final class ScriptedVehicle implements VehicleChannel {
         mandate.fence().pass(() -> {
             performed.add(command);
             report.accepted();
+            if (slow) {
+                underWay = report;
+                return;
+            }
             Outcome outcome = script.apply(command);
             // What the vehicle has said on the way is known before its answer is.
             link.lane().execute(() -> report.ended(outcome));
@@ -161,7 +178,7 @@ public final class ScriptedVehicle implements VehicleChannel {
 
     @Override
     public void cancel(CommandId id) {
-        // every command of a scripted vehicle has ended already
+        // who waits for one that takes its time says how it ends
     }
 
     @Override
