@@ -47,6 +47,14 @@ final class AllUnderway {
                 .findFirst();
     }
 
+    /** What brings a mission, or the like, to the drone or from it, as people call it. */
+    Optional<String> transfer(ManagedDrone drone) {
+        return open(drone)
+                .filter(entry -> entry.open().command().contention() == Contention.TRANSFER)
+                .map(entry -> entry.open().record().summary())
+                .findFirst();
+    }
+
     /** Something may change the drone's mode. */
     boolean moves(ManagedDrone drone) {
         return of(drone).stream().anyMatch(entry -> movesIt(entry.open().command()));

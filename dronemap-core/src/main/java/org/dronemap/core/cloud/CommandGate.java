@@ -265,6 +265,11 @@ public final class CommandGate {
         return underway.manoeuvre(drone);
     }
 
+    /** The transfer with that drone that another one would be refused for, as people call it. Any thread. */
+    public Optional<String> transfer(DroneId drone) {
+        return registry.find(drone).flatMap(underway::transfer);
+    }
+
     /** A change of mode now may be our own doing. */
     boolean mayHaveChangedMode(ManagedDrone drone) {
         return drone.lane().activeNanos() - drone.movedNanos() < EFFECT_NANOS || underway.moves(drone);

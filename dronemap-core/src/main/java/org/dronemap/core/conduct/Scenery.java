@@ -79,6 +79,7 @@ final class Scenery {
         return new Scene.Sway(
                 reins.takenBy(drone),
                 rights.whyNot(owner, drone).orElse(null),
-                cloud.controls().control(drone).tenure() == null);
+                cloud.controls().control(drone).tenure() == null,
+                cloud.gate().transfer(drone).orElse(null));
     }
 }

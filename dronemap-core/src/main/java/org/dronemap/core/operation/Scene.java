@@ -55,11 +55,17 @@ public record Scene(
     }
 
     /**
-     * Who has control of a drone.
+     * Who has control of a drone, and what it has to be waited for.
      *
      * @param takenBy why the operation has not, as a sentence; null: it has
      * @param barred why drones are not commanded for its user any more, as a sentence, whoever has control; null: they are
      * @param free nobody has
+     * @param transfer of a mission, with that drone, which is under way, whoever asked for it, as people call it: no other one
+     *     is taken before its end; null: none is
      */
-    public record Sway(@Nullable String takenBy, @Nullable String barred, boolean free) {}
+    public record Sway(
+            @Nullable String takenBy,
+            @Nullable String barred,
+            boolean free,
+            @Nullable String transfer) {}
 }

@@ -210,6 +210,7 @@ class CommandGateTest {
                         .isInstanceOfSatisfying(
                                 Outcome.Refused.class,
                                 refused -> assertThat(refused.reason()).startsWith("Another mission transfer")));
+        assertThat(gate.transfer(link.id())).contains(UPLOAD.summary());
     }
 
     @Test
@@ -217,6 +218,7 @@ class CommandGateTest {
         CommandRecord first = gate.submit(OPERATOR, link.id(), id("upload-01"), UPLOAD);
         store.disk = new CountDownLatch(1);
         report(first).ended(new Outcome.Succeeded());
+        assertThat(gate.transfer(link.id())).isEmpty();
 
         CommandRecord second = gate.submit(OPERATOR, link.id(), id("upload-02"), UPLOAD);
         report(second).ended(new Outcome.Succeeded());

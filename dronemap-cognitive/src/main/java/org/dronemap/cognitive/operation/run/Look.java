@@ -24,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param payload what it says of camera, servos and sensors; nothing where no task is to be seen to
  * @param canReturn whether it knows a way home of its own, else it is told to land
  * @param returnHeight null: the cloud has not set it
+ * @param transfer of its mission, which is under way and may be somebody else's; null: none is
  */
 public record Look(
         DroneId drone,
@@ -47,7 +48,8 @@ public record Look(
         boolean canReturn,
         @Nullable ReturnHeight returnHeight,
         Progress progress,
-        Payload payload) {
+        Payload payload,
+        @Nullable String transfer) {
     /** m/s over ground: whoever is slower stands. */
     private static final double STANDS_SPEED = 2;
 

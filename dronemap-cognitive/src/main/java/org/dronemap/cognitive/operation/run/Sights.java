@@ -63,7 +63,8 @@ final class Sights {
                 can.commands().contains(Capability.RETURN_TO_LAUNCH),
                 state.returnHeight(),
                 progress(drone, state),
-                payload(drone.sortie(), state));
+                payload(drone.sortie(), state),
+                seen.sway().transfer());
     }
 
     private static Payload payload(@Nullable Sortie sortie, DroneState state) {

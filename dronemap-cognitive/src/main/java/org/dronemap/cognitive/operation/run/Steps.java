@@ -79,6 +79,13 @@ final class Steps {
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
             draft.put(onBoard(drone, next).to(DroneStage.READY, draft.now()));
         } else if (Transfer.isFree(draft, drone, next)) {
+            bring(draft, drone, next, look);
+        }
+    }
+
+    /** It waits for the end of a transfer that goes on: the gate would refuse it, which says nothing against the drone. */
+    private static void bring(Draft draft, RunDrone drone, Sortie next, Look look) {
+        if (look.transfer() == null) {
             draft.give(drone, Errand.Kind.UPLOAD, new Command.UploadMission(next.mission()));
         }
     }
@@ -197,7 +204,7 @@ final class Steps {
             // A newer plan came while it was about to get the one before.
             draft.put(drone.to(DroneStage.HOLDING, draft.now()));
         } else {
-            draft.give(drone, Errand.Kind.UPLOAD, new Command.UploadMission(next.mission()));
+            bring(draft, drone, next, look);
         }
     }
 

@@ -70,7 +70,7 @@ class FollowGuideTest {
     private int tenths;
     private @Nullable Double gaze;
 
-    private static final Scene.Sway OURS = new Scene.Sway(null, null, false);
+    private static final Scene.Sway OURS = new Scene.Sway(null, null, false, null);
 
     private static DroneState drone(String id, Geodetic point, Instant at) {
         return drone(id, point, AMSL, at);

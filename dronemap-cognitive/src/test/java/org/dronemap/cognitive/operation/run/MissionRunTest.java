@@ -57,6 +57,36 @@ class MissionRunTest {
     }
 
     @Test
+    void givesNobodyUpOnTheGroundThatAnotherTransferKeepsBusy() {
+        TestFleet fleet = fleet(3, 12);
+        fleet.vehicle(1).transfer = "read the mission";
+        fleet.fly(200);
+        assertThat(fleet.drone(1).stage()).as("%s", fleet.said).isEqualTo(DroneStage.UPLOADING);
+
+        fleet.vehicle(1).transfer = null;
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(12);
+        assertThat(fleet.vehicle(1).visits).isNotEmpty();
+    }
+
+    @Test
+    void givesNobodyUpInTheAirThatAnotherTransferKeepsBusy() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(0).transfer = "read the mission";
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.drone(0).stage() == DroneStage.REPLACING, 60);
+        fleet.fly(100);
+        assertThat(fleet.drone(0).stage()).as("%s", fleet.said).isEqualTo(DroneStage.REPLACING);
+
+        fleet.vehicle(0).transfer = null;
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    @Test
     void fliesWithoutADroneThatCannotBeBroughtItsMission() {
         TestFleet fleet = fleet(3, 12);
         fleet.loses = give -> give.drone().value().equals("d1");

@@ -157,7 +157,9 @@ final class TestFleet {
         boolean long_ = give.command() instanceof Command.UploadMission;
         later(now.plusMillis(long_ ? 900 : 300), false, () -> {
             TestVehicle vehicle = vehicles.get(give.drone());
-            if (vehicle.cut || lost) {
+            if (long_ && vehicle.transfer != null) {
+                ended(give.drone(), give.id(), new Outcome.Refused("gate", "Wait for its end."), Duration.ZERO);
+            } else if (vehicle.cut || lost) {
                 ended(give.drone(), give.id(), new Outcome.TimedOut("No answer."), Duration.ofSeconds(5));
             } else {
                 String fault = vehicle.carryOut(give.command());
@@ -192,7 +194,11 @@ final class TestFleet {
         Duration still = Duration.ofMillis(Math.round(1_000 * vehicle.stillFor));
         return new Scene.Seen(
                 linked(last, link),
-                new Scene.Sway(run.drones(state).contains(vehicle.id) ? vehicle.takenBy : "nobody", null, false),
+                new Scene.Sway(
+                        run.drones(state).contains(vehicle.id) ? vehicle.takenBy : "nobody",
+                        null,
+                        false,
+                        vehicle.transfer),
                 link == LinkState.LIVE ? Duration.ZERO : silence,
                 link == LinkState.LIVE ? still : Duration.ZERO);
     }

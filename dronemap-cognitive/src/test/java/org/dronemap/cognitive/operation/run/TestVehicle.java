@@ -97,6 +97,10 @@ final class TestVehicle {
     @Nullable
     String takenBy;
 
+    /** Somebody else's, of its mission: no other one is taken. */
+    @Nullable
+    String transfer;
+
     CloudLoss onCloudLoss = CloudLoss.RETURN_TO_LAUNCH;
     Command.@Nullable GoTo aim;
     List<MissionItem> items = List.of();
