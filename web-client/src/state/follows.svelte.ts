@@ -8,6 +8,10 @@ export class Follows {
   #all = $state.raw<ReadonlyMap<string, Follow>>(new Map());
   readonly #calls: FollowCalls;
   #looking = false;
+  /** Counts what was asked and what was told, so that an answer can be told to be older than what came meanwhile. */
+  #count = 0;
+  /** Of each follow, by that count, how new its picture is. */
+  readonly #asOf = new Map<string, number>();
 
   constructor(calls: FollowCalls) {
     this.#calls = calls;
@@ -26,10 +30,20 @@ export class Follows {
     return id === null ? null : (this.#all.get(id) ?? null);
   }
 
-  /** Answers may overtake each other: of an older stage than what is known nothing new is to be heard. */
+  /** The stream tells: that is the newest there is. */
   hear(follow: Follow): void {
+    this.#take(follow, ++this.#count);
+  }
+
+  /**
+   * Answers may be overtaken, by each other and by the stream: a picture of an older stage brings nothing new, nor does
+   * one of the same stage that was asked for before a newer one came. Notes change within a stage.
+   */
+  #take(follow: Follow, asOf: number): void {
     const known = this.#all.get(follow.id);
-    if (known === undefined || known.since <= follow.since) {
+    const newer = known === undefined || known.since < follow.since;
+    if (newer || (known.since === follow.since && asOf >= (this.#asOf.get(follow.id) ?? 0))) {
+      this.#asOf.set(follow.id, asOf);
       this.#all = new Map(this.#all).set(follow.id, follow);
     }
   }
@@ -50,13 +64,15 @@ export class Follows {
 
   clear(): void {
     this.#all = new Map();
+    this.#asOf.clear();
     this.loaded = false;
     this.problem = null;
   }
 
   async load(): Promise<void> {
     await this.#attempt(async () => {
-      (await this.#calls.all()).forEach((follow) => this.hear(follow));
+      const asked = ++this.#count;
+      (await this.#calls.all()).forEach((follow) => this.#take(follow, asked));
       this.loaded = true;
     });
   }
@@ -65,21 +81,21 @@ export class Follows {
   async look(id: string): Promise<void> {
     if (!this.#looking) {
       this.#looking = true;
-      await this.#attempt(async () => this.hear(await this.#calls.one(id)));
+      await this.#attempt(async () => void (await this.#ask(() => this.#calls.one(id))));
       this.#looking = false;
     }
   }
 
-  async open(order: FollowOrder): Promise<Follow> {
-    return this.#heard(await this.#calls.open(order));
+  open(order: FollowOrder): Promise<Follow> {
+    return this.#ask(() => this.#calls.open(order));
   }
 
-  async wish(id: string, wish: FollowWish): Promise<Follow> {
-    return this.#heard(await this.#calls.wish(id, wish));
+  wish(id: string, wish: FollowWish): Promise<Follow> {
+    return this.#ask(() => this.#calls.wish(id, wish));
   }
 
-  async change(id: string, place: PlaceChange): Promise<Follow> {
-    return this.#heard(await this.#calls.change(id, place));
+  change(id: string, place: PlaceChange): Promise<Follow> {
+    return this.#ask(() => this.#calls.change(id, place));
   }
 
   async #attempt(action: () => Promise<void>): Promise<void> {
@@ -91,8 +107,10 @@ export class Follows {
     }
   }
 
-  #heard(follow: Follow): Follow {
-    this.hear(follow);
+  async #ask(call: () => Promise<Follow>): Promise<Follow> {
+    const asked = ++this.#count;
+    const follow = await call();
+    this.#take(follow, asked);
     return follow;
   }
 }

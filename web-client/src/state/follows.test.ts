@@ -13,6 +13,23 @@ describe('follows', () => {
     expect(follows.find('f1')?.state).toBe('tracking');
   });
 
+  it('believe no answer that the stream has overtaken: a note ends within a stage', async () => {
+    const waits = aFollow({ state: 'tracking', note: 'Copter 1 waits.' });
+    let answer: (body: unknown) => void = () => undefined;
+    const call = vi.fn(() => new Promise((resolve) => (answer = resolve)));
+    const follows = new Follows(new FollowCalls(call as never));
+    const loading = follows.load();
+    follows.hear({ ...waits, note: null });
+    answer({ follows: [waits] });
+    await loading;
+    expect(follows.find('f1')?.note).toBeNull();
+
+    const looking = follows.look('f1');
+    answer(waits);
+    await looking;
+    expect(follows.find('f1')?.note).toBe('Copter 1 waits.');
+  });
+
   it('take what changes all the time for those that are known', () => {
     const follows = new Follows(new FollowCalls(vi.fn()));
     const now = { ...aFollowNow('2026-01-01T12:00:00Z'), secondsLeft: 300 };
