@@ -1,21 +1,23 @@
 import type { Follow, PhoneReach } from '../api/follows';
 import { HOLDS_AFTER_SECONDS, TOLD_AFTER_SECONDS } from './waiting';
 
-/** blind: the phone was there, and did not know where it is. */
-export type AbsenceReason = Exclude<PhoneReach, 'speaks'> | 'blind';
+/** blind: the phone was there, and did not know where it is; unanswered: it had a network, and heard nothing of the cloud. */
+export type AbsenceReason = Exclude<PhoneReach, 'speaks'> | 'blind' | 'unanswered';
 
 /** The newest time during which the cloud had no positions of the phone. */
 export interface Absence {
   why: AbsenceReason;
   seconds: number;
-  /** Seconds that the drone stood still. */
+  /** Seconds that the drone stood still, if the cloud led it all the time. */
   waited: number;
+  /** When the cloud had heard the last position before it, by the cloud's clock. */
+  from: number;
   /** When the page heard that it was over, by the phone's clock. */
   until: number;
 }
 
 /** What explains more goes first: a phone that sleeps loses its network too. */
-const RANKS: Record<AbsenceReason, number> = { blind: 0, cut: 1, gone: 2, asleep: 3 };
+const RANKS: Record<AbsenceReason, number> = { blind: 0, unanswered: 1, cut: 2, gone: 3, asleep: 4 };
 
 /** So soon after a page was opened again its next standstill belongs to that: it is busy with what it shows. */
 const TOGETHER_SECONDS = 3;
@@ -88,6 +90,6 @@ export class AbsenceWatch {
     const why = goesOn ? 'gone' : (this.#known ?? this.#told ?? 'cut');
     this.#span = { from: goesOn ? this.#span.from : from, to };
     const seconds = Math.round((to - this.#span.from) / 1000);
-    this.last = { why, seconds, waited: seconds - HOLDS_AFTER_SECONDS, until: now };
+    this.last = { why, seconds, waited: seconds - HOLDS_AFTER_SECONDS, from: this.#span.from, until: now };
   }
 }

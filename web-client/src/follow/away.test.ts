@@ -19,14 +19,27 @@ const following = (heard: number, reach: PhoneReach, note: string | null = null)
   aFollow({ state: 'tracking', since: at(0), note, now: aFollowNow(at(heard), reach) });
 const text = (): string => document.body.textContent.replaceAll(/\s+/g, ' ');
 
-describe('a phone without a network', () => {
-  it('says so, what the drone does, and when it flies home', () => {
-    const props = { follow: aFollow({ state: 'tracking' }), since: BEGAN, now: BEGAN + 31_000 };
-    render(CutOff, { props });
-    expect(screen.getByRole('heading', { level: 1 }).textContent).toContain('No ');
+describe('a phone that is cut off', () => {
+  const cutOff = { follow: aFollow({ state: 'tracking' }), since: BEGAN, now: BEGAN + 31_000 };
+
+  it('has no network: says so, what the drone does, and when it flies home', () => {
+    render(CutOff, { props: { ...cutOff, online: false } });
+    expect(screen.getByRole('heading', { level: 1 }).textContent).toContain('No network');
     expect(text()).toContain('Copter 1 stands still in the air and waits.');
     expect(text()).toContain('It flies home in 29 s');
     expect(text()).toContain('31 s ago');
+  });
+
+  it('has one, and the cloud does not answer: claims nothing of the drone', async () => {
+    const { rerender } = render(CutOff, { props: { ...cutOff, online: true } });
+    expect(screen.getByRole('heading', { level: 1 }).textContent).toContain('The cloud does not answer');
+    expect(text()).toContain(
+      'If only the way to this phone is cut, Copter 1 stands still in the air and waits. It flies home in 29 s.',
+    );
+    expect(text()).toContain('If the cloud is down, it flies home by itself after some seconds.');
+    await rerender({ follow: aFollow({ state: 'returning' }) });
+    expect(text()).toContain('Copter 1 goes on flying home and lands there.');
+    expect(text()).not.toContain('If the cloud');
   });
 });
 
@@ -71,6 +84,7 @@ describe('the page of a phone that was away', () => {
       why: 'asleep',
       seconds: 34,
       waited: 32,
+      from: BEGAN + 11_000,
       until: BEGAN + 37_000,
     });
   });

@@ -4,7 +4,16 @@ import { aDrone, aFollow } from '../testing';
 import { demoFix, TRACK } from './demo-walk';
 import { distanceMeters } from '../geo/distance';
 import { choosable, demoBegin, mine, placeChange } from './following';
-import { isLed, lineOf, offered, othersWords, placeWords, stageWords, WISHES } from './follow-words';
+import {
+  isLed,
+  lineOf,
+  meantimeWords,
+  offered,
+  othersWords,
+  placeWords,
+  stageWords,
+  WISHES,
+} from './follow-words';
 import { ALARM, Vibration } from './vibration';
 
 const STAGES: FollowStage[] = [
@@ -78,6 +87,32 @@ describe('a drone that comes to replace another one', () => {
     expect(othersWords(aFollow({ others: [{ ...falcon, state: 'suspended' }] }))).toEqual([
       'Somebody else flies Falcon.',
     ]);
+  });
+});
+
+describe('what the drone did while the phone was away', () => {
+  const at = (second: number): string => new Date(Date.UTC(2026, 0, 1, 12, 0, second)).toISOString();
+  const absence = { why: 'unanswered', seconds: 34, waited: 32, from: Date.parse(at(10)), until: 0 } as const;
+  const first = { at: at(5), words: 'Copter 1 is in the air and follows.' };
+  const follow = aFollow({ state: 'tracking', since: at(5), told: [first] });
+
+  it('is not claimed where the cloud says nothing of it', () => {
+    expect(meantimeWords(follow, absence)).toBe('');
+  });
+
+  it('is that it stood, where the cloud led it all the time', () => {
+    const told = [first, { at: at(13), words: 'Copter 1 waits.' }];
+    expect(meantimeWords({ ...follow, told }, absence)).toBe(
+      'The drone stood and waited for 32 s. Now it follows you again.',
+    );
+    expect(meantimeWords({ ...follow, told, note: 'There is no contact.' }, absence)).not.toContain('Now');
+  });
+
+  it('is in the words of the cloud, where it came home meanwhile', () => {
+    const told = [first, { at: at(43), words: 'Copter 1 came home since it had missed the cloud.' }];
+    expect(meantimeWords({ ...follow, since: at(43), told }, absence)).toBe(
+      'Copter 1 came home since it had missed the cloud.',
+    );
   });
 });
 

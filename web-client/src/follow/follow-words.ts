@@ -1,4 +1,6 @@
 import type { Follow, FollowOther, FollowPlace, FollowStage, FollowWish } from '../api/follows';
+import { span } from '../ui/format';
+import type { Absence } from './absence.svelte';
 
 export interface StageWords {
   /** A few words, large. */
@@ -113,6 +115,19 @@ export function othersWords(follow: Follow): string[] {
     }
     return state === 'returning' ? `${droneName} flies home.` : `Somebody else flies ${droneName}.`;
   });
+}
+
+/** What the drone did while the phone was away, as far as the cloud says so: it may have been down itself. */
+export function meantimeWords({ told, since, state, note }: Follow, { from, waited }: Absence): string {
+  const said = told.filter(({ at }) => Date.parse(at) > from).map(({ words }) => words);
+  if (said.length === 0) {
+    return '';
+  }
+  if (Date.parse(since) > from) {
+    return said.slice(-2).join(' ');
+  }
+  const again = state === 'tracking' && note === null ? ' Now it follows you again.' : '';
+  return `The drone stood and waited for ${span(waited)}.${again}`;
 }
 
 /** A drone in the air hangs on what this phone says. */

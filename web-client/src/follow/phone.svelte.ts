@@ -24,6 +24,8 @@ export class Phone {
   fix = $state.raw<Fix | null>(null);
   locating = $state<Locating>('off');
   demo = $state(false);
+  /** As far as the phone knows, it has a network. */
+  online = $state(navigator.onLine);
   /** The follow that this page is about; it may be over. */
   followId = $state<string | null>(null);
   busy = $state<FollowWish | 'ask' | 'place' | null>(null);
@@ -54,11 +56,12 @@ export class Phone {
   beat(now: number): void {
     const gap = now - this.now;
     this.now = now;
+    this.online = navigator.onLine;
     if (gap > SLEPT_MILLISECONDS) {
       this.absence.suspect('asleep', now);
       this.line?.woke();
     } else if (this.line !== null && this.line.cutOffSince !== null) {
-      this.absence.suspect('cut', now);
+      this.absence.suspect(this.online ? 'unanswered' : 'cut', now);
     } else if (this.fix === null || now - this.fix.at > TOLD_AFTER_SECONDS * 1000) {
       this.absence.suspect('blind', now);
     }

@@ -49,10 +49,27 @@ describe('a phone that is back', () => {
   };
 
   it('hears what the cloud took it for, and how long the drone stood', () => {
-    expect(away(10, 44, 'asleep').last).toEqual({ why: 'asleep', seconds: 34, waited: 32, until: ms(44) });
+    expect(away(10, 44, 'asleep').last).toEqual({
+      why: 'asleep',
+      seconds: 34,
+      waited: 32,
+      from: ms(10),
+      until: ms(44),
+    });
     expect(away(10, 44, 'cut').last?.why).toBe('cut');
     expect(away(10, 44, 'gone').last?.why).toBe('gone');
     expect(away(10, 12, 'speaks').last).toBeNull();
+  });
+
+  it('says that the cloud did not answer when it had a network all the time', () => {
+    const watch = away(10, 12, 'speaks');
+    watch.suspect('unanswered', ms(15));
+    watch.hear(tracking(40), ms(40));
+    expect(watch.last?.why).toBe('unanswered');
+    watch.suspect('cut', ms(45));
+    watch.suspect('unanswered', ms(46));
+    watch.hear(tracking(60), ms(60));
+    expect(watch.last?.why).toBe('cut');
   });
 
   it('believes what it knows itself: that it slept more than that it was cut off', () => {

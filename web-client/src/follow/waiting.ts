@@ -1,4 +1,5 @@
 import type { Follow } from '../api/follows';
+import { span } from '../ui/format';
 
 /** The drone stands when it has heard no position for so long. */
 export const HOLDS_AFTER_SECONDS = 2;
@@ -31,6 +32,18 @@ export function meanwhile({ state, droneName, patience }: Follow, silentSeconds:
     case 'over':
       return still(`${droneName} is free again.`);
   }
+}
+
+/** Who has a network and hears nothing of the cloud cannot know what the drone does: a drone misses a cloud that is down. */
+export function eitherOr(follow: Follow, silentSeconds: number): [way: string, cloud: string] | null {
+  if (!['starting', 'tracking', 'paused'].includes(follow.state)) {
+    return null;
+  }
+  const { words, homeIn } = meanwhile(follow, silentSeconds);
+  return [
+    `If only the way to this phone is cut, ${words}${homeIn === null ? '' : ` It flies home in ${span(homeIn)}.`}`,
+    'If the cloud is down, it flies home by itself after some seconds. There is nothing to do but to watch it.',
+  ];
 }
 
 function still(words: string): Meanwhile {

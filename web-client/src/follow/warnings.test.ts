@@ -10,8 +10,10 @@ const well: Signs = {
   lastFix: NOW - 1000,
   accuracy: 5,
   absence: null,
+  meantime: '',
   patience: 60,
   cutOffSince: null,
+  online: false,
   refused: null,
   wake: 'held',
   battery: 80,
@@ -35,6 +37,8 @@ describe('warnings', () => {
     expect(words({ lastFix: NOW - 61_000 })).toContain('By now the drone flies home.');
     expect(words({ lastFix: NOW - 12_300, patience: null })).toContain('The drone stands and waits.');
     expect(words({ lastFix: NOW - 12_300, leading: false })).not.toContain('drone stands');
+    // While the phone is cut off nobody knows that.
+    expect(words({ lastFix: NOW - 12_300, cutOffSince: NOW })).not.toContain('drone stands');
     expect(keys({ lastFix: null, locating: 'unavailable' })).toEqual(['no-fix']);
   });
 
@@ -46,21 +50,24 @@ describe('warnings', () => {
   it('tell since when it is cut off', () => {
     const said = words({ cutOffSince: NOW - 31_000 });
     expect(said).toContain('31 s ago');
-    expect(said).toContain('goes on by itself');
+    expect(said).toContain('goes on by itself when the network is back');
+    expect(words({ cutOffSince: NOW, online: true })).toContain('when the cloud answers');
   });
 
-  it('tell what had kept the phone away, how long the drone waited and that it follows, for a while', () => {
-    const absence = { seconds: 34, waited: 32, until: NOW - 1000 };
-    const said = (['asleep', 'cut', 'gone', 'blind'] as const).map((why) =>
-      words({ absence: { ...absence, why } }),
+  it('tell what had kept the phone away and what the drone did, for a while', () => {
+    const absence = { seconds: 34, waited: 32, from: NOW - 35_000, until: NOW - 1000 };
+    const meantime = 'The drone stood and waited for 32 s.';
+    const said = (['asleep', 'cut', 'unanswered', 'gone', 'blind'] as const).map((why) =>
+      words({ absence: { ...absence, why }, meantime }),
     );
     expect(said.map((one) => one.slice(0, one.indexOf(' 34 s')))).toEqual([
       'This page was stopped for',
       'There was no network for',
+      'The cloud did not answer for',
       'This page was closed for',
       'The phone did not know where it is for',
     ]);
-    said.forEach((one) => expect(one).toContain('waited for 32 s. Now it follows you again.'));
+    said.forEach((one) => expect(one).toContain(meantime));
     // After the drone was spoken of, "it" would be the drone.
     said.forEach((one) => expect(one).not.toContain('Keep it'));
     const long = { ...absence, why: 'cut' as const };
@@ -81,7 +88,7 @@ describe('warnings', () => {
   });
 
   it('put what stops the drone before what only may', () => {
-    const absence = { why: 'cut' as const, seconds: 9, waited: 7, until: NOW };
+    const absence = { why: 'cut' as const, seconds: 9, waited: 7, from: NOW - 9_000, until: NOW };
     expect(keys({ wake: 'refused', battery: 25, cutOffSince: NOW, absence })).toEqual([
       'cut-off',
       'unlit',

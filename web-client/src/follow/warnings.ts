@@ -31,9 +31,13 @@ export interface Signs {
   accuracy: number | null;
   /** The newest time without positions; null: there was none. */
   absence: Absence | null;
+  /** What the cloud says that the drone did meanwhile. */
+  meantime: string;
   /** Seconds without a position before the drone flies home; null: it waits for none. */
   patience: number | null;
   cutOffSince: number | null;
+  /** As far as the phone knows, it has a network. */
+  online: boolean;
   refused: string | null;
   wake: WakeState;
   /** Percent. */
@@ -67,7 +71,7 @@ function denied({ locating }: Signs): Warning | null {
     : null;
 }
 
-function noFix({ now, locating, lastFix, leading, patience }: Signs): Warning | null {
+function noFix({ now, locating, lastFix, leading, patience, cutOffSince }: Signs): Warning | null {
   if (locating !== 'on' && locating !== 'unavailable') {
     return null;
   }
@@ -79,7 +83,8 @@ function noFix({ now, locating, lastFix, leading, patience }: Signs): Warning | 
     key: 'no-fix',
     tone: 'red',
     words: seconds === null ? 'The phone does not know where it is.' : `No position for ${span(seconds)}.`,
-    todo: `${leading ? standsAndWaits(patience, seconds) : ''}Go where you see the sky, and keep location switched on.`,
+    // Who is cut off is told of the drone there.
+    todo: `${leading && cutOffSince === null ? standsAndWaits(patience, seconds) : ''}Go where you see the sky, and keep location switched on.`,
   };
 }
 
@@ -92,10 +97,10 @@ function standsAndWaits(patience: number | null, seconds: number | null): string
 }
 
 /** While a follow is under way a sign of its own says this; see CutOff.svelte. */
-function cutOff({ now, cutOffSince }: Signs): Warning | null {
+function cutOff({ now, cutOffSince, online }: Signs): Warning | null {
   return cutOffSince === null
     ? null
-    : { key: 'cut-off', tone: 'red', words: cutOffWords(cutOffSince, now), todo: CUT_OFF_TODO };
+    : { key: 'cut-off', tone: 'red', words: cutOffWords(cutOffSince, now), todo: cutOffTodo(online) };
 }
 
 export function cutOffWords(since: number, now: number): string {
@@ -103,7 +108,9 @@ export function cutOffWords(since: number, now: number): string {
   return `Cut off from the cloud since ${timeOfDay(new Date(since).toISOString())}, ${span(seconds)} ago.`;
 }
 
-export const CUT_OFF_TODO = 'This page goes on by itself when the network is back.';
+export function cutOffTodo(online: boolean): string {
+  return `This page goes on by itself when ${online ? 'the cloud answers' : 'the network is back'}.`;
+}
 
 function refusedByCloud({ refused }: Signs): Warning | null {
   return refused === null
@@ -122,6 +129,7 @@ const ABSENCES: Record<AbsenceReason, (time: string) => [words: string, todo: st
     'Keep this page in front and the screen on.',
   ],
   cut: (time) => [`There was no network for ${time}.`, ''],
+  unanswered: (time) => [`The cloud did not answer for ${time}.`, ''],
   gone: (time) => [`This page was closed for ${time}.`, 'Keep this page open.'],
   blind: (time) => [
     `The phone did not know where it is for ${time}.`,
@@ -129,7 +137,7 @@ const ABSENCES: Record<AbsenceReason, (time: string) => [words: string, todo: st
   ],
 };
 
-function back({ now, absence, leading }: Signs): Warning | null {
+function back({ now, absence, meantime, leading }: Signs): Warning | null {
   if (absence === null || !leading || now - absence.until > BACK_SHOWN_MILLISECONDS) {
     return null;
   }
@@ -138,7 +146,7 @@ function back({ now, absence, leading }: Signs): Warning | null {
     key: 'back',
     tone: 'green',
     words,
-    todo: `The drone stood and waited for ${span(absence.waited)}. Now it follows you again. ${todo}`.trim(),
+    todo: `${meantime} ${todo}`.trim(),
   };
 }
 
