@@ -1,4 +1,5 @@
 import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
+import { createRawSnippet } from 'svelte';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { FollowCalls, type Follow, type PhoneReach } from '../api/follows';
 import { Follows } from '../state/follows.svelte';
@@ -10,6 +11,7 @@ import { Phone } from './phone.svelte';
 import type { SayPositions } from './position-line.svelte';
 import type { Warning } from './warnings';
 import Warnings from './Warnings.svelte';
+import WorstInSight from './WorstInSight.svelte';
 
 afterEach(cleanup);
 
@@ -57,6 +59,31 @@ describe('several warnings at once', () => {
     expect(text()).not.toContain('one it is.');
     await fireEvent.click(screen.getByRole('button', { name: 'and 2 more' }));
     expect(screen.getAllByRole('listitem')).toHaveLength(3);
+  });
+});
+
+describe('the worst warning', () => {
+  const worst = { tone: 'red', words: 'No network.' } as const;
+  const children = createRawSnippet(() => ({ render: () => '<p>Far down</p>' }));
+  const scroll = async (top: number): Promise<void> => {
+    const scroller = screen.getByText('Far down').parentElement as HTMLElement;
+    scroller.scrollTop = top;
+    await fireEvent.scroll(scroller);
+  };
+
+  it('stays in sight when the panel is scrolled, and only then', async () => {
+    render(WorstInSight, { props: { worst, children } });
+    expect(text()).not.toContain('No network.');
+    await scroll(200);
+    expect(screen.getByRole('button', { name: 'No network.' })).toBeTruthy();
+    await scroll(0);
+    expect(screen.queryByRole('button')).toBeNull();
+  });
+
+  it('is none while all is well', async () => {
+    render(WorstInSight, { props: { worst: null, children } });
+    await scroll(200);
+    expect(screen.queryByRole('button')).toBeNull();
   });
 });
 

@@ -108,6 +108,10 @@ export function cutOffWords(since: number, now: number): string {
   return `Cut off from the cloud since ${timeOfDay(new Date(since).toISOString())}, ${span(seconds)} ago.`;
 }
 
+export function cutOffTitle(online: boolean): string {
+  return online ? 'The cloud does not answer' : 'No network';
+}
+
 export function cutOffTodo(online: boolean): string {
   return `This page goes on by itself when ${online ? 'the cloud answers' : 'the network is back'}.`;
 }
