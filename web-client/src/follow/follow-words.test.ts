@@ -33,6 +33,16 @@ describe('the stages of a follow', () => {
     all.forEach(({ words }) => expect(words).toContain('Copter 1'));
   });
 
+  it('do not say that it follows while it does not', () => {
+    const note = 'The phone says nothing any more. Copter 1 waits.';
+    const waits = aFollow({ state: 'tracking', note });
+    expect(stageWords(waits)).toEqual({ title: 'Not following now', tone: 'amber', words: note });
+    expect(lineOf(waits)).toBe('Copter 1 is not following olga');
+    const unled = stageWords(aFollow({ state: 'tracking' }), true);
+    expect(unled).toEqual({ title: 'Not following now', tone: 'amber', words: 'Copter 1 is not led now.' });
+    expect(stageWords(aFollow({ state: 'paused' }), true).title).toBe('Paused');
+  });
+
   it('offer what the cloud would take, and nothing else', () => {
     expect(STAGES.map((state) => [state, ...offered(aFollow({ state }))])).toEqual([
       ['allocated', 'start', 'cancel'],

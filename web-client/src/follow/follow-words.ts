@@ -40,8 +40,22 @@ const STAGES: Record<FollowStage, (drone: string) => StageWords> = {
   over: (drone) => ({ title: 'Over', tone: 'neutral', words: `${drone} is free again.` }),
 };
 
-export function stageWords(follow: Follow): StageWords {
-  return STAGES[follow.state](follow.droneName);
+/** Something keeps it from following: the cloud says what. */
+export function isKeptBack({ state, note }: Follow): boolean {
+  return state === 'tracking' && note !== null;
+}
+
+/** `unled`: the page knows that what it says leads no drone now. */
+export function stageWords(follow: Follow, unled = false): StageWords {
+  const { state, droneName, note } = follow;
+  if (isKeptBack(follow) || (unled && state === 'tracking')) {
+    return {
+      title: 'Not following now',
+      tone: 'amber',
+      words: unled || note === null ? `${droneName} is not led now.` : note,
+    };
+  }
+  return STAGES[state](droneName);
 }
 
 export interface WishWords {
@@ -156,7 +170,7 @@ export function lineOf(follow: Follow, waits = false): string {
   const words: Record<FollowStage, string> = {
     allocated: 'is kept for',
     starting: 'takes off for',
-    tracking: waits ? 'stands still and waits for' : 'follows',
+    tracking: isKeptBack(follow) ? 'is not following' : 'follows',
     paused: 'waits in the air for',
     suspended: 'is flown by somebody else, not following',
     returning: 'flies home from',
@@ -164,5 +178,6 @@ export function lineOf(follow: Follow, waits = false): string {
   };
   const relief = reliefOf(follow);
   const then = relief === null ? '' : `; ${relief.droneName} comes to replace it`;
-  return `${follow.droneName} ${words[follow.state]} ${follow.owner}${then}`;
+  const stands = waits && follow.state === 'tracking' ? 'stands still and waits for' : words[follow.state];
+  return `${follow.droneName} ${stands} ${follow.owner}${then}`;
 }

@@ -39,6 +39,9 @@ describe('whoever is followed, on the map', () => {
 
   it('turns amber and says how old its place is when the phone is silent', () => {
     expect(of(shown(12), 'Point')?.properties).toMatchObject({ tone: 'amber', age: '12 s ago' });
+    expect(of(shown(1, { note: 'A zone is in its way.' }), 'Point')?.properties).toMatchObject({
+      tone: 'amber',
+    });
     expect(of(shown(12, { state: 'paused' }), 'Point')?.properties).toMatchObject({ tone: 'neutral' });
   });
 

@@ -4,6 +4,7 @@ import type { Coordinates } from '../geo/coordinates';
 import { age } from '../ui/format';
 import { moved } from './fix';
 import { DEMO_NAME } from './following';
+import { isKeptBack } from './follow-words';
 import { silentSeconds } from './waiting';
 
 /** Somebody whom a drone stays with. */
@@ -56,7 +57,8 @@ export function followFeatures(
         accuracy: phone.accuracy,
         label: follow.name === DEMO_NAME ? `${follow.owner}, a demo walk` : follow.owner,
         age: silent === null ? '' : age(silent * 1000),
-        tone: silent !== null ? 'amber' : follow.state === 'tracking' ? 'green' : 'neutral',
+        tone:
+          silent !== null || isKeptBack(follow) ? 'amber' : follow.state === 'tracking' ? 'green' : 'neutral',
       };
       return targetFeatures(target, droneAt(follow.drone));
     }),
