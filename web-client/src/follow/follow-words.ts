@@ -95,6 +95,14 @@ export const WISHES: Record<FollowWish, WishWords> = {
   },
 };
 
+/** The cloud did not answer: where there is a network the wish may have reached it. */
+export function notDoneWords(wish: FollowWish, online: boolean): string {
+  const { label } = WISHES[wish];
+  return online
+    ? `The cloud did not answer: whether “${label}” was done is seen when it does.`
+    : `“${label}” was not done: there is no network. Press it again when there is one.`;
+}
+
 /** Where on the page it stands what a wish does. */
 export function meansId(wish: FollowWish): string {
   return `means-${wish}`;

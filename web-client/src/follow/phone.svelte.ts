@@ -1,7 +1,8 @@
-import type { Follow, FollowOrder, FollowWish, PlaceChange } from '../api/follows';
-import { sentenceFor } from '../api/problem';
+import type { Follow, FollowOrder, FollowStage, FollowWish, PlaceChange } from '../api/follows';
+import { Problem, sentenceFor } from '../api/problem';
 import { browserTimers } from '../api/stream';
 import { AbsenceWatch } from './absence.svelte';
+import { notDoneWords } from './follow-words';
 import type { Fix, Locating, TargetSource } from './fix';
 import { PositionLine, type SayPositions } from './position-line.svelte';
 import type { Follows } from '../state/follows.svelte';
@@ -10,6 +11,8 @@ import { TOLD_AFTER_SECONDS } from './waiting';
 /** Longer between two beats, and the system had stopped the page. */
 const SLEPT_MILLISECONDS = 5_000;
 const BEAT_MILLISECONDS = 1_000;
+/** Whoever pressed in vain shall read it, also when the line is there again at once. */
+const READ_MILLISECONDS = 8_000;
 
 export interface PhonePorts {
   follows: Follows;
@@ -34,6 +37,8 @@ export class Phone {
   line = $state.raw<PositionLine | null>(null);
   readonly #ports: PhonePorts;
   #stopSource: (() => void) | null = null;
+  /** When and at which stage the problem came up, and whether the cloud was not reached. */
+  #came: { at: number; stage: FollowStage | null; unreached: boolean } | null = null;
 
   constructor(ports: PhonePorts) {
     this.#ports = ports;
@@ -66,7 +71,22 @@ export class Phone {
       this.absence.suspect('blind', now);
     }
     this.#watch();
+    this.#forgetProblem();
     this.line?.beat();
+  }
+
+  /** It does not outlive its stage, nor the outage that it came of. */
+  #forgetProblem(): void {
+    const came = this.#came;
+    if (came === null) {
+      return;
+    }
+    const reached = this.line !== null && this.line.cutOffSince === null;
+    const over = came.unreached && reached && this.now - came.at >= READ_MILLISECONDS;
+    if (over || came.stage !== (this.follow?.state ?? null)) {
+      this.#came = null;
+      this.problem = null;
+    }
   }
 
   #watch(): void {
@@ -174,8 +194,12 @@ export class Phone {
     try {
       await action();
       this.problem = null;
+      this.#came = null;
     } catch (thrown) {
-      this.problem = sentenceFor(thrown);
+      const unreached = thrown instanceof Problem && thrown.status === 0;
+      this.#came = { at: this.now, stage: this.follow?.state ?? null, unreached };
+      const isWish = what !== 'ask' && what !== 'place';
+      this.problem = unreached && isWish ? notDoneWords(what, navigator.onLine) : sentenceFor(thrown);
     } finally {
       this.busy = null;
     }
