@@ -187,7 +187,7 @@ def is_cut_off(trial: Trial, network: Network) -> None:
     began = time.monotonic()
     trial.walks_until("the cloud knows", lambda: trial.seen()["now"]["reach"] == "cut", 20)
     trial.told_within(CUT_OFF)
-    expect(page.get_by_role("heading", name="No connection")).to_be_visible()
+    expect(page.get_by_role("heading", name="The cloud does not answer")).to_be_visible()
     expect(page.get_by_text("stands still in the air and waits")).to_be_visible()
     expect(page.get_by_text(re.compile(r"It flies home in \d+ s"))).to_be_visible()
     expect(page.get_by_text("As last heard")).to_be_visible()
@@ -198,7 +198,7 @@ def is_cut_off(trial: Trial, network: Network) -> None:
     trial.stood(began)
     for line in network.lines:
         line.mend()
-    trial.is_back("There was no network for", "away-cut-back")
+    trial.is_back("The cloud did not answer for", "away-cut-back")
 
 
 def loses_its_tab(trial: Trial, how: Callable[[Page], object], name: str) -> None:
