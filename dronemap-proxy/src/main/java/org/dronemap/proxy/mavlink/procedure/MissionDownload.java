@@ -24,6 +24,10 @@ public final class MissionDownload implements Exchange {
     private static final int TRIES_BEFORE_FLOATS = 5;
 
     private static final int REFUSALS = 2;
+    /** Over a slow link so many items are on their way at once, from vehicles that give them in any order. */
+    private static final int MOST_AT_ONCE = 4;
+
+    private static final double SLOW_MILLIS = 250;
     /** After so long every vehicle has given up an upload that broke off (PX4: 5 s, ArduPilot: 8 s). */
     private static final long GIVEN_UP_NANOS = 12_000_000_000L;
 
@@ -33,6 +37,8 @@ public final class MissionDownload implements Exchange {
     private final Observer observer;
     private final Patience patience = new Patience();
     private final List<MissionItemInt> items = new ArrayList<>();
+    private final ItemsAhead ahead = new ItemsAhead();
+    private boolean inAnyOrder;
     private int count = -1;
     private int tries;
     private int refusals;
@@ -60,6 +66,15 @@ public final class MissionDownload implements Exchange {
     /** {@code observer} hears of every item. */
     public static MissionDownload whole(Target target, MissionKind kind, Observer observer) {
         return new MissionDownload(target, kind, new Part(0, MOST_ITEMS), observer);
+    }
+
+    /**
+     * The vehicle gives each item that it is asked for, whichever it gave before (ArduPilot does; PX4 breaks off), so that a
+     * slow link need not stand idle.
+     */
+    public MissionDownload inAnyOrder() {
+        inAnyOrder = true;
+        return this;
     }
 
     /** Only asks how many items there are. */
@@ -124,6 +139,7 @@ public final class MissionDownload implements Exchange {
         outcome = patience.end(nowNanos);
         if (outcome == null) {
             ask(nowNanos);
+            askAhead(nowNanos);
         }
     }
 
@@ -153,6 +169,20 @@ public final class MissionDownload implements Exchange {
         lastSentNanos = nowNanos;
     }
 
+    private void askAhead(long nowNanos) {
+        Double trip = target.roundTrip().smoothedMillis();
+        if (!inAnyOrder || !integersHeard || count < 0 || trip == null || trip < SLOW_MILLIS) {
+            return;
+        }
+        int end = Math.min(Math.min(count, part.first() + part.most()), next() + MOST_AT_ONCE);
+        for (int seq = next() + 1; seq < end; seq++) {
+            if (ahead.isWanted(seq, nowNanos, pauseNanos())) {
+                target.send(new MissionRequestInt(target.systemId(), target.componentId(), seq, kind.number()));
+                ahead.asked(seq, nowNanos);
+            }
+        }
+    }
+
     private int next() {
         return part.first() + items.size();
     }
@@ -171,10 +201,15 @@ public final class MissionDownload implements Exchange {
     }
 
     private boolean took(MissionItemInt item, long nowNanos) {
-        if (count < 0 || item.missionType() != kind.number() || item.seq() != next()) {
+        if (count < 0 || item.missionType() != kind.number() || item.seq() < next()) {
             return false;
         }
-        items.add(item);
+        if (item.seq() > next()) {
+            return ahead.keep(item);
+        }
+        for (MissionItemInt each = item; each != null; each = ahead.take(next())) {
+            items.add(each);
+        }
         observer.progress(items.size(), count);
         goOn(nowNanos);
         return true;
@@ -187,7 +222,18 @@ public final class MissionDownload implements Exchange {
             outcome = new Outcome.Succeeded();
         } else {
             tries = 0;
+            askNext(nowNanos);
+            askAhead(nowNanos);
+        }
+    }
+
+    private void askNext(long nowNanos) {
+        Long asked = ahead.askedNanos(next());
+        if (asked == null) {
             ask(nowNanos);
+        } else {
+            tries = 1;
+            lastSentNanos = asked;
         }
     }
 
@@ -212,6 +258,7 @@ public final class MissionDownload implements Exchange {
                 count = -1;
                 refusals = 0;
                 items.clear();
+                ahead.forget();
                 floatsTaken = false;
             }
         }

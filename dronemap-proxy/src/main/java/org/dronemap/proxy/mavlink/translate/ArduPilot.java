@@ -321,6 +321,7 @@ final class ArduPilot implements Autopilot {
                         () -> cockpit.status().armed() && cockpit.status().inMode(AUTO),
                         () -> hold(cockpit, Observer.NONE)),
                 Sequence.Step.of(() -> new MissionPlans(cockpit, HOME_ITEMS)
+                        .inAnyOrder()
                         .uploadInParts(
                                 mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM)))));
     }

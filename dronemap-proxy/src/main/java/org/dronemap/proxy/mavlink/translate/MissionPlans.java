@@ -23,11 +23,18 @@ import org.dronemap.proxy.mavlink.procedure.Stage;
 final class MissionPlans {
     private final Cockpit cockpit;
     private final int itemsBefore;
+    private boolean itemsInAnyOrder;
 
     /** {@code itemsBefore}: how many items stand on the wire before the mission's own. */
     MissionPlans(Cockpit cockpit, int itemsBefore) {
         this.cockpit = cockpit;
         this.itemsBefore = itemsBefore;
+    }
+
+    /** The vehicle gives items in any order. */
+    MissionPlans inAnyOrder() {
+        itemsInAnyOrder = true;
+        return this;
     }
 
     /** Writes, reads back, compares; once more when something else was found. */
@@ -51,6 +58,9 @@ final class MissionPlans {
         int steps = span.size() + wire.size();
         MissionDownload readBack = MissionDownload.whole(
                 cockpit.target(), MissionKind.MISSION, new Stage(cockpit.observer(), span.size(), steps));
+        if (itemsInAnyOrder) {
+            readBack.inAnyOrder();
+        }
         return new Sequence(List.of(
                 Sequence.Step.of(() -> MissionUpload.part(
                         cockpit.target(), MissionKind.MISSION, wire, span, new Stage(cockpit.observer(), 0, steps))),

@@ -37,7 +37,8 @@ class EveryFaultTest {
                         EveryFaultTest::upload,
                         EveryFaultTest::partialUpload,
                         EveryFaultTest::homeReading,
-                        EveryFaultTest::download,
+                        () -> download(false),
+                        () -> download(true),
                         EveryFaultTest::clear,
                         EveryFaultTest::listing,
                         EveryFaultTest::writing,
@@ -152,15 +153,19 @@ class EveryFaultTest {
                 (wire, outcome) -> assertThat(outcome).isEqualTo(DONE));
     }
 
-    private static Conversation download() {
+    private static Conversation download(boolean inAnyOrder) {
         MissionVehicle vehicle = new MissionVehicle();
         vehicle.held = new ArrayList<>(items());
         List<MissionDownload> made = new ArrayList<>();
         return new Conversation(
-                "mission download",
+                inAnyOrder ? "mission download in any order" : "mission download",
                 wire -> {
                     wire.peer(vehicle::take);
                     made.add(MissionDownload.whole(wire.target(), MissionKind.MISSION));
+                    if (inAnyOrder) {
+                        wire.target().roundTrip().measured(400_000_000L);
+                        made.get(0).inAnyOrder();
+                    }
                     return made.get(0);
                 },
                 (wire, outcome) -> {
