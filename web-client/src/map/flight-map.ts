@@ -37,7 +37,8 @@ export interface MapEvents {
   /** Whether it meant something here; where it did not, letting go counts as a click. */
   onLongPress(place: Coordinates): boolean;
   onWaypointMoved(key: number, place: Coordinates): void;
-  onMove(): void;
+  /** `byHand`: somebody moved it, not the page. */
+  onMove(byHand: boolean): void;
   onGrid(stepMeters: number | null): void;
 }
 
@@ -108,7 +109,7 @@ export class FlightMap {
   }
 
   /** Shows all these places; one place alone is not zoomed into further than a neighbourhood. */
-  fit(places: readonly Coordinates[], maxZoom = 15): void {
+  fit(places: readonly Coordinates[], maxZoom = 15, padding = 80): void {
     // A panel may just have taken its room.
     this.#map.resize();
     const longitudes = places.map((place) => place.longitude);
@@ -118,7 +119,7 @@ export class FlightMap {
         [Math.min(...longitudes), Math.min(...latitudes)],
         [Math.max(...longitudes), Math.max(...latitudes)],
       ],
-      { padding: 80, maxZoom, duration: 0 },
+      { padding, maxZoom, duration: 0 },
     );
   }
 
@@ -128,6 +129,15 @@ export class FlightMap {
 
   pixelOf(place: Coordinates): { x: number; y: number } {
     return this.#map.project([place.longitude, place.latitude]);
+  }
+
+  size(): { width: number; height: number } {
+    const { clientWidth: width, clientHeight: height } = this.#map.getContainer();
+    return { width, height };
+  }
+
+  zoom(): number {
+    return this.#map.getZoom();
   }
 
   setPlanning(planning: boolean): void {
@@ -163,7 +173,7 @@ export class FlightMap {
       }
     });
     map.on('moveend', () => this.#showGrid());
-    map.on('move', () => this.#events.onMove());
+    map.on('move', ({ originalEvent }) => this.#events.onMove(originalEvent !== undefined));
     new PressGestures(map, {
       isWaypoint: (event) => this.#waypointAt(event),
       onPress: (place) => this.#events.onLongPress(place),
