@@ -178,7 +178,7 @@ describe('the station', () => {
 
   it('tells that a phone is silent, why, for how long, and what the drone will do', async () => {
     show(following(10, 'cut', 'The phone cannot be reached: it has no network.'), 22);
-    expect(text()).toContain('1 under way, 1 silent');
+    expect(text()).toContain('1 silent of 1');
     await fireEvent.click(screen.getByRole('button', { name: /^Phones that are followed/ }));
     expect(text()).toContain('Copter 1 stands still and waits for olga');
     expect(text()).toContain('Silent for 12 s; flies home in 48 s.');

@@ -11,6 +11,7 @@ import {
   offered,
   othersWords,
   placeWords,
+  shelfNote,
   stageWords,
   WISHES,
 } from './follow-words';
@@ -71,6 +72,17 @@ describe('the stages of a follow', () => {
     expect(lineOf(aFollow({ state: 'tracking' }))).toBe('Copter 1 follows olga');
     expect(new Set(STAGES.map((state) => lineOf(aFollow({ state })))).size).toBe(STAGES.length);
     expect(lineOf(aFollow({ state: 'tracking' }), true)).toBe('Copter 1 stands still and waits for olga');
+  });
+});
+
+describe('the closed list of the station', () => {
+  it('says first what is wrong, in few words', () => {
+    const well = aFollow({ state: 'tracking' });
+    const kept = aFollow({ id: 'f2', state: 'tracking', note: 'A zone is in its way.' });
+    expect(shelfNote([], () => false)).toBe('');
+    expect(shelfNote([well, well], () => false)).toBe('2 under way');
+    expect(shelfNote([well, kept], () => false)).toBe('1 held up of 2');
+    expect(shelfNote([well, kept], (follow) => follow === well)).toBe('1 silent of 2');
   });
 });
 

@@ -173,6 +173,16 @@ export function placeWords(place: FollowPlace, who = 'you'): string {
   return `${Math.round(place.distance)} m ${where} ${who}, ${Math.round(place.height)} m up`;
 }
 
+/** How all of them stand, for a narrow place: what is wrong goes first. */
+export function shelfNote(follows: readonly Follow[], isSilent: (follow: Follow) => boolean): string {
+  const silent = follows.filter(isSilent).length;
+  const keptBack = follows.filter((follow) => isKeptBack(follow) && !isSilent(follow)).length;
+  if (silent + keptBack > 0) {
+    return silent > 0 ? `${silent} silent of ${follows.length}` : `${keptBack} held up of ${follows.length}`;
+  }
+  return follows.length === 0 ? '' : `${follows.length} under way`;
+}
+
 /** Who is followed, by which drone, and how it stands; for the ground station. `waits`: no positions come. */
 export function lineOf(follow: Follow, waits = false): string {
   const words: Record<FollowStage, string> = {
