@@ -14,7 +14,9 @@ import {
   shelfNote,
   stageWords,
   WISHES,
+  wishWords,
 } from './follow-words';
+import { meanwhile } from './waiting';
 import { ALARM, Vibration } from './vibration';
 
 const STAGES: FollowStage[] = [
@@ -61,6 +63,17 @@ describe('the stages of a follow', () => {
     expect(WISHES.pause.hold).toBe(false);
     expect(WISHES.stop.means).toContain('not beside you');
     expect(WISHES.pause.means).toContain('in the air');
+  });
+
+  it('do not say who has a drone that was taken: the follow does', () => {
+    const taken = aFollow({ state: 'suspended', note: 'Nobody has Copter 1 any more.' });
+    expect(stageWords(taken).title).toBe('Taken from you');
+    expect(stageWords(taken).words).toContain('“Go on” takes it back.');
+    expect(lineOf(taken)).toBe('Copter 1 was taken and does not follow olga');
+    expect(meanwhile(taken, 10).words).toBe('Nobody has Copter 1 any more.');
+    // The cloud leaves it to whoever has it.
+    expect(wishWords('stop', 'suspended').means).toContain('not called home');
+    expect(wishWords('stop', 'tracking')).toBe(WISHES.stop);
   });
 
   it('hang on the phone while it leads the drone', () => {

@@ -28,9 +28,10 @@ const STAGES: Record<FollowStage, (drone: string) => StageWords> = {
     words: `${drone} stays where it is, in the air.`,
   }),
   suspended: (drone) => ({
-    title: 'Somebody else flies it',
+    title: 'Taken from you',
     tone: 'amber',
-    words: `A pilot or somebody else has ${drone}. “Go on” asks for it back.`,
+    // Who took it may have left it: the follow says by whom it was taken, and whether nobody has it any more.
+    words: `${drone} does not follow you now. “Go on” takes it back.`,
   }),
   returning: (drone) => ({
     title: 'Flying home',
@@ -95,9 +96,20 @@ export const WISHES: Record<FollowWish, WishWords> = {
   },
 };
 
+const STOP_OF_TAKEN: WishWords = {
+  ...WISHES.stop,
+  label: 'Stop',
+  means: 'that ends it. Whoever has the drone keeps it: it is not called home.',
+};
+
+/** What a wish is at that stage. */
+export function wishWords(wish: FollowWish, state: FollowStage): WishWords {
+  return wish === 'stop' && state === 'suspended' ? STOP_OF_TAKEN : WISHES[wish];
+}
+
 /** The cloud did not answer: where there is a network the wish may have reached it. */
-export function notDoneWords(wish: FollowWish, online: boolean): string {
-  const { label } = WISHES[wish];
+export function notDoneWords(wish: FollowWish, state: FollowStage, online: boolean): string {
+  const { label } = wishWords(wish, state);
   return online
     ? `The cloud did not answer: whether “${label}” was done is seen when it does.`
     : `“${label}” was not done: there is no network. Press it again when there is one.`;
@@ -190,7 +202,7 @@ export function lineOf(follow: Follow, waits = false): string {
     starting: 'takes off for',
     tracking: isKeptBack(follow) ? 'is not following' : 'follows',
     paused: 'waits in the air for',
-    suspended: 'is flown by somebody else, not following',
+    suspended: 'was taken and does not follow',
     returning: 'flies home from',
     over: 'followed',
   };

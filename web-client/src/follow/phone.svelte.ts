@@ -197,9 +197,12 @@ export class Phone {
       this.#came = null;
     } catch (thrown) {
       const unreached = thrown instanceof Problem && thrown.status === 0;
-      this.#came = { at: this.now, stage: this.follow?.state ?? null, unreached };
-      const isWish = what !== 'ask' && what !== 'place';
-      this.problem = unreached && isWish ? notDoneWords(what, navigator.onLine) : sentenceFor(thrown);
+      const stage = this.follow?.state ?? null;
+      this.#came = { at: this.now, stage, unreached };
+      this.problem =
+        unreached && stage !== null && what !== 'ask' && what !== 'place'
+          ? notDoneWords(what, stage, navigator.onLine)
+          : sentenceFor(thrown);
     } finally {
       this.busy = null;
     }

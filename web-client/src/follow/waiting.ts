@@ -13,7 +13,7 @@ export interface Meanwhile {
 }
 
 /** What the drone does while the phone has said nothing for so many seconds, going by how it stood when last heard of. */
-export function meanwhile({ state, droneName, patience }: Follow, silentSeconds: number): Meanwhile {
+export function meanwhile({ state, droneName, note, patience }: Follow, silentSeconds: number): Meanwhile {
   switch (state) {
     case 'allocated':
       return still(`${droneName} stays on the ground.`);
@@ -26,7 +26,7 @@ export function meanwhile({ state, droneName, patience }: Follow, silentSeconds:
     case 'paused':
       return still(`${droneName} stays where it is, in the air.`);
     case 'suspended':
-      return still(`Whoever has ${droneName} keeps it.`);
+      return still(note ?? `Whoever has ${droneName} keeps it.`);
     case 'returning':
       return still(`${droneName} goes on flying home and lands there.`);
     case 'over':
