@@ -5,6 +5,7 @@ import { demoFix, TRACK } from './demo-walk';
 import { distanceMeters } from '../geo/distance';
 import { choosable, demoBegin, mine, placeChange } from './following';
 import {
+  isIdle,
   isLed,
   lineOf,
   meantimeWords,
@@ -79,6 +80,8 @@ describe('the stages of a follow', () => {
   it('hang on the phone while it leads the drone', () => {
     expect(STAGES.filter((state) => isLed(aFollow({ state })))).toEqual(['starting', 'tracking']);
     expect(isLed(null)).toBe(false);
+    expect(STAGES.filter((state) => isIdle(aFollow({ state })))).toEqual(['returning', 'over']);
+    expect(isIdle(null)).toBe(false);
   });
 
   it('tell the station who is followed by which drone', () => {
@@ -111,6 +114,7 @@ describe('a drone that comes to replace another one', () => {
   it('can be called off when the other one flies home already', () => {
     const follow = aFollow({ state: 'returning', others: [kestrel] });
     expect(offered(follow)).toEqual(['stop']);
+    expect(isIdle(follow)).toBe(false);
     expect(offered({ ...follow, others: [{ ...kestrel, state: 'returning', comes: false }] })).toEqual([]);
   });
 

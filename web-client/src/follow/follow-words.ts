@@ -169,6 +169,14 @@ export function isLed(follow: Follow | null): boolean {
   return follow !== null && (follow.state === 'starting' || follow.state === 'tracking');
 }
 
+/** Nothing hangs on what this phone says any more, neither for this drone nor for one that comes. */
+export function isIdle(follow: Follow | null): boolean {
+  return (
+    follow !== null &&
+    (follow.state === 'over' || (follow.state === 'returning' && reliefOf(follow) === null))
+  );
+}
+
 const SIDES = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
 
 export function compassWords(degrees: number): string {

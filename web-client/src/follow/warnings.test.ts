@@ -5,6 +5,7 @@ const NOW = Date.parse('2026-01-01T12:00:00Z');
 const well: Signs = {
   now: NOW,
   leading: true,
+  idle: false,
   demo: false,
   locating: 'on',
   lastFix: NOW - 1000,
@@ -40,6 +41,14 @@ describe('warnings', () => {
     // While the phone is cut off nobody knows that.
     expect(words({ lastFix: NOW - 12_300, cutOffSince: NOW })).not.toContain('drone stands');
     expect(keys({ lastFix: null, locating: 'unavailable' })).toEqual(['no-fix']);
+  });
+
+  it('do not ask for a position when nothing hangs on it', () => {
+    const lost = { lastFix: NOW - 12_300, leading: false, idle: true };
+    expect(keys(lost)).toEqual([]);
+    expect(keys({ ...lost, locating: 'denied' })).toEqual([]);
+    expect(keys({ ...lost, accuracy: 80 })).toEqual([]);
+    expect(keys({ ...lost, cutOffSince: NOW })).toEqual(['cut-off']);
   });
 
   it('tell apart that the page may not know', () => {

@@ -24,6 +24,8 @@ export interface Signs {
   now: number;
   /** A drone is led by what this page says. */
   leading: boolean;
+  /** Where the target is matters to nobody any more: the drone flies home, or is there. */
+  idle: boolean;
   demo: boolean;
   locating: Locating;
   lastFix: number | null;
@@ -51,13 +53,15 @@ const TONES = ['red', 'green', 'amber'] as const;
 
 /** The worst first. What is red now makes it untrue that all is well again. */
 export function warningsFor(signs: Signs): Warning[] {
-  const all = RULES.map((rule) => rule(signs)).filter((warning) => warning !== null);
+  const rules = signs.idle ? RULES.filter((rule) => !ABOUT_PLACE.includes(rule)) : RULES;
+  const all = rules.map((rule) => rule(signs)).filter((warning) => warning !== null);
   const bad = all.some(({ tone }) => tone === 'red');
   return all
     .filter(({ tone }) => !(bad && tone === 'green'))
     .sort((a, b) => TONES.indexOf(a.tone) - TONES.indexOf(b.tone));
 }
 
+const ABOUT_PLACE: readonly Rule[] = [denied, noFix, vague];
 const RULES: readonly Rule[] = [denied, noFix, cutOff, refusedByCloud, back, vague, unlit, lowBattery];
 
 function denied({ locating }: Signs): Warning | null {
