@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { FollowStage } from '../api/follows';
 import { aFollow, aFollowNow } from '../testing';
 import { AbsenceWatch } from './absence.svelte';
-import { meanwhile, silentSeconds } from './waiting';
+import { cutOffLine, meanwhile, silentSeconds } from './waiting';
 
 const at = (second: number): string => new Date(Date.UTC(2026, 0, 1, 12, 0, second)).toISOString();
 const ms = (second: number): number => Date.parse(at(second));
@@ -24,6 +24,13 @@ describe('what a drone does while its phone is silent', () => {
     const said = others.map((state) => meanwhile(aFollow({ state }), 12));
     expect(new Set(said.map(({ words }) => words)).size).toBe(others.length);
     expect(said.filter(({ homeIn }) => homeIn !== null)).toEqual([]);
+  });
+
+  it('stands in a line, and counts down only where the cloud leads it', () => {
+    const follow = aFollow({ state: 'tracking' });
+    expect(cutOffLine(follow, 12, false)).toBe('No network. Copter 1 flies home in 48 s.');
+    expect(cutOffLine(follow, 12, true)).toBe('The cloud does not answer.');
+    expect(cutOffLine(aFollow({ state: 'paused' }), 12, false)).toBe('No network.');
   });
 
   it('is told to the station when it counts: not for a position that is a little late', () => {

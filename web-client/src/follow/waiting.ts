@@ -1,5 +1,6 @@
 import type { Follow } from '../api/follows';
 import { span } from '../ui/format';
+import { cutOffTitle } from './warnings';
 
 /** The drone stands when it has heard no position for so long. */
 export const HOLDS_AFTER_SECONDS = 2;
@@ -44,6 +45,13 @@ export function eitherOr(follow: Follow, silentSeconds: number): [way: string, c
     `If only the way to this phone is cut, ${words}${homeIn === null ? '' : ` It flies home in ${span(homeIn)}.`}`,
     'If the cloud is down, it flies home by itself after some seconds. There is nothing to do but to watch it.',
   ];
+}
+
+/** The same in a line. */
+export function cutOffLine(follow: Follow, silentSeconds: number, online: boolean): string {
+  const { homeIn } = meanwhile(follow, silentSeconds);
+  const home = online || homeIn === null ? '' : ` ${follow.droneName} flies home in ${span(homeIn)}.`;
+  return `${cutOffTitle(online)}.${home}`;
 }
 
 function still(words: string): Meanwhile {
