@@ -73,7 +73,7 @@ describe('the stages of a follow', () => {
     expect(lineOf(taken)).toBe('Copter 1 was taken and does not follow olga');
     expect(meanwhile(taken, 10).words).toBe('Nobody has Copter 1 any more.');
     // The cloud leaves it to whoever has it.
-    expect(wishWords('stop', 'suspended').means).toContain('not called home');
+    expect(wishWords('stop', 'suspended').means).toContain('keeps it; one that nobody has');
     expect(wishWords('stop', 'tracking')).toBe(WISHES.stop);
   });
 

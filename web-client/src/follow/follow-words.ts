@@ -99,7 +99,7 @@ export const WISHES: Record<FollowWish, WishWords> = {
 const STOP_OF_TAKEN: WishWords = {
   ...WISHES.stop,
   label: 'Stop',
-  means: 'that ends it. Whoever has the drone keeps it: it is not called home.',
+  means: 'that ends it. Whoever has the drone keeps it; one that nobody has any more is called home.',
 };
 
 /** What a wish is at that stage. */
