@@ -89,6 +89,8 @@ describe('warnings', () => {
     expect(warningsFor({ ...well, accuracy: 30 })[0]?.tone).toBe('amber');
     expect(warningsFor({ ...well, accuracy: 80 })[0]?.tone).toBe('red');
     expect(words({ accuracy: 80 })).toContain('only known to 80 m');
+    expect(warningsFor({ ...well, accuracy: 80 })[0]?.todo).toContain('flies home when that stays so for');
+    expect(warningsFor({ ...well, leading: false, accuracy: 80 })[0]?.todo).not.toContain('flies home');
   });
 
   it('tell that the screen may go off, unless a recorded walk needs none', () => {

@@ -158,7 +158,7 @@ function back({ now, absence, meantime, leading }: Signs): Warning | null {
   };
 }
 
-function vague({ locating, accuracy }: Signs): Warning | null {
+function vague({ locating, accuracy, leading, patience }: Signs): Warning | null {
   if (locating !== 'on' || accuracy === null || accuracy < BAD_METERS) {
     return null;
   }
@@ -168,9 +168,15 @@ function vague({ locating, accuracy }: Signs): Warning | null {
     tone: useless ? 'red' : 'amber',
     words: `Your position is only known to ${Math.round(accuracy)} m.`,
     todo: useless
-      ? 'That is too vague to lead a drone. Go away from walls and trees, and allow the precise location.'
+      ? `That is too vague to lead a drone.${homeAfter(leading, patience)} Go away from walls and trees, and allow the precise location.`
       : 'The drone may stand so far beside its place. Go away from walls and trees.',
   };
+}
+
+function homeAfter(leading: boolean, patience: number | null): string {
+  return leading && patience !== null
+    ? ` Yours stands, and flies home when that stays so for ${span(patience)}.`
+    : '';
 }
 
 function unlit({ wake, leading, demo }: Signs): Warning | null {
