@@ -1,6 +1,7 @@
 package org.dronemap.cognitive.operation.run;
 
 import java.time.Duration;
+import java.time.Instant;
 import org.dronemap.cognitive.operation.run.RunDrone.Errand;
 import org.dronemap.core.command.Outcome;
 
@@ -49,9 +50,15 @@ final class Errands {
                                         .to(inFlight ? DroneStage.CONTINUING : DroneStage.READY, draft.now()));
             }
             case HEIGHT -> Homeward.succeeded(draft, drone);
-            case START -> draft.put(drone.to(DroneStage.FLYING, draft.now()));
+            case START -> draft.put(onTime(drone, draft.now()).to(DroneStage.FLYING, draft.now()));
             default -> draft.put(drone);
         }
+    }
+
+    /** Over a bad link a mission takes a minute to come on board: who begins it then is not late. */
+    private static RunDrone onTime(RunDrone drone, Instant now) {
+        Sortie sortie = drone.sortie();
+        return sortie == null || drone.passed() > 0 ? drone : drone.flying(sortie.departingAt(now), drone.passed());
     }
 
     static void failed(Draft draft, RunDrone drone, String why) {

@@ -1,5 +1,6 @@
 package org.dronemap.cognitive.operation.run;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -107,6 +108,12 @@ public record Sortie(
 
     Sortie at(Instant newZero) {
         return new Sortie(number, tour, mission, arrivals, tasks, newZero);
+    }
+
+    /** As it was planned, or as much later as it departs. */
+    Sortie departingAt(Instant moment) {
+        Duration late = Duration.between(moment(tour.departsSeconds()), moment);
+        return late.isNegative() ? this : at(zero.plus(late));
     }
 
     /** When it is to be there; empty: it is none of its stops. */

@@ -86,6 +86,22 @@ class MissionRunTest {
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
     }
 
+    /** Over a bad link that takes a minute; called late each time, it got another mission again and again. */
+    @Test
+    void callsNobodyLateForHowLongItsMissionTookToComeOnBoard() {
+        TestFleet fleet = fleet(3, 30);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        fleet.vehicle(0).transfer = "read the mission";
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.drone(0).stage() == DroneStage.REPLACING, 60);
+        fleet.fly(100);
+        fleet.vehicle(0).transfer = null;
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+        assertThat(triggers(fleet)).as("%s", fleet.said).doesNotContain(Trigger.LATE);
+    }
+
     @Test
     void fliesWithoutADroneThatCannotBeBroughtItsMission() {
         TestFleet fleet = fleet(3, 12);
