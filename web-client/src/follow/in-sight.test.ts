@@ -33,11 +33,13 @@ describe('a map that keeps person and drone in sight', () => {
     expect(isDue([])).toBe(false);
   });
 
-  it('is fitted when one is out of sight, or both are small together', () => {
+  it('is fitted when one is out of sight or at the edge, or both are small together', () => {
     isDue([me, me]);
     expect(isDue([me, at(250, 100)])).toBe(false);
     expect(isDue([me, at(110, 170)])).toBe(false);
     expect(isDue([me, at(400, 100)])).toBe(true);
+    expect(isDue([me, at(350, 100)])).toBe(false);
+    expect(isDue([me, at(360, 100)])).toBe(true);
     expect(isDue([me, at(110, 110)])).toBe(true);
   });
 

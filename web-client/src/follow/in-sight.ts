@@ -14,6 +14,8 @@ export const CLOSEST_ZOOM = 18.5;
 export const LEFT_ALONE_MILLISECONDS = 20_000;
 /** Of the map's width and height: two that take up less are hard to tell apart. */
 const SMALL = 1 / 4;
+/** Nearer to the edge a sign is cut off, or lies below the map's buttons. */
+const EDGE_PIXELS = 36;
 /** Less is not worth a jump. */
 const LEAST_STEP = 0.5;
 
@@ -32,8 +34,16 @@ export class InSight {
     if (other || now - this.#movedAt < LEFT_ALONE_MILLISECONDS) {
       return other && places.length > 0;
     }
-    return places.some((place) => !sight.shows(place)) || areSmall(sight, places);
+    return (
+      places.some((place) => !sight.shows(place) || isAtTheEdge(sight, place)) || areSmall(sight, places)
+    );
   }
+}
+
+function isAtTheEdge(sight: Sight, place: Coordinates): boolean {
+  const { x, y } = sight.pixelOf(place);
+  const { width, height } = sight.size();
+  return Math.min(x, y, width - x, height - y) < EDGE_PIXELS;
 }
 
 function areSmall(sight: Sight, places: readonly Coordinates[]): boolean {

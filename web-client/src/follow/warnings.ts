@@ -175,7 +175,7 @@ function vague({ locating, accuracy, leading, patience }: Signs): Warning | null
 
 function homeAfter(leading: boolean, patience: number | null): string {
   return leading && patience !== null
-    ? ` Yours stands, and flies home when that stays so for ${span(patience)}.`
+    ? ` It stands, and flies home when that stays so for ${span(patience)}.`
     : '';
 }
 
