@@ -23,9 +23,14 @@ class AbsenceTest {
                 .count();
     }
 
-    private static TestFleet withAFallenDrone(CloudLoss loss) {
+    private static TestFleet underWay(CloudLoss loss) {
         TestFleet fleet = Runs.fleet(3, 30, 1, loss);
         fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        return fleet;
+    }
+
+    private static TestFleet withAFallenDrone(CloudLoss loss) {
+        TestFleet fleet = underWay(loss);
         fleet.vehicle(1).falling = true;
         return fleet;
     }
@@ -58,8 +63,7 @@ class AbsenceTest {
 
     @Test
     void sendsDronesOutAgainThatAreSlowToTellWhatTheyCarry() {
-        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.RETURN_TO_LAUNCH);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestFleet fleet = underWay(CloudLoss.RETURN_TO_LAUNCH);
         fleet.restart(12);
         fleet.vehicles.values().forEach(vehicle -> vehicle.untold = 40);
         fleet.flyToTheEnd();
@@ -84,8 +88,7 @@ class AbsenceTest {
 
     @Test
     void sendsDronesOutAgainThatFlewToTheirEndWhileTheyWereNotHeard() {
-        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestFleet fleet = underWay(CloudLoss.CONTINUE);
         fleet.vehicle(0).cut = true;
         fleet.vehicle(2).cut = true;
         fleet.fly(6);
@@ -101,8 +104,7 @@ class AbsenceTest {
 
     @Test
     void missesADroneAfterARestartAsSoonAsItsLinkIsLostThatWasHeardSince() {
-        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestFleet fleet = underWay(CloudLoss.CONTINUE);
         fleet.restart(3);
         fleet.fly(8);
         fleet.vehicle(1).cut = true;
@@ -167,8 +169,7 @@ class AbsenceTest {
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void neverTakesADroneFromItsPilotAfterARestart(boolean before) {
-        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestFleet fleet = underWay(CloudLoss.CONTINUE);
         TestVehicle piloted = fleet.vehicle(1);
         if (before) {
             piloted.mode = "LOITER";
@@ -208,8 +209,7 @@ class AbsenceTest {
 
     @Test
     void leavesADroneThatAPilotStoppedWhileItWasNotHeard() {
-        TestFleet fleet = Runs.fleet(3, 30, 1, CloudLoss.CONTINUE);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestFleet fleet = underWay(CloudLoss.CONTINUE);
         fleet.vehicle(1).cut = true;
         fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.SILENT, 10);
         fleet.vehicle(1).mode = "BRAKE";

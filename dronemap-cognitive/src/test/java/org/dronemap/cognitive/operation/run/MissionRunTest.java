@@ -70,14 +70,20 @@ class MissionRunTest {
         assertThat(fleet.vehicle(1).visits).isNotEmpty();
     }
 
-    @Test
-    void givesNobodyUpInTheAirThatAnotherTransferKeepsBusy() {
+    /** The first one gets a new mission since the second one fell, and cannot take it for a hundred seconds. */
+    private static TestFleet keptBusyInTheAir() {
         TestFleet fleet = fleet(3, 30);
         fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
         fleet.vehicle(0).transfer = "read the mission";
         fleet.vehicle(1).falling = true;
         fleet.flyUntil(() -> fleet.drone(0).stage() == DroneStage.REPLACING, 60);
         fleet.fly(100);
+        return fleet;
+    }
+
+    @Test
+    void givesNobodyUpInTheAirThatAnotherTransferKeepsBusy() {
+        TestFleet fleet = keptBusyInTheAir();
         assertThat(fleet.drone(0).stage()).as("%s", fleet.said).isEqualTo(DroneStage.REPLACING);
 
         fleet.vehicle(0).transfer = null;
@@ -89,12 +95,7 @@ class MissionRunTest {
     /** Over a bad link that takes a minute; called late each time, it got another mission again and again. */
     @Test
     void callsNobodyLateForHowLongItsMissionTookToComeOnBoard() {
-        TestFleet fleet = fleet(3, 30);
-        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
-        fleet.vehicle(0).transfer = "read the mission";
-        fleet.vehicle(1).falling = true;
-        fleet.flyUntil(() -> fleet.drone(0).stage() == DroneStage.REPLACING, 60);
-        fleet.fly(100);
+        TestFleet fleet = keptBusyInTheAir();
         fleet.vehicle(0).transfer = null;
         fleet.flyToTheEnd();
 
