@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import pytest
 from pymavlink import mavutil
@@ -49,11 +50,11 @@ def peer(server: Server, autopilot: Autopilot) -> Iterator[Peer]:
 
 
 def test_every_mode_has_pymavlinks_name_and_is_set_by_it(api: Api, peer: Peer, autopilot: Autopilot) -> None:
+    # Another vehicle may have been there before from the same port: it is that one until this one is heard.
     drone = wait_for(
-        "the peer is listed",
-        lambda: next((d for d in api.drones() if d["link"]["port"] == peer.port), None),
+        f"the peer is listed as {autopilot.name}",
+        lambda: next((d for d in api.drones() if is_there(d, peer, autopilot)), None),
     )
-    assert drone["vehicle"].startswith(autopilot.name)
 
     for number, name in autopilot.modes.items():
         peer.state.custom_mode = number
@@ -62,6 +63,10 @@ def test_every_mode_has_pymavlinks_name_and_is_set_by_it(api: Api, peer: Peer, a
     for number, name in reversed(autopilot.modes.items()):
         api.do(drone["id"], type="setMode", mode=name)
         assert peer.state.custom_mode == number, name
+
+
+def is_there(drone: dict[str, Any], peer: Peer, autopilot: Autopilot) -> bool:
+    return bool(drone["link"]["port"] == peer.port and drone["vehicle"].startswith(autopilot.name))
 
 
 def shows(api: Api, drone: str, mode: str) -> bool:

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
@@ -23,15 +24,20 @@ public record Replan(int request, Situation situation, long seed, Duration limit
 
     @Override
     public RunInput run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled) {
+        // Where the pool is busy, the budget is spent before a search begins, and the others' plan counts.
+        return run(
+                nanoTime,
+                clock,
+                cancelled,
+                Math.min(MOST_SEARCHES, Runtime.getRuntime().availableProcessors()),
+                ForkJoinPool.commonPool());
+    }
+
+    RunInput run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled, int searches, Executor executor) {
         Replanning replanning = new Replanning(situation);
         Replanned result = limit.isZero()
                 ? replanning.atOnce()
-                : replanning.improve(
-                        seed,
-                        Budget.time(limit, nanoTime).orWhen(cancelled),
-                        Math.min(MOST_SEARCHES, Runtime.getRuntime().availableProcessors()),
-                        // Where it is busy, the budget is spent before a search begins, and the others' plan counts.
-                        ForkJoinPool.commonPool());
+                : replanning.improve(seed, Budget.time(limit, nanoTime).orWhen(cancelled), searches, executor);
         return new RunInput.Replanned(clock.instant(), request, result, null);
     }
 
