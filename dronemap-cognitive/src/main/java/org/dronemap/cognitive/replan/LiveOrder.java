@@ -9,14 +9,20 @@ import org.dronemap.core.drone.DroneId;
  *
  * @param firm what comes first and stays so, as the waypoint that it is flying to
  * @param next what may be given to others
+ * @param busy whether it is a while before it could be told of anything else: what has to go out at once is for others
  */
-public record LiveOrder(DroneId drone, List<String> firm, List<String> next) {
+public record LiveOrder(DroneId drone, List<String> firm, List<String> next, boolean busy) {
     public LiveOrder {
         firm = List.copyOf(firm);
         next = List.copyOf(next);
     }
 
-    /** Nothing of it is firm. */
+    /** It can be told of more. */
+    public LiveOrder(DroneId drone, List<String> firm, List<String> next) {
+        this(drone, firm, next, false);
+    }
+
+    /** Nothing of it is firm, and it can be told of more. */
     public static LiveOrder of(DroneId drone, List<String> waypoints) {
         return new LiveOrder(drone, List.of(), waypoints);
     }

@@ -40,7 +40,17 @@ public final class Replanning {
         BitSet everybody = new BitSet();
         everybody.set(0, live.length);
         before = figures(allocator.insert(live, everybody));
-        kept = allocator.insert(live, new BitSet());
+        kept = insert(live);
+    }
+
+    /** Nothing is left undone only because those who could do it are busy. */
+    private Allocation insert(int[][] live) {
+        Allocation others = allocator.insert(live, standing.busy());
+        if (standing.busy().isEmpty() || others.unserved().length == 0) {
+            return others;
+        }
+        Allocation all = allocator.insert(live, new BitSet());
+        return all.unserved().length < others.unserved().length ? all : others;
     }
 
     /** Live orders as they are, but for what cannot be flown any more, and orphans among them. */

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.replan;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,12 +17,14 @@ final class Standing {
     private final int[][] firm;
     private final int[][] orders;
     private final @Nullable DroneId[] owners;
+    private final BitSet busy;
 
-    private Standing(Problem problem, int[][] firm, int[][] orders, @Nullable DroneId[] owners) {
+    private Standing(Problem problem, int[][] firm, int[][] orders, @Nullable DroneId[] owners, BitSet busy) {
         this.problem = problem;
         this.firm = firm;
         this.orders = orders;
         this.owners = owners;
+        this.busy = busy;
     }
 
     static Standing of(Situation situation) {
@@ -42,13 +45,15 @@ final class Standing {
         int drones = problem.crafts().size();
         int[][] firm = new int[drones][];
         int[][] orders = new int[drones][];
+        BitSet busy = new BitSet();
         for (int r = 0; r < drones; r++) {
             DroneId id = problem.crafts().get(r).id();
             LiveOrder order = live.getOrDefault(id, LiveOrder.of(id, List.of()));
             firm[r] = known(numbers, order.firm());
             orders[r] = known(numbers, order.waypoints().toList());
+            busy.set(r, order.busy());
         }
-        return new Standing(problem, firm, orders, owners);
+        return new Standing(problem, firm, orders, owners, busy);
     }
 
     private static int[] known(Map<String, Integer> numbers, List<String> waypoints) {
@@ -66,6 +71,11 @@ final class Standing {
     /** With what is firm. */
     int[][] orders() {
         return orders;
+    }
+
+    /** Drones that could not be told of anything more for a while. */
+    BitSet busy() {
+        return busy;
     }
 
     /** What new orders make of these. */

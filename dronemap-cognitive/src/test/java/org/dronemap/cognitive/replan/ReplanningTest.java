@@ -240,6 +240,38 @@ class ReplanningTest {
         assertThat(Engine.replanning(situation).atOnce().faults()).isEmpty();
     }
 
+    /** The waypoint w2 lies beside what the first drone flies, and is nobody's. */
+    private static Situation besideTheFirst(boolean firstIsBusy, Craft second) {
+        List<Waypoint> waypoints =
+                Scenes.waypoints(new double[] {0, 400}, new double[] {300, 400}, new double[] {10, 300});
+        return new Situation(
+                Problem.of(waypoints, List.of(Scenes.craft(0, 0, 0), second)),
+                List.of(
+                        new LiveOrder(drone(0), ids(), ids(0), firstIsBusy),
+                        new LiveOrder(drone(1), ids(), ids(1), false)));
+    }
+
+    @Test
+    void givesWhatHasToGoOutAtOnceToThoseThatCanBeToldOfIt() {
+        Craft second = Scenes.craft(1, 300, 0);
+
+        Replanned free = Engine.replanning(besideTheFirst(false, second)).atOnce();
+        Replanned busy = Engine.replanning(besideTheFirst(true, second)).atOnce();
+
+        assertThat(order(free.plan(), drone(0))).containsExactly("w2", "w0");
+        assertThat(order(busy.plan(), drone(0))).containsExactly("w0");
+        assertThat(order(busy.plan(), drone(1))).contains("w2");
+    }
+
+    @Test
+    void givesItToABusyDroneRatherThanToNobody() {
+        Craft tired = Scenes.craft(1, 300, 0).with(new Supply(1, 0));
+
+        Replanned replanned = Engine.replanning(besideTheFirst(true, tired)).atOnce();
+
+        assertThat(order(replanned.plan(), drone(0))).contains("w2");
+    }
+
     @Test
     void servesAWaypointThatMovedAndForgetsOneThatWasCancelled() {
         List<Waypoint> waypoints = List.of(Scenes.waypoint(0, 0, 800), Scenes.waypoint(2, 500, 500));

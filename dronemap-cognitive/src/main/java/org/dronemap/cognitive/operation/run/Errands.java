@@ -41,18 +41,24 @@ final class Errands {
     private static void succeeded(Draft draft, RunDrone drone, Errand errand) {
         Sortie next = drone.next();
         switch (errand.kind()) {
-            case UPLOAD -> {
-                boolean inFlight = drone.stage() == DroneStage.REPLACING;
+            case UPLOAD ->
                 draft.put(
                         next == null || next.number() != errand.sortie()
                                 ? drone
-                                : Steps.onBoard(drone, next)
-                                        .to(inFlight ? DroneStage.CONTINUING : DroneStage.READY, draft.now()));
-            }
+                                : onBoard(Steps.onBoard(drone, next), draft.now()));
             case HEIGHT -> Homeward.succeeded(draft, drone);
             case START -> draft.put(onTime(drone, draft.now()).to(DroneStage.FLYING, draft.now()));
             default -> draft.put(drone);
         }
+    }
+
+    /** One that waits for another drone to pass goes on doing so. */
+    private static RunDrone onBoard(RunDrone drone, Instant now) {
+        return switch (drone.stage()) {
+            case HOLDING -> drone;
+            case REPLACING -> drone.to(DroneStage.CONTINUING, now);
+            default -> drone.to(DroneStage.READY, now);
+        };
     }
 
     /** Over a bad link a mission takes a minute to come on board: who begins it then is not late. */

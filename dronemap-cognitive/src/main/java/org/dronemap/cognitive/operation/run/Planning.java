@@ -212,7 +212,8 @@ final class Planning {
 
     private static LiveOrder order(Draft draft, RunDrone drone, List<Look> looks, Duration horizon) {
         if (drone.stage() != DroneStage.FLYING || drone.next() != null) {
-            return LiveOrder.of(drone.id(), drone.orders());
+            return new LiveOrder(
+                    drone.id(), List.of(), drone.orders(), drone.stage().mayFly() && Crafts.isTakingOff(drone));
         }
         Look look = looks.stream()
                 .filter(each -> each.drone().equals(drone.id()))
@@ -222,6 +223,7 @@ final class Planning {
         return new LiveOrder(
                 drone.id(),
                 firm,
-                drone.orders().subList(firm.size(), drone.orders().size()));
+                drone.orders().subList(firm.size(), drone.orders().size()),
+                Crafts.isTakingOff(drone));
     }
 }

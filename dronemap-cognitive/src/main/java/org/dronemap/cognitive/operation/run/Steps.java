@@ -22,7 +22,11 @@ final class Steps {
     static void go(Draft draft, Look look) {
         RunDrone drone = draft.drone(look.drone());
         boolean controlled = look.takenBy() == null && look.isLive() && look.ready();
-        if (!controlled || drone.errand() != null || waits(draft, drone) || Absence.isUnclear(drone)) {
+        if (!controlled || drone.errand() != null || Absence.isUnclear(drone)) {
+            return;
+        }
+        if (waits(draft, drone)) {
+            stepAside(draft, drone, look);
             return;
         }
         if (draft.isPaused() && Pausing.stays(draft, drone, look)) {
@@ -43,6 +47,24 @@ final class Steps {
     private static boolean waits(Draft draft, RunDrone drone) {
         Instant notBefore = drone.tries().notBefore();
         return notBefore != null && draft.now().isBefore(notBefore);
+    }
+
+    /** It flies no mission meanwhile: what it gets is brought to it on its step aside, and begun after that. */
+    private static void stepAside(Draft draft, RunDrone drone, Look look) {
+        Sortie next = drone.next();
+        boolean steps = drone.stage() == DroneStage.HOLDING
+                && drone.signs().yields() != null
+                && drone.tries().failed() == 0
+                && look.waits()
+                && !draft.isPaused();
+        if (!steps || next == null || !Transfer.isFree(draft, drone, next) || isAmended(draft, drone, next, look)) {
+            return;
+        }
+        if (Boolean.TRUE.equals(look.progress().carriesNext())) {
+            draft.put(onBoard(drone, next));
+        } else {
+            bring(draft, drone, next, look);
+        }
     }
 
     private static void onTheGround(Draft draft, RunDrone drone, Look look) {
@@ -194,9 +216,7 @@ final class Steps {
             pause(draft, drone.to(DroneStage.HOLDING, draft.now()));
         } else if (next == null) {
             draft.put(drone.to(DroneStage.HOLDING, draft.now()));
-        } else if (TaskReports.spare(draft, drone, next) || TaskReports.mayTellYet(draft, drone, look)) {
-            return;
-        } else if (leavesOutWhatIsDone(draft, drone, next, look)) {
+        } else if (isAmended(draft, drone, next, look)) {
             return;
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
             draft.put(onBoard(drone, next).to(DroneStage.CONTINUING, draft.now()));
@@ -206,6 +226,13 @@ final class Steps {
         } else {
             bring(draft, drone, next, look);
         }
+    }
+
+    /** Or may have to be: what it did of its last mission is not done again. */
+    private static boolean isAmended(Draft draft, RunDrone drone, Sortie next, Look look) {
+        return TaskReports.spare(draft, drone, next)
+                || TaskReports.mayTellYet(draft, drone, look)
+                || leavesOutWhatIsDone(draft, drone, next, look);
     }
 
     private static boolean leavesOutWhatIsDone(Draft draft, RunDrone drone, Sortie next, Look look) {

@@ -304,6 +304,21 @@ class MissionRunTest {
     }
 
     @Test
+    void givesThemToThoseThatAreUpAsLongAsAnotherTakesOff() {
+        TestFleet fleet = fleet(4, 40);
+        fleet.vehicle(0).lingers = 40;
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 2, 60);
+
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 2);
+        fleet.flyUntil(
+                () -> fleet.state.counts().replans() > 0
+                        && fleet.state.drones().stream().allMatch(drone -> drone.next() == null),
+                3);
+        assertThat(Crafts.isTakingOff(fleet.drone(0))).isTrue();
+    }
+
+    @Test
     void takesWaypointsFromADroneWhoseBatteryRunsLow() {
         TestFleet fleet = Runs.limited(3, 30, 1);
         fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
