@@ -56,8 +56,8 @@ public final class GroundRun {
                     new Geodetic(Double.parseDouble(words[1]), Double.parseDouble(words[2])),
                     Double.parseDouble(words[3]));
             if (words[0].equals("drone")) {
-                crafts.add(
-                        Craft.atHome(new DroneId("d" + crafts.size()), place, Performance.of(VehicleKind.MULTICOPTER)));
+                crafts.add(Craft.atHome(
+                        new DroneId("d" + crafts.size()), place, Performance.of(VehicleKind.MULTICOPTER, "ArduPilot")));
             } else {
                 waypoints.add(Waypoint.at(String.valueOf(waypoints.size()), place));
             }

@@ -122,7 +122,6 @@ public final class FlownPlans {
 
     private static Place place(double east, double north, double up) {
         Position there = new Position(north, east, up);
-        return new Place(
-                new Geodetic(HOME.latitudeOf(there), HOME.longitudeOf(there)), HOME.altitudeAmsl() + up);
+        return new Place(new Geodetic(HOME.latitudeOf(there), HOME.longitudeOf(there)), HOME.altitudeAmsl() + up);
     }
 }
