@@ -286,15 +286,15 @@ final class TestVehicle {
         armed = armed && altitude > GROUND;
     }
 
+    /** Straight there, as fast as its slower way lets it. */
     private boolean to(double toEast, double toNorth, double toAltitude, double seconds) {
         double meters = Math.hypot(toEast - east, toNorth - north);
-        double stride = Math.min(meters, cruise * seconds);
-        if (meters > 0) {
-            east += (toEast - east) / meters * stride;
-            north += (toNorth - north) / meters * stride;
-        }
         double up = toAltitude - altitude;
-        altitude += up > 0 ? Math.min(up, 2 * seconds) : Math.max(up, -1.5 * seconds);
+        double takes = Math.max(meters / cruise, up > 0 ? up / 2 : -up / 1.5);
+        double part = takes > seconds ? seconds / takes : 1;
+        east += (toEast - east) * part;
+        north += (toNorth - north) * part;
+        altitude += up * part;
         return Math.hypot(toEast - east, toNorth - north) < 0.5 && Math.abs(toAltitude - altitude) < 0.3;
     }
 
