@@ -63,6 +63,26 @@ class GuardTest {
     }
 
     @Test
+    void getTheirNewMissionWhileTheyMakeRoomAndBeginItAfterwards() {
+        TestFleet fleet = flying();
+        TestVehicle aside = fleet.vehicle(1);
+        aside.mode = "GUIDED";
+        Draft draft = new Draft(fleet.state, fleet.now);
+        RunDrone drone = draft.drone(aside.id);
+        draft.put(drone.with(drone.signs().yields(fleet.vehicle(0).id))
+                .to(DroneStage.HOLDING, fleet.now)
+                .busy(fleet.now.plusSeconds(10)));
+        fleet.state = draft.decision().next();
+
+        fleet.vehicle(2).falling = true;
+        fleet.flyUntil(() -> fleet.drone(1).next() != null, 3);
+        fleet.flyUntil(() -> fleet.drone(1).next() == null, 3);
+        assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.HOLDING);
+        assertThat(aside.mode).isEqualTo("GUIDED");
+        fleet.flyUntil(aside::fliesMission, 15);
+    }
+
+    @Test
     void makeRoomForOneThatFliesHomeByItself() {
         TestFleet fleet = withOneThatIsHeld();
         fleet.fly(12);
