@@ -37,7 +37,7 @@ final class Applying {
         Optional<String> fault = fault(draft, request, result);
         if (fault.isPresent()) {
             again(draft, request, "There is no plan yet that can be flown: " + fault.get());
-        } else if (!Freshness.isFresh(draft, request, result.plan())) {
+        } else if (!Freshness.isFresh(draft, request, result)) {
             stale(draft, request);
         } else if (request.better()) {
             better(draft, request, result);

@@ -7,21 +7,26 @@ import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.replan.Moved;
+import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.core.drone.DroneId;
 
 /** Whether a plan still fits what happened while it was made. */
 final class Freshness {
     private Freshness() {}
 
-    static boolean isFresh(Draft draft, Request request, Plan plan) {
+    static boolean isFresh(Draft draft, Request request, Replanned result) {
+        Plan plan = result.plan();
         Map<String, DroneId> whose = new HashMap<>();
         plan.tours().forEach(tour -> tour.stops().forEach(stop -> whose.put(stop.waypoint(), tour.drone())));
-        return request.crafts().stream().allMatch(craft -> fits(draft.drone(craft.id()), craft, whose))
+        // What is taken at once from who flies to it was taken on purpose: its charge may not last for it.
+        List<Moved> taken = request.better() ? List.of() : result.changes().moved();
+        return request.crafts().stream().allMatch(craft -> fits(draft.drone(craft.id()), craft, whose, taken))
                 && plan.tours().stream()
                         .allMatch(tour -> tour.stops().stream().allMatch(stop -> isOpen(draft, tour.drone(), stop)));
     }
 
-    private static boolean fits(RunDrone drone, Craft craft, Map<String, DroneId> whose) {
+    private static boolean fits(RunDrone drone, Craft craft, Map<String, DroneId> whose, List<Moved> taken) {
         boolean up = drone.stage().compareTo(DroneStage.STARTING) >= 0;
         if (!drone.stage().takesOrders() || up != craft.start().airborne()) {
             return false;
@@ -29,7 +34,15 @@ final class Freshness {
         boolean heads = drone.stage() == DroneStage.FLYING && !drone.orders().isEmpty();
         DroneId then = heads ? whose.get(drone.orders().get(0)) : null;
         // One that is sent home does not come to what it flies to.
-        return then == null || then.equals(drone.id()) || !whose.containsValue(drone.id());
+        return then == null
+                || then.equals(drone.id())
+                || !whose.containsValue(drone.id())
+                || taken.stream().anyMatch(moved -> isHead(moved, drone));
+    }
+
+    private static boolean isHead(Moved moved, RunDrone drone) {
+        return drone.id().equals(moved.from())
+                && moved.waypoint().equals(drone.orders().get(0));
     }
 
     /** Not done yet, or done by whom it is for. */

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -28,5 +29,20 @@ class LowBatteryTest {
         assertThat(weak.joules).as("%s", fleet.said).isPositive();
         assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
         assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
+    }
+
+    @Test
+    void evenWhatItFliesToIsTakenFromItAtOnce() {
+        TestFleet fleet = Runs.limited(3, 30, 4);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestVehicle weak = fleet.vehicle(1);
+
+        weak.joules = 0.2 * weak.fullJoules;
+        fleet.flyUntil(() -> fleet.said.stream().anyMatch(words -> words.contains("does not last")), 60);
+        fleet.flyUntil(() -> fleet.state.counts().replans() > 0, 1);
+
+        fleet.flyToTheEnd();
+        assertThat(weak.joules).isPositive();
+        assertThat(fleet.state.count(Target.State.VISITED)).isEqualTo(30);
     }
 }
