@@ -181,6 +181,19 @@ final class Condition {
                                 + drone.orders().get(0) + " " + LATE.toSeconds() + " s ago."));
     }
 
+    /** It may wait long for others to pass: what its charge does not last for is not left to wait for that. */
+    static void whileItWaits(Draft draft, RunDrone drone, Look look) {
+        boolean goesOn = drone.stage() == DroneStage.HOLDING
+                && drone.next() == null
+                && drone.sortie() != null
+                && !drone.orders().isEmpty();
+        if (goesOn) {
+            charge(draft, drone, look);
+        } else {
+            lasts(draft, drone, look);
+        }
+    }
+
     private static void charge(Draft draft, RunDrone drone, Look look) {
         Sortie sortie = drone.sortie();
         Place place = look.place();

@@ -133,7 +133,7 @@ final class Watch {
         } else if (draft.drone(drone.id()).stage() == DroneStage.FLYING) {
             Condition.check(draft, draft.drone(drone.id()), look);
         } else {
-            Condition.lasts(draft, draft.drone(drone.id()), look);
+            Condition.whileItWaits(draft, draft.drone(drone.id()), look);
         }
     }
 
