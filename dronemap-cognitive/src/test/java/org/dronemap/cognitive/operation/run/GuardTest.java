@@ -65,14 +65,7 @@ class GuardTest {
     @Test
     void getTheirNewMissionWhileTheyMakeRoomAndBeginItAfterwards() {
         TestFleet fleet = flying();
-        TestVehicle aside = fleet.vehicle(1);
-        aside.mode = "GUIDED";
-        Draft draft = new Draft(fleet.state, fleet.now);
-        RunDrone drone = draft.drone(aside.id);
-        draft.put(drone.with(drone.signs().yields(fleet.vehicle(0).id))
-                .to(DroneStage.HOLDING, fleet.now)
-                .busy(fleet.now.plusSeconds(10)));
-        fleet.state = draft.decision().next();
+        TestVehicle aside = fleet.makesRoom(1, 0, "GUIDED", 10);
 
         fleet.vehicle(2).falling = true;
         fleet.flyUntil(() -> fleet.drone(1).next() != null, 3);

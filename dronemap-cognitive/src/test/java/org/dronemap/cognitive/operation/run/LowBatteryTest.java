@@ -50,14 +50,7 @@ class LowBatteryTest {
     void itIsTakenAlsoFromOneThatWaitsForAnotherToPass() {
         TestFleet fleet = Runs.limited(3, 30, 1);
         fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
-        TestVehicle weak = fleet.vehicle(1);
-        weak.mode = "BRAKE";
-        Draft draft = new Draft(fleet.state, fleet.now);
-        RunDrone drone = draft.drone(weak.id);
-        draft.put(drone.with(drone.signs().yields(fleet.vehicle(0).id))
-                .to(DroneStage.HOLDING, fleet.now)
-                .busy(fleet.now.plusSeconds(30)));
-        fleet.state = draft.decision().next();
+        TestVehicle weak = fleet.makesRoom(1, 0, "BRAKE", 30);
 
         weak.joules = 0.3 * weak.fullJoules;
         fleet.flyUntil(() -> fleet.said.stream().anyMatch(words -> words.contains("does not last")), 2);

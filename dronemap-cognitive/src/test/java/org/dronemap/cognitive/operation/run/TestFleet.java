@@ -131,6 +131,19 @@ final class TestFleet {
         decision.actions().forEach(this::act);
     }
 
+    /** It stands in that mode and has been told to make room for the other one, which takes it so long; nothing of it is in the journal. */
+    TestVehicle makesRoom(int number, int other, String mode, long seconds) {
+        TestVehicle vehicle = vehicle(number);
+        vehicle.mode = mode;
+        Draft draft = new Draft(state, now);
+        RunDrone drone = draft.drone(vehicle.id);
+        draft.put(drone.with(drone.signs().yields(vehicle(other).id))
+                .to(DroneStage.HOLDING, now)
+                .busy(now.plusSeconds(seconds)));
+        state = draft.decision().next();
+        return vehicle;
+    }
+
     void wish(RunInput wish) {
         assertThat(run.refusal(state, wish)).isEmpty();
         input(wish);
