@@ -37,6 +37,8 @@ class Impairer:
         self.lost = 0
         # Hears every datagram of every vehicle before the weather does anything to it.
         self.overhear: Callable[[bytes], None] = lambda data: None
+        # Which datagrams of vehicles never arrive, whatever the weather.
+        self.withholds: Callable[[bytes], bool] = lambda data: False
         self._server = (LOOPBACK, server_port)
         self._random = random.Random(seed)
         self._front = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -85,7 +87,8 @@ class Impairer:
             return
         if vehicle is None:
             self.overhear(data)
-            self._carry(self._back(sender), self._server, data)
+            if not self.withholds(data):
+                self._carry(self._back(sender), self._server, data)
         else:
             self._carry(self._front, vehicle, data)
 

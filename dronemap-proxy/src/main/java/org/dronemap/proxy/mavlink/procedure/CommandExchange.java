@@ -20,6 +20,10 @@ public final class CommandExchange implements Exchange {
     private static final long EFFECT_NANOS = 3_000_000_000L;
     /** Who said nothing for so long after accepting cannot be called failed. */
     private static final long SILENCE_NANOS = 2_000_000_000L;
+    /** What was said sooner after the acceptance may have been written before it. */
+    private static final long SAID_AFTER_NANOS = 1_000_000_000L;
+    /** Real vehicles leave out heartbeats for six seconds while all else flows. */
+    private static final long LONGEST_UNSAID_NANOS = 12_000_000_000L;
 
     private final Target target;
     private final CommandRequest request;
@@ -34,6 +38,7 @@ public final class CommandExchange implements Exchange {
     private long deadlineNanos;
     private boolean accepted;
     private long acceptedNanos;
+    private boolean saidSince;
     private boolean inProgress;
     private long lastProgressNanos;
     private int refusal;
@@ -68,6 +73,9 @@ public final class CommandExchange implements Exchange {
             return;
         }
         lastHeardNanos = nowNanos;
+        if (accepted && isTelling(frame) && nowNanos - acceptedNanos >= SAID_AFTER_NANOS) {
+            saidSince = true;
+        }
         if (frame.messageId() == CommandAck.ID) {
             CommandAck ack = CommandAck.decode(frame);
             if (ack.command() == request.command() && Target.isForUs(ack.targetSystem())) {
@@ -75,6 +83,11 @@ public final class CommandExchange implements Exchange {
             }
         }
         look();
+    }
+
+    private boolean isTelling(Frame frame) {
+        int telling = request.proof().shownBy();
+        return telling == CommandRequest.Proof.ANY || frame.messageId() == telling;
     }
 
     /** What comes before an earlier exchange of this command has settled may belong to that one. */
@@ -213,11 +226,17 @@ public final class CommandExchange implements Exchange {
     }
 
     private void concludeAccepted(long nowNanos) {
-        if (nowNanos - acceptedNanos > request.proof().patience().toNanos()) {
-            outcome = nowNanos - lastHeardNanos < SILENCE_NANOS
-                    ? new Outcome.Failed(request.proof().unseen())
-                    : new Outcome.Unknown(
-                            "The vehicle accepted it and then fell silent, before it was seen to be done.");
+        long since = nowNanos - acceptedNanos;
+        if (since <= request.proof().patience().toNanos()) {
+            return;
+        }
+        if (nowNanos - lastHeardNanos >= SILENCE_NANOS) {
+            outcome =
+                    new Outcome.Unknown("The vehicle accepted it and then fell silent, before it was seen to be done.");
+        } else if (saidSince) {
+            outcome = new Outcome.Failed(request.proof().unseen());
+        } else if (since > LONGEST_UNSAID_NANOS) {
+            outcome = new Outcome.Unknown("The vehicle accepted it, but has not said what it does since.");
         }
     }
 

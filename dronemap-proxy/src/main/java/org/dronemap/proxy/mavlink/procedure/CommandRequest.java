@@ -26,10 +26,16 @@ public record CommandRequest(IntFunction<Message> message, int command, Retry re
         ONCE
     }
 
-    /** {@code seen} shows that it came about, within {@code patience} of the acceptance; else {@code unseen} is said. */
-    public record Proof(BooleanSupplier seen, Duration patience, String unseen) {
+    /**
+     * {@code seen} shows that it came about, within {@code patience} of the acceptance; else {@code unseen} is said.
+     *
+     * @param shownBy the message that would show it, so that nothing is said before one came; {@link #ANY}: none in particular
+     */
+    public record Proof(BooleanSupplier seen, Duration patience, String unseen, int shownBy) {
+        public static final int ANY = -1;
+
         /** The acknowledgement is all that will be heard. */
-        public static final Proof ACKNOWLEDGED = new Proof(() -> true, Duration.ZERO, "");
+        public static final Proof ACKNOWLEDGED = new Proof(() -> true, Duration.ZERO, "", ANY);
     }
 
     /** Parameters of a COMMAND_LONG, the missing ones 0. */

@@ -5,6 +5,7 @@ import java.util.function.Predicate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Alternative;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.CommandRequest;
@@ -62,7 +63,10 @@ final class Maneuvers {
 
     static Exchange arm(Cockpit cockpit) {
         CommandRequest.Proof proof = new CommandRequest.Proof(
-                cockpit.status()::armed, TO_ARM, "The vehicle said that it arms, but it is still disarmed after 5 s.");
+                cockpit.status()::armed,
+                TO_ARM,
+                "The vehicle said that it arms, but it is still disarmed after 5 s.",
+                Heartbeat.ID);
         return new CommandExchange(
                 cockpit.target(),
                 CommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {1f}, proof),
@@ -73,7 +77,8 @@ final class Maneuvers {
         CommandRequest.Proof proof = new CommandRequest.Proof(
                 () -> !cockpit.status().armed(),
                 TO_ARM,
-                "The vehicle said that it disarms, but it is still armed after 5 s.");
+                "The vehicle said that it disarms, but it is still armed after 5 s.",
+                Heartbeat.ID);
         return new CommandExchange(
                 cockpit.target(),
                 CommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {0f, force ? FORCE : 0f}, proof),
@@ -84,7 +89,8 @@ final class Maneuvers {
         CommandRequest.Proof proof = new CommandRequest.Proof(
                 () -> cockpit.status().inMode(name),
                 TO_CHANGE_MODE,
-                "The vehicle accepted mode " + name + ", but does not show it after 5 s.");
+                "The vehicle accepted mode " + name + ", but does not show it after 5 s.",
+                Heartbeat.ID);
         return new CommandExchange(
                 cockpit.target(),
                 CommandRequest.ofLong(cockpit.target(), DO_SET_MODE, new float[] {CUSTOM_MODE, main, sub}, proof),
@@ -104,7 +110,8 @@ final class Maneuvers {
                             || (above != null && above - start >= CLIMBED_METERS);
                 },
                 TO_CLIMB,
-                "The vehicle accepted the take-off, but did not climb within 25 s.");
+                "The vehicle accepted the take-off, but did not climb within 25 s.",
+                CommandRequest.Proof.ANY);
     }
 
     /** Sets a parameter if the vehicle has it; goes on with a warning if not. */

@@ -10,6 +10,8 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandCancel;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.Heartbeat;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,7 +31,7 @@ class CommandExchangeTest {
     }
 
     private static CommandRequest.Proof seen(BooleanSupplier seen) {
-        return new CommandRequest.Proof(seen, Duration.ofSeconds(5), "It did not arm.");
+        return new CommandRequest.Proof(seen, Duration.ofSeconds(5), "It did not arm.", CommandRequest.Proof.ANY);
     }
 
     private static CommandAck ack(int result) {
@@ -99,6 +101,39 @@ class CommandExchangeTest {
 
         assertThat(exchange.outcome()).isEqualTo(new Outcome.Failed("It did not arm."));
         assertThat(wire.sent()).hasSize(1);
+    }
+
+    /** Accepted at once; the vehicle says other things all the time, and after so many seconds how it is. */
+    private @Nullable Outcome toldAfter(int seconds, boolean done) {
+        AtomicBoolean armed = new AtomicBoolean();
+        CommandExchange exchange =
+                exchange(new CommandRequest.Proof(armed::get, Duration.ofSeconds(5), "It did not arm.", Heartbeat.ID));
+        wire.peer((w, message) -> w.answer(ack(0)));
+        exchange.start(wire.now());
+        wire.run(exchange, 0.5);
+        for (int second = 1; second <= seconds && exchange.outcome() == null; second++) {
+            exchange.heard(wire.frame(new CommandAck(999, 0, 0, 0, 255, 190)), wire.now());
+            wire.run(exchange, 1);
+        }
+        armed.set(done);
+        exchange.heard(wire.frame(new Heartbeat(2, 3, 0, 0, 4, 3)), wire.now());
+        return wire.run(exchange, 0.5);
+    }
+
+    @Test
+    void waitsForTheMessageThatWouldShowItWhileOthersFlow() {
+        assertThat(toldAfter(7, true)).isEqualTo(DONE);
+    }
+
+    @Test
+    void failsWhenThatMessageShowsOtherwise() {
+        assertThat(toldAfter(7, false)).isEqualTo(new Outcome.Failed("It did not arm."));
+    }
+
+    @Test
+    void isNotKnownWhereThatMessageStaysAway() {
+        assertThat(toldAfter(14, true))
+                .isEqualTo(new Outcome.Unknown("The vehicle accepted it, but has not said what it does since."));
     }
 
     @Test
