@@ -30,7 +30,12 @@ import org.dronemap.proxy.mavlink.translate.VehicleStatus;
  * commands and what becomes of them. Owned by the lane of its session.
  */
 final class Conversation {
-    private static final long SECOND_NANOS = 1_000_000_000L;
+    /**
+     * ArduPilot goes home after five seconds without one. At one a second, a link that loses every tenth message would send a
+     * drone home about every three hours of flight.
+     */
+    private static final long HEARTBEAT_NANOS = 500_000_000L;
+
     private static final int REQUEST_MESSAGE = 512;
     static final Heartbeat OWN_HEARTBEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
 
@@ -74,7 +79,7 @@ final class Conversation {
         missions = new MissionWatch(target, autopilot, status, this::tell, missionRead);
         time = new TimeAnswers(target);
         gimbal = new Gimbal(target, links::send);
-        lastHeartbeatNanos = nanoTime.getAsLong() - SECOND_NANOS;
+        lastHeartbeatNanos = nanoTime.getAsLong() - HEARTBEAT_NANOS;
     }
 
     Target target() {
@@ -122,7 +127,7 @@ final class Conversation {
 
     /** Keeps a vehicle company that is known: it hears a ground station as long as the lane lives. */
     void accompany(long now) {
-        if (now - lastHeartbeatNanos >= SECOND_NANOS) {
+        if (now - lastHeartbeatNanos >= HEARTBEAT_NANOS) {
             lastHeartbeatNanos = now;
             links.send(OWN_HEARTBEAT);
         }

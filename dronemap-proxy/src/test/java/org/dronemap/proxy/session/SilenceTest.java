@@ -62,6 +62,23 @@ class SilenceTest {
         assertThat(states()).hasSize(1).doesNotContain(LinkState.LOST);
     }
 
+    /** Vehicles go home after five seconds: more than a few may get lost on the way. */
+    @Test
+    void aVehicleHearsTheCloudTwiceASecond() {
+        says(new Heartbeat(2, 3, 81, 4, 4, 3));
+        cloud.awaitDrone(drone -> drone.link().state() == LinkState.LIVE);
+        long before = beats();
+        long began = System.nanoTime();
+        TestCloud.await(Duration.ofSeconds(30), () -> beats() >= before + 9, () -> beats() + " heartbeats");
+        assertThat(Duration.ofNanos(System.nanoTime() - began)).isLessThan(Duration.ofSeconds(7));
+    }
+
+    private long beats() {
+        return hop.heard().stream()
+                .filter(frame -> frame.messageId() == Heartbeat.ID)
+                .count();
+    }
+
     @Test
     void aVehicleIsAskedForASignOfLifeBeforeItIsLost() {
         says(new Heartbeat(2, 3, 81, 4, 4, 3));
