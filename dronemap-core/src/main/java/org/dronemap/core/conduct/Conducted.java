@@ -39,6 +39,8 @@ final class Conducted<S, I> {
     private final List<Computations.Underway> computations = new ArrayList<>();
     /** What came to be known and was not decided on yet. */
     private final Deque<I> inbox = new ArrayDeque<>();
+
+    private @Nullable I resumed;
     /** Bounded by what may be worked out at once. */
     private final Queue<Result<I>> results = new ConcurrentLinkedQueue<>();
 
@@ -107,7 +109,21 @@ final class Conducted<S, I> {
     /** After a restart: what is held by somebody else is seen. */
     void takeUp() {
         reins.reachFor(wanted());
-        inbox.addFirst(kind.machine().resumed(means.clock().instant()));
+        resume();
+    }
+
+    /** Not before vehicles can be heard, however long the rest of the start took. */
+    void goOn() {
+        if (resumed != null) {
+            inbox.remove(resumed);
+            resume();
+        }
+    }
+
+    private void resume() {
+        I input = kind.machine().resumed(means.clock().instant());
+        inbox.addFirst(input);
+        resumed = input;
     }
 
     /** Looks at its next turn, however slow its rhythm is. */
@@ -321,7 +337,7 @@ final class Conducted<S, I> {
         now = new Now<>(stored, kind.codec().state(stored.state()));
         reins.reachFor(wanted());
         reins.keepOnly(wanted());
-        inbox.addFirst(kind.machine().resumed(means.clock().instant()));
+        resume();
         means.listener().changed(stored, "");
     }
 }

@@ -59,6 +59,10 @@ final class OperationBook {
         }
     }
 
+    void goOn() {
+        conducted.values().forEach(Conducted::goOn);
+    }
+
     private <S, I> Conducted<S, I> read(OperationKind<S, I> kind, SavedOperation saved) {
         return new Conducted<>(kind, means, saved, kind.codec().state(saved.state()));
     }

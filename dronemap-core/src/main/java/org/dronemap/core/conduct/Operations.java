@@ -95,8 +95,22 @@ public final class Operations implements CloudListener, AutoCloseable {
 
     /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
     public void start() {
+        takeUp();
+        goOn();
+    }
+
+    /** What was under way when the process ended is there again, in control of its drones; it is left as it is. */
+    public void takeUp() {
         book.takeUp();
         cloud.addListener(this);
+    }
+
+    /** For when vehicles can be heard: how long they are silent counts from here. */
+    public void goOn() {
+        thread.ask(() -> {
+            book.goOn();
+            return true;
+        });
         thread.every(RHYTHM_MILLIS, TimeUnit.MILLISECONDS, this::turn);
         thread.every(TIDYING_HOURS, TimeUnit.HOURS, this::tidy);
     }

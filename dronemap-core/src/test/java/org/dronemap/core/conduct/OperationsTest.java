@@ -126,6 +126,21 @@ class OperationsTest extends WatchHouse {
         assertReplays();
     }
 
+    /** Before that nobody can be heard, and who is not heard would be missed. */
+    @Test
+    void goesOnAfterARestartWhenVehiclesAreLetIn() {
+        begin();
+        restartDeaf();
+        assertThat(isHeldByIt(link.id())).isTrue();
+        assertThat(heard()).isEmpty();
+
+        operations.goOn();
+
+        await().until(() -> !heard().isEmpty());
+        assertThat(heard()).containsExactly("resumed");
+        assertReplays();
+    }
+
     @Test
     void tellsOfCommandsThatWereWrittenDownAndNeverSent() {
         begin();

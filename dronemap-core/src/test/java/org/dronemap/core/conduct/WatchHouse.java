@@ -124,13 +124,19 @@ abstract class WatchHouse {
 
     /** What is left when the process dies, in a new one. */
     void restart() {
+        restartDeaf();
+        operations.goOn();
+    }
+
+    /** The new one does not let vehicles in yet. */
+    void restartDeaf() {
         operations.close();
         commands.records.replaceAll((id, record) -> record.outcome() == null
                 ? record.ended(new Outcome.Unknown("The server restarted."), Instant.now())
                 : record);
         cloud = cloud();
         operations = operations();
-        operations.start();
+        operations.takeUp();
     }
 
     void assertReplays() {
