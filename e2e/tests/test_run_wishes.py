@@ -290,7 +290,7 @@ def test_a_new_zone_a_joining_drone_and_a_waypoint_out_of_reach(
         "geometry": {"type": "Point", "coordinates": [fenced["longitude"], fenced["latitude"]]},
         "properties": {"name": "Crane", "kind": "exclusion", "radius": FENCE_METRES},
     }
-    done(api, "POST", f"{run}/barriers", zone)
+    kept = done(api, "POST", "/zones", zone)["id"]
 
     left_out = (far["id"], fenced["id"])
 
@@ -302,6 +302,7 @@ def test_a_new_zone_a_joining_drone_and_a_waypoint_out_of_reach(
 
     before = wait_for("reasons are told while it flies", reasons, 30)
     over = wait_for("it is over", partial(ended, api, run), 240)
+    assert api.call("DELETE", f"/zones/{kept}").ok
 
     result = by_id(over)
     for one, why in ((far["id"], "Out of range"), (fenced["id"], "Crane")):

@@ -214,7 +214,7 @@ class RunsTest {
                 .startsWith("422 waypoints[0].id There is a waypoint “1” in this run already.");
         assertThat(detail(patch(operator, run + "/waypoints/1", "{\"altitude\":90000}")))
                 .startsWith("422 altitude ");
-        assertThat(detail(patch(operator, run + "/waypoints/99", "{}"))).startsWith("404 ");
+        assertThat(detail(patch(operator, run + "/waypoints/1", "{}"))).startsWith("422 latitude ");
         assertThat(detail(operator.post(run + "/barriers", "{\"type\":\"Feature\"}")))
                 .startsWith("422 geometry ");
         assertThat(detail(operator.post(run + "/drones", "{}"))).startsWith("422 drone ");
@@ -223,6 +223,18 @@ class RunsTest {
                 .startsWith("422 proposal ");
         assertThat(detail(operator.post(run + "/answers/1", "{}"))).startsWith("422 accept ");
         assertThat(detail(operator.get(run + "/journal?from=-1"))).startsWith("422 from ");
+    }
+
+    @Test
+    void planRoundZonesThatComeWhileTheyAreFlown() {
+        String id = start("");
+        String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[" + LONGITUDE + ","
+                + (LATITUDE + 0.003) + "]},\"properties\":{\"name\":\"Crane\",\"radius\":20}}";
+        new Http(house, house.key(Role.SUPERVISOR)).post("/api/v1/zones", zone);
+        Waiting.until(
+                "the run has heard of it",
+                () -> Optional.of(run(id).toString())
+                        .filter(run -> run.contains("added the no-fly zone “Crane”, which drones keep to")));
     }
 
     @Test

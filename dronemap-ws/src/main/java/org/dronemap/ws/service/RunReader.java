@@ -117,6 +117,9 @@ final class RunReader {
         Geodetic point = new Geodetic(
                 latitude == null ? place.point().latitudeDegrees() : Ranges.latitude("latitude", latitude),
                 longitude == null ? place.point().longitudeDegrees() : Ranges.longitude("longitude", longitude));
+        if (latitude == null && longitude == null && request.altitude() == null) {
+            throw InvalidInput.missing("latitude", "where the waypoint goes, or a longitude, or an altitude");
+        }
         if (request.altitude() == null && request.altitudeReference() != null) {
             throw InvalidInput.missing("altitude", "metres, when altitudeReference is given");
         }

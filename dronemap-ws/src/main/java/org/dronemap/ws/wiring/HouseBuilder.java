@@ -21,6 +21,7 @@ import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.conduct.AuditedBindings;
+import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -68,6 +69,7 @@ final class HouseBuilder {
     private @Nullable Proxy proxy;
     private @Nullable RoslinkProxy robotLinks;
     private @Nullable LinkStore savedLinks;
+    private @Nullable Operations operations;
     private volatile boolean connected;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
@@ -217,7 +219,8 @@ final class HouseBuilder {
                 new AccountRights(database.access(), grants),
                 settings.apart(),
                 Clock.systemUTC());
-        runs.operations().start();
+        runs.operations().takeUp();
+        operations = runs.operations();
         closing.add("the operations", runs.operations());
         return runs;
     }
@@ -350,6 +353,9 @@ final class HouseBuilder {
             }
         } catch (IOException e) {
             throw new SetupException(e.getMessage() + " (DRONEMAP_ENDPOINTS)", e);
+        }
+        if (operations != null) {
+            operations.goOn();
         }
         connected = true;
     }

@@ -1,11 +1,13 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.ws.rest.RunController;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.service.RunJournalService;
 import org.dronemap.ws.service.RunService;
+import org.dronemap.ws.service.RunZones;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
@@ -19,6 +21,13 @@ public class RunConfiguration {
         RunService.Conduct conduct =
                 new RunService.Conduct(house.runs().operations(), house.runs().kind(), house.cloud());
         return new RunService(conduct, plans, drones, clock);
+    }
+
+    @Bean(destroyMethod = "close")
+    RunZoneWatch runZoneWatch(House house, Clock clock) {
+        ZoneBook book = house.cloud().zones();
+        RunZones zones = new RunZones(house.runs().operations(), house.runs().kind(), book, clock);
+        return new RunZoneWatch(zones, book);
     }
 
     @Bean
