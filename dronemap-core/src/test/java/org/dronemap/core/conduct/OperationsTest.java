@@ -131,7 +131,7 @@ class OperationsTest extends WatchHouse {
     void goesOnAfterARestartWhenVehiclesAreLetIn() {
         begin();
         restartDeaf();
-        assertThat(isHeldByIt(link.id())).isTrue();
+        await().until(() -> isHeldByIt(link.id()));
         assertThat(heard()).isEmpty();
 
         operations.goOn();
