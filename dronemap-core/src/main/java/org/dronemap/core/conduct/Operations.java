@@ -93,12 +93,6 @@ public final class Operations implements CloudListener, AutoCloseable {
         this.book = new OperationBook(means, kinds);
     }
 
-    /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
-    public void start() {
-        takeUp();
-        goOn();
-    }
-
     /** What was under way when the process ended is there again, in control of its drones; it is left as it is. */
     public void takeUp() {
         book.takeUp();

@@ -62,7 +62,8 @@ abstract class WatchHouse {
                 0)));
         hear(new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
         hear(new DroneEvent.ModeHeard("GUIDED", false));
-        operations.start();
+        operations.takeUp();
+        operations.goOn();
     }
 
     @AfterEach

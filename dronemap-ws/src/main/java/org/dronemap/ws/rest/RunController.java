@@ -84,7 +84,9 @@ public class RunController {
     }
 
     @PatchMapping("/{id}/waypoints/{waypoint}")
-    @Operation(summary = "Move a waypoint of a mission run (operator)")
+    @Operation(
+            summary = "Move a waypoint of a mission run (operator)",
+            description = "What is left out of latitude, longitude and altitude stays; one of them is needed.")
     public RunView move(
             @PathVariable String id, @PathVariable String waypoint, @RequestBody RunRequest.MoveRequest request) {
         return runs.move(current.principal(), id, waypoint, request);

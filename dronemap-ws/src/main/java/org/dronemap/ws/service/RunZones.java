@@ -31,10 +31,10 @@ public final class RunZones {
     private final OperationKind<RunState, RunInput> kind;
     private final ZoneBook book;
     private final Clock clock;
-    private final Set<Refused> refused = new HashSet<>();
+    /** Not to be told again. */
+    private final Set<Notice> refused = new HashSet<>();
 
-    /** Not to be asked for again. */
-    private record Refused(OperationId run, Barrier barrier) {}
+    private record Notice(OperationId run, Barrier barrier) {}
 
     public RunZones(Operations operations, OperationKind<RunState, RunInput> kind, ZoneBook book, Clock clock) {
         this.operations = operations;
@@ -60,23 +60,23 @@ public final class RunZones {
                 state.drones().stream().map(RunDrone::craft).toList(),
                 now);
         for (Barrier barrier : binding) {
-            Refused asked = new Refused(run.saved().id(), barrier);
+            Notice notice = new Notice(run.saved().id(), barrier);
             boolean isKept = state.setting().barriers().stream().anyMatch(kept -> covers(kept, barrier));
-            if (!isKept && !refused.contains(asked)) {
-                tell(asked, new RunInput.AddBarrier(now, author(barrier), barrier));
+            if (!isKept && !refused.contains(notice)) {
+                deliver(notice, new RunInput.AddBarrier(now, author(barrier), barrier));
             }
         }
     }
 
-    private void tell(Refused asked, RunInput.AddBarrier input) {
+    private void deliver(Notice notice, RunInput.AddBarrier input) {
         try {
-            operations.wish(kind, asked.run(), input);
+            operations.wish(kind, notice.run(), input);
         } catch (Operations.Refused e) {
-            refused.add(asked);
+            refused.add(notice);
             LOG.warn(
                     "The mission run {} does not plan round {}: {}",
-                    asked.run(),
-                    asked.barrier().words(),
+                    notice.run(),
+                    notice.barrier().words(),
                     e.why());
         }
     }

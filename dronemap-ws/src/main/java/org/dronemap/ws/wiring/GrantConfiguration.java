@@ -1,6 +1,8 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import java.time.Duration;
+import org.dronemap.core.access.GrantBook;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.GrantChanges;
 import org.dronemap.ws.service.GrantService;
@@ -14,6 +16,7 @@ import org.springframework.context.annotation.Configuration;
 /** Constructs what concerns organisations and grants. */
 @Configuration(proxyBeanMethods = false)
 public class GrantConfiguration {
+    private static final Duration GRANT_RHYTHM = Duration.ofMillis(200);
 
     @Bean
     GrantChanges grantChanges(House house) {
@@ -22,8 +25,10 @@ public class GrantConfiguration {
     }
 
     @Bean(destroyMethod = "close")
-    GrantWatch grantWatch(House house) {
-        return new GrantWatch(house.grantBook());
+    Rounds grantRounds(House house) {
+        GrantBook book = house.grantBook();
+        return new Rounds(
+                "grants", GRANT_RHYTHM, book::announce, "Not everybody could be told that a grant has begun or ended");
     }
 
     @Bean

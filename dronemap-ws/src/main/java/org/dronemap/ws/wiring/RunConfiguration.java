@@ -1,7 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
-import org.dronemap.core.zone.ZoneBook;
+import java.time.Duration;
 import org.dronemap.ws.rest.RunController;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.PlanService;
@@ -16,6 +16,8 @@ import org.springframework.context.annotation.Import;
 @Configuration(proxyBeanMethods = false)
 @Import(RunController.class)
 public class RunConfiguration {
+    private static final Duration ZONE_RHYTHM = Duration.ofMillis(500);
+
     @Bean
     RunService runService(House house, PlanService plans, DroneService drones, Clock clock) {
         RunService.Conduct conduct =
@@ -24,10 +26,14 @@ public class RunConfiguration {
     }
 
     @Bean(destroyMethod = "close")
-    RunZoneWatch runZoneWatch(House house, Clock clock) {
-        ZoneBook book = house.cloud().zones();
-        RunZones zones = new RunZones(house.runs().operations(), house.runs().kind(), book, clock);
-        return new RunZoneWatch(zones, book);
+    Rounds runZoneRounds(House house, Clock clock) {
+        RunZones zones = new RunZones(
+                house.runs().operations(), house.runs().kind(), house.cloud().zones(), clock);
+        return new Rounds(
+                "run-zones",
+                ZONE_RHYTHM,
+                zones::tell,
+                "Not every mission run could be told of the zones; it is tried again");
     }
 
     @Bean

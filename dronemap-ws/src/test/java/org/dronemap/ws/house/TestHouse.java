@@ -163,7 +163,8 @@ public final class TestHouse implements AutoCloseable {
         history = history();
         virtuals = virtuals();
         runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants), Apart.USUAL, Clock.systemUTC());
-        runs.operations().start();
+        runs.operations().takeUp();
+        runs.operations().goOn();
         House house = new House(
                 cloud,
                 access,
