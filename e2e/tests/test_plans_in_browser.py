@@ -180,3 +180,13 @@ def test_an_operator_plans_starts_and_changes_a_run_of_three_drones(fleet: Serve
     station.press("Replay the journal")
     station.shows("not a letter differs")
     picture(page, "runs-2-over")
+
+    # Everything is open at once: the page keeps its height, and the map serves the run alone.
+    page.get_by_role("button", name="Set waypoints on the map").click()
+    station.shows("Click to add waypoints")
+    shelf = page.get_by_role("region", name="Mission runs", exact=True)
+    shelf.get_by_role("button").first.click()
+    shelf.locator("button[aria-pressed]").first.click()
+    expect(page.get_by_text("Click to add waypoints")).to_have_count(0)
+    assert page.evaluate("document.documentElement.scrollHeight <= innerHeight")
+    picture(page, "runs-3-all-open")
