@@ -214,13 +214,16 @@ final class Condition {
         }
     }
 
-    /** False: it has just been called home, while its charge lasts for that. */
+    /** False: it has just been called home, while its charge lasts for that, or will be once it is where it brakes anyway. */
     static boolean lasts(Draft draft, RunDrone drone, Look look) {
         Double left = remaining(drone, look);
         Place place = look.place();
         double least = TOUCHED * drone.craft().supply().reserveJoules();
         if (left == null || place == null || left - joulesHome(drone, place) >= least) {
             return true;
+        }
+        if (Arrival.isDue(draft, drone, look)) {
+            return false;
         }
         String words = "The battery of " + drone.name() + " (" + look.batteryPercent()
                 + " %) lasts for its way home at most; it is called home.";

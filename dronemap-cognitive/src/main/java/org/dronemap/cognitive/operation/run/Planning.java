@@ -8,12 +8,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Problem;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.cognitive.problem.Window;
 import org.dronemap.cognitive.replan.LiveOrder;
 import org.dronemap.cognitive.replan.Situation;
 import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
 
 /** Asks for a plan when one is needed, for how things stand now. */
 final class Planning {
@@ -211,19 +213,31 @@ final class Planning {
     }
 
     private static LiveOrder order(Draft draft, RunDrone drone, List<Look> looks, Duration horizon) {
-        if (drone.stage() != DroneStage.FLYING || drone.next() != null) {
-            return new LiveOrder(
-                    drone.id(), List.of(), drone.orders(), drone.stage().mayFly() && Crafts.isTakingOff(drone));
-        }
-        Look look = looks.stream()
+        Place here = looks.stream()
                 .filter(each -> each.drone().equals(drone.id()))
                 .findFirst()
-                .orElseThrow();
-        List<String> firm = Silences.reached(draft, drone, look.place(), horizon);
+                .orElseThrow()
+                .place();
+        List<String> firm = firm(draft, drone, here, horizon);
         return new LiveOrder(
                 drone.id(),
                 firm,
                 drone.orders().subList(firm.size(), drone.orders().size()),
-                Crafts.isTakingOff(drone));
+                drone.stage().mayFly() && Crafts.isTakingOff(drone));
+    }
+
+    /** What it comes to before it can get anything else; or stands at, where it was stopped. */
+    private static List<String> firm(Draft draft, RunDrone drone, @Nullable Place here, Duration horizon) {
+        if (drone.stage() == DroneStage.FLYING && drone.next() == null) {
+            return Silences.reached(draft, drone, here, horizon);
+        }
+        if (here == null || !drone.stage().mayFly()) {
+            return List.of();
+        }
+        Place stands = here;
+        return drone.orders().stream()
+                .limit(1)
+                .filter(id -> Arrival.isAt(stands, draft.target(id).waypoint().place()))
+                .toList();
     }
 }

@@ -156,7 +156,10 @@ final class Steps {
 
     private static void fly(Draft draft, RunDrone drone, Look look) {
         Sortie next = drone.next();
-        if (next == null || !look.isOnMission() || Crafts.isTakingOff(drone)) {
+        if (next == null
+                || !look.isOnMission()
+                || Crafts.isTakingOff(drone)
+                || Arrival.isBefore(draft, drone, next, look)) {
             return;
         }
         if (Transfer.gives(drone, next) || Transfer.isFree(draft, drone, next)) {

@@ -1,0 +1,100 @@
+package org.dronemap.cognitive.operation.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Objects;
+import org.dronemap.cognitive.Scenes;
+import org.dronemap.cognitive.problem.Place;
+import org.dronemap.cognitive.problem.Waypoint;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.Spot;
+import org.junit.jupiter.api.Test;
+
+/** Drones that get another mission just as they come to a waypoint. */
+class ArrivalTest {
+    private static TestFleet flying() {
+        TestFleet fleet = Runs.fleet(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        return fleet;
+    }
+
+    /** On its way to the first waypoint that it has, so many metres before it. */
+    private static void isBefore(TestFleet fleet, TestVehicle vehicle, double meters) {
+        RunDrone drone = fleet.state.drone(vehicle.id).orElseThrow();
+        Place place = Legs.ahead(Objects.requireNonNull(drone.sortie()), drone.passed())
+                .get(0);
+        Spot there = new LocalPlane(Scenes.point(0, 0)).spot(place.point());
+        double east = vehicle.east - there.eastMeters();
+        double north = vehicle.north - there.northMeters();
+        double share = meters / Math.hypot(east, north);
+        vehicle.east = there.eastMeters() + share * east;
+        vehicle.north = there.northMeters() + share * north;
+        vehicle.altitude = place.altitudeAmslMeters();
+    }
+
+    @Test
+    void reachIt() {
+        TestFleet fleet = flying();
+        TestVehicle comes = fleet.vehicle(0);
+        fleet.vehicle(1).falling = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 2);
+        comes.cruise = 1;
+        isBefore(fleet, comes, 3.5);
+        int visits = comes.visits.size();
+
+        fleet.flyUntil(() -> fleet.drone(0).next() != null, 2);
+        fleet.flyUntil(() -> !comes.fliesMission(), 8);
+        assertThat(comes.visits).as("%s", fleet.said).hasSize(visits + 1);
+
+        comes.cruise = 10;
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    /** Nothing is gained by waiting for one that comes to nothing. */
+    @Test
+    void areNotWaitedForWhereTheyStand() {
+        TestFleet fleet = flying();
+        TestVehicle stands = fleet.vehicle(0);
+        stands.cruise = 0;
+        isBefore(fleet, stands, 3);
+        fleet.fly(1.5);
+        fleet.vehicle(1).falling = true;
+
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 2);
+        fleet.flyUntil(() -> !stands.fliesMission(), 3);
+    }
+
+    /** They may have been seen there: it would be a second visit that another order of waypoints saves a few metres by. */
+    @Test
+    void beginWithItWhereTheyWereStoppedShortOfIt() {
+        TestFleet fleet = flying();
+        TestVehicle stopped = fleet.vehicle(1);
+        isBefore(fleet, stopped, 6);
+        fleet.makesRoom(1, 0, "GUIDED", 10);
+        String first = fleet.drone(1).orders().get(0);
+
+        Waypoint here = Waypoint.at("n1", Scenes.place(stopped.east, stopped.north, stopped.altitude));
+        fleet.wish(new RunInput.AddWaypoints(fleet.now, "Ann", List.of(here)));
+        fleet.flyUntil(() -> fleet.drone(1).next() != null, 5);
+        assertThat(fleet.drone(1).orders()).startsWith(first, "n1");
+    }
+
+    @Test
+    void areNotCalledHomeFromItsLastMetres() {
+        TestFleet fleet = Runs.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestVehicle weak = fleet.vehicle(1);
+        weak.cruise = 5;
+        isBefore(fleet, weak, 15);
+        int visits = weak.visits.size();
+
+        weak.joules = 0.2 * weak.fullJoules;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.RETURNING, 5);
+        assertThat(weak.visits).as("%s", fleet.said).hasSize(visits + 1);
+        assertThat(fleet.said).anyMatch(words -> words.contains("lasts for its way home at most"));
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+}
