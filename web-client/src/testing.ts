@@ -106,6 +106,7 @@ export function aRun(change: Partial<MissionRun> = {}): MissionRun {
       aRunWaypoint('2'),
       aRunWaypoint('3', { state: 'reserved' }),
     ],
+    barriers: [],
     proposal: null,
     explanations: [],
     journal: 4,

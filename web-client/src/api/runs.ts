@@ -1,4 +1,5 @@
 import type { AltitudeReference, CloudLoss } from './types';
+import type { Zone } from './zones';
 
 export type RunWaypointState = 'waiting' | 'assigned' | 'reserved' | 'visited' | 'unserved' | 'cancelled';
 
@@ -95,6 +96,13 @@ export interface RunExplanation {
   words: string;
 }
 
+export interface Barrier extends Pick<Zone, 'type' | 'geometry'> {
+  properties: Pick<
+    Zone['properties'],
+    'name' | 'kind' | 'radius' | 'floor' | 'ceiling' | 'altitudeReference'
+  >;
+}
+
 /** A plan that the cloud has drones fly, as it stands. */
 export interface MissionRun {
   id: string;
@@ -116,6 +124,8 @@ export interface MissionRun {
   };
   drones: RunDrone[];
   waypoints: RunWaypoint[];
+  /** What its drones keep to: the cloud's zones in reach, and what was added to the run alone. */
+  barriers: Barrier[];
   proposal: RunProposal | null;
   explanations: RunExplanation[];
   /** The number of the newest entry of its journal. */

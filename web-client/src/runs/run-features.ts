@@ -1,5 +1,6 @@
 import type { Feature, FeatureCollection, Position } from 'geojson';
-import type { MissionRun, RunDrone } from '../api/runs';
+import type { Barrier, MissionRun, RunDrone } from '../api/runs';
+import type { Zone } from '../api/zones';
 import type { Coordinates } from '../geo/coordinates';
 import { TOUR_TONES } from '../tours/tour-line';
 import { WAYPOINT_LOOKS } from './run-line';
@@ -31,6 +32,16 @@ export function runFeatures(
     ...marks.map((place) => point(place, { label: '+', look: 'mark', chosen: true })),
   ];
   return { type: 'FeatureCollection', features };
+}
+
+/** What the drones of the run keep to beside the zones that are drawn anyway. */
+export function ownBarriers(run: MissionRun | null, zones: readonly Zone[]): Barrier[] {
+  const drawn = new Set(zones.map(shapeOf));
+  return (run?.barriers ?? []).filter((barrier) => !drawn.has(shapeOf(barrier)));
+}
+
+function shapeOf({ geometry, properties }: Zone | Barrier): string {
+  return JSON.stringify([properties.kind, properties.radius, geometry.type, geometry.coordinates]);
 }
 
 function wayOf(

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Figures, RunWaypoint } from '../api/runs';
+import type { Barrier, Figures, RunWaypoint } from '../api/runs';
+import type { Zone } from '../api/zones';
 import { aRun, aRunDrone as drone, aRunWaypoint as waypoint, aDrone } from '../testing';
 import {
   costLine,
@@ -18,7 +19,7 @@ import {
   triggerWords,
   waypointLine,
 } from './run-line';
-import { runFeatures } from './run-features';
+import { ownBarriers, runFeatures } from './run-features';
 
 const NOW = Date.parse('2026-01-01T12:00:00Z');
 
@@ -180,5 +181,36 @@ describe('a mission run on the map', () => {
       'Point',
       'Point',
     ]);
+  });
+
+  it('shows what the run alone keeps to beside the zones of the cloud', () => {
+    const circle = (name: string, longitude: number): Barrier => ({
+      type: 'Feature',
+      geometry: { type: 'Point', coordinates: [longitude, 47] },
+      properties: {
+        name,
+        kind: 'exclusion',
+        radius: 50,
+        floor: null,
+        ceiling: null,
+        altitudeReference: 'home',
+      },
+    });
+    const school = circle('School', 8);
+    const everybodys: Zone = {
+      ...school,
+      id: 'z1',
+      properties: {
+        ...school.properties,
+        user: null,
+        drone: null,
+        from: null,
+        until: null,
+        onBreach: 'hold',
+      },
+    };
+    const run = aRun({ barriers: [school, circle('Crane', 8.1)] });
+    expect(ownBarriers(run, [everybodys]).map((one) => one.properties.name)).toEqual(['Crane']);
+    expect(ownBarriers(null, [everybodys])).toEqual([]);
   });
 });

@@ -5,8 +5,11 @@ import type { ZoneDraft } from './zone-draft';
 const CIRCLE_CORNERS = 72;
 const METERS_PER_DEGREE = 111_195;
 
+/** What is drawn of a zone. */
+type Area = Pick<Zone, 'geometry'> & { properties: Pick<Zone['properties'], 'name' | 'kind' | 'radius'> };
+
 /** The zones as areas, circles too; across the date line in one piece. */
-export function zoneFeatures(zones: readonly Zone[]): FeatureCollection {
+export function zoneFeatures(zones: readonly Area[]): FeatureCollection {
   return {
     type: 'FeatureCollection',
     features: zones.map((zone) =>
@@ -38,7 +41,7 @@ export function zoneDraftFeatures(draft: ZoneDraft | null): FeatureCollection {
 }
 
 /** Where the map has to look to show it. */
-export function ringOf(zone: Zone): Position[] {
+export function ringOf(zone: Area): Position[] {
   return zone.geometry.type === 'Point'
     ? circle(zone.geometry.coordinates, zone.properties.radius ?? 0)
     : closed(zone.geometry.coordinates[0] ?? []);

@@ -235,6 +235,7 @@ class RunsTest {
                 "the run has heard of it",
                 () -> Optional.of(run(id).toString())
                         .filter(run -> run.contains("added the no-fly zone “Crane”, which drones keep to")));
+        assertThat(run(id).path("barriers").findValuesAsString("name")).containsExactly("Crane");
     }
 
     @Test

@@ -128,8 +128,7 @@ final class Feasibility {
     private String outOfRange(int waypoint, int best) {
         return String.format(
                 Locale.ROOT,
-                "Out of range: even alone the drone %s would draw %.1f Wh for it and may draw %.1f Wh.",
-                problem.crafts().get(best).id(),
+                "Out of range: even the drone that has most to spare would draw %.1f Wh for it alone and may draw %.1f Wh.",
                 joules(best, waypoint) / 3_600,
                 ranges[best] / 3_600);
     }

@@ -130,7 +130,7 @@ class CostModelTest {
 
         assertThat(model.whyNobody(0)).hasValue("No drone in good contact can take a picture.");
         assertThat(model.whyNobody(1).orElseThrow())
-                .startsWith("Out of range: even alone the drone d0 would draw 169.")
+                .startsWith("Out of range: even the drone that has most to spare would draw 169.")
                 .endsWith("and may draw 80.0 Wh.");
         assertThat(model.whyNobody(2))
                 .hasValue("No drone is there in time: the first after 325 s, the window closes after 60 s.");

@@ -32,6 +32,12 @@ public record RunView(
         List<DroneView> drones,
         List<WaypointView> waypoints,
 
+        @Schema(
+                description =
+                        "What its drones keep to as far as the run knows: the cloud's zones in reach, and what was added to"
+                                + " the run alone. GeoJSON features like zones; without an id")
+        List<ZoneFeature> barriers,
+
         @Schema(description = "A changed plan that waits for an answer; null: none does") @Nullable
         ProposalView proposal,
 

@@ -4,6 +4,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.organisation.OrganisationId;
@@ -92,6 +93,43 @@ public record ZoneFeature(
                 properties(zone, zone.organisation().equals(to)));
     }
 
+    /** What drones of a run keep to: by name, place and heights, without an id or a maker. */
+    static ZoneFeature of(Barrier barrier) {
+        return new ZoneFeature(
+                "Feature",
+                null,
+                geometry(barrier.shape()),
+                new ZoneProperties(
+                        name(barrier.words()),
+                        kind(barrier.shape()),
+                        radius(barrier.shape()),
+                        barrier.band().floorMeters(),
+                        barrier.band().ceilingMeters(),
+                        WireNames.camel(barrier.band().reference()),
+                        null,
+                        null,
+                        null,
+                        null,
+                        null,
+                        null,
+                        null));
+    }
+
+    /** Without what it is: that is told beside it. */
+    private static String name(String words) {
+        int from = words.indexOf('“');
+        int to = words.lastIndexOf('”');
+        return from < 0 || to <= from ? words : words.substring(from + 1, to);
+    }
+
+    private static String kind(FenceZone shape) {
+        return shape.inside() ? "inclusion" : "exclusion";
+    }
+
+    private static @Nullable Double radius(FenceZone shape) {
+        return shape instanceof FenceZone.Circle circle ? Double.valueOf(circle.radiusMeters()) : null;
+    }
+
     static ZoneGeometry geometry(FenceZone shape) {
         if (shape instanceof FenceZone.Circle circle) {
             return new ZoneGeometry("Point", position(circle.center()));
@@ -112,8 +150,8 @@ public record ZoneFeature(
         Binding binding = zone.binding();
         return new ZoneProperties(
                 zone.name(),
-                zone.shape().inside() ? "inclusion" : "exclusion",
-                zone.shape() instanceof FenceZone.Circle circle ? circle.radiusMeters() : null,
+                kind(zone.shape()),
+                radius(zone.shape()),
                 zone.band().floorMeters(),
                 zone.band().ceilingMeters(),
                 WireNames.camel(zone.band().reference()),

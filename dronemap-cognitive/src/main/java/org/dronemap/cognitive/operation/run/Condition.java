@@ -26,6 +26,8 @@ final class Condition {
 
     private static final Duration MOVES = Duration.ofSeconds(2);
     private static final double UPRIGHT_DEGREES = 45;
+    /** As a share of how fast it sinks by itself. */
+    private static final double TOO_QUICKLY = 1.5;
 
     private static final Duration LIES = Duration.ofSeconds(4);
     private static final double FAR_BELOW_METERS = 8;
@@ -101,9 +103,21 @@ final class Condition {
                 Math.max(LEAST_FALL, 2 * drone.craft().performance().speeds().descent() + 2);
         Double climb = look.climb();
         Double tilt = look.tiltDegrees();
-        boolean hovers =
-                drone.kin().kind() == VehicleKind.MULTICOPTER || drone.kin().kind() == VehicleKind.HELICOPTER;
-        return (hovers && climb != null && climb < -fastest) || (tilt != null && tilt > STEEPEST_DEGREES);
+        return (hovers(drone) && climb != null && climb < -fastest) || (tilt != null && tilt > STEEPEST_DEGREES);
+    }
+
+    /** It falls, or leans and sinks as no copter does that flies: it reaches nothing that it comes by. */
+    static boolean tumbles(RunDrone drone, Look look) {
+        Double tilt = look.tiltDegrees();
+        Double climb = look.climb();
+        double quick = TOO_QUICKLY * drone.craft().performance().speeds().descent();
+        boolean leans = hovers(drone) && tilt != null && tilt > UPRIGHT_DEGREES;
+        return (leans && climb != null && climb < -quick) || isFalling(drone, look);
+    }
+
+    private static boolean hovers(RunDrone drone) {
+        VehicleKind kind = drone.kin().kind();
+        return kind == VehicleKind.MULTICOPTER || kind == VehicleKind.HELICOPTER;
     }
 
     /** Armed, without moving, far below where its mission leads: a fallen copter does not say that it fell. */

@@ -2,14 +2,18 @@ package org.dronemap.cognitive.operation.run;
 
 import java.util.List;
 
-/** What drones have visited, by what they say themselves of the missions that they were given. */
+/**
+ * What drones have visited, by what they say themselves of the missions that they were given; one that has just lost its
+ * motors goes on saying so.
+ */
 final class Reckoning {
     private Reckoning() {}
 
     static void reckon(Draft draft, Look look) {
         RunDrone drone = draft.drone(look.drone());
         Sortie sortie = drone.sortie();
-        boolean tells = look.isLive() && !Boolean.FALSE.equals(look.progress().carries());
+        boolean tells =
+                look.isLive() && !Boolean.FALSE.equals(look.progress().carries()) && !Condition.tumbles(drone, look);
         if (sortie == null || !tells || !(counts(drone) || isFlownToItsEnd(drone, look))) {
             return;
         }

@@ -84,15 +84,17 @@ final class Watch {
     }
 
     private static void suspend(Draft draft, RunDrone drone, Look look) {
-        String who = look.takenBy() == null ? "It flies in mode " + look.mode() + "." : look.takenBy();
+        String what = look.takenBy() == null
+                ? drone.name() + " is in mode " + look.mode() + ", which this run did not ask for"
+                : "Somebody who goes first has " + drone.name();
+        String who = look.takenBy() == null ? "" : " " + look.takenBy();
         boolean idle = drone.orders().isEmpty() && !drone.stage().mayFly();
         Faults.leave(
                 draft,
                 drone,
                 idle ? DroneStage.LEFT : DroneStage.SUSPENDED,
                 Trigger.TAKEN_OVER,
-                "Somebody who goes first has " + drone.name() + "; it is left alone until somebody resumes it here. "
-                        + who);
+                what + "; it is left alone until somebody resumes it here." + who);
     }
 
     private static void whereItIs(Draft draft, RunDrone drone, Look look) {

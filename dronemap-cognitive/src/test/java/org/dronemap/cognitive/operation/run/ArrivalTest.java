@@ -11,7 +11,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.junit.jupiter.api.Test;
 
-/** Drones that get another mission just as they come to a waypoint. */
+/** Drones to which something happens just as they come to a waypoint. */
 class ArrivalTest {
     private static TestFleet flying() {
         TestFleet fleet = Runs.fleet(3, 30, 1);
@@ -94,6 +94,24 @@ class ArrivalTest {
         fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.RETURNING, 5);
         assertThat(weak.visits).as("%s", fleet.said).hasSize(visits + 1);
         assertThat(fleet.said).anyMatch(words -> words.contains("lasts for its way home at most"));
+        fleet.flyToTheEnd();
+        assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    /** The vehicle's own word for it comes all the same. */
+    @Test
+    void doNotCountAsThereWhenTheyTumbleThroughIt() {
+        TestFleet fleet = flying();
+        TestVehicle drops = fleet.vehicle(1);
+        String first = fleet.drone(1).orders().get(0);
+        int visits = drops.visits.size();
+        drops.tumbles = true;
+        fleet.flyUntil(() -> drops.visits.size() > visits, 60);
+        drops.tumbles = false;
+        drops.falling = true;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.CRASHED, 2);
+        assertThat(fleet.state.target(first).orElseThrow().visits()).isEmpty();
+
         fleet.flyToTheEnd();
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
     }

@@ -83,6 +83,9 @@ final class TestVehicle {
 
     private double hesitating;
 
+    /** It has just lost its motors: it leans and sinks, and goes on with its mission as long as it can. */
+    boolean tumbles;
+
     boolean falling;
     boolean fallen;
     boolean cut;
@@ -364,8 +367,8 @@ final class TestVehicle {
                 armed && isUp() ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND,
                 new Position(Scenes.point(east, north), altitude + 3, altitude - GROUND),
                 null,
-                new Motion(0.0, 0.0, climb, 0.0),
-                new Attitude(0, 0, 0),
+                new Motion(0.0, 0.0, tumbles ? -5 : climb, 0.0),
+                new Attitude(tumbles ? 64 : 0, 0, 0),
                 new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),
                 null,
                 new Home(Scenes.point(homeEast, homeNorth), GROUND),
