@@ -16,7 +16,7 @@ from .waiting import wait_for
 ROOT = Path(__file__).resolve().parents[2]
 # Half of what a start costs is work of the second compiler, which pays only where a server runs for long.
 QUICK = "-XX:TieredStopAtLevel=1"
-# Its faces answer a little before its ports for vehicles do; this it says when both do.
+# Its faces answer a little before its ports for ground stations do; this it says when all do.
 READY = b" is ready at "
 SERVER_JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 
@@ -64,6 +64,15 @@ class Server:
         return self._process.pid
 
     def start(self) -> None:
+        self.begin()
+        try:
+            wait_for("the server is up", self.is_up, seconds=180)
+        except BaseException:
+            self.stop()
+            raise
+
+    def begin(self) -> None:
+        """Does not wait until it is up."""
         jar = prepared.unpacked(SERVER_JAR)
         if self._begun and not self.data.exists():
             prepared.begun(SERVER_JAR, self.data, _first_start)
@@ -95,11 +104,6 @@ class Server:
                 stdout=log,
                 stderr=subprocess.STDOUT,
             )
-        try:
-            wait_for("the server is up", self._is_up, seconds=180)
-        except BaseException:
-            self.stop()
-            raise
 
     def kill(self) -> None:
         """kill -9: no chance to tidy up."""
@@ -121,7 +125,7 @@ class Server:
     def first_password(self) -> str:
         return (self.data / "first-password.txt").read_text().split()[1]
 
-    def _is_up(self) -> bool:
+    def is_up(self) -> bool:
         assert self._process is not None
         assert self._process.poll() is None, f"the server ended: {self._tail()}"
         try:

@@ -12,6 +12,7 @@ from pymavlink import mavutil
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import COPTER_RTL, items, triangle
+from dronemap_e2e.peer import Peer, with_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, launch
@@ -117,6 +118,23 @@ def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
     watch.expect_at_most(RETURN_SECONDS)
     assert len(now["mission"]["items"]) == 2
     assert "2 items instead of 4" in now["mission"]["notice"]
+
+
+def test_after_a_crash_vehicles_hear_the_server_before_its_pages_are_there(own_server: Server) -> None:
+    """Pages take most of a start; ArduPilot flies home when it hears nothing for five seconds."""
+    api = Api(own_server.address, own_server.local_key())
+    peer = Peer(own_server.udp_port, system_id=7, handlers={"COMMAND_LONG": with_hardware(0x5107)})
+    wait_for("it is known", lambda: len(api.drones()) == 1)
+    wait_for("it hears the server", lambda: peer.received("HEARTBEAT"))
+    own_server.kill()
+    peer.state.received.clear()
+
+    own_server.begin()
+    wait_for("it hears the server again", lambda: peer.received("HEARTBEAT"), 60)
+    assert not own_server.is_up()
+    wait_for("the pages are there", own_server.is_up, 60)
+    assert [drone["link"]["state"] for drone in api.drones()] == ["live"]
+    peer.close()
 
 
 def _watch(port: int, on_cloud_loss: str) -> None:

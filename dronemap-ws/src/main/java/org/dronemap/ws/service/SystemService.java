@@ -44,7 +44,7 @@ public final class SystemService {
     /**
      * What has to work.
      *
-     * @param links vehicles are let in
+     * @param links all ways in are open
      * @param history all that drones do is written down as it comes
      * @param runs all that is conducted goes on
      */

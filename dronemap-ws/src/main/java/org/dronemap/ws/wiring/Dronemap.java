@@ -7,7 +7,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
 
-/** The server's entry: reads the settings, builds the house, starts the faces, and takes all down again at the end. */
+/** The server's entry: reads the settings, builds the house, lets vehicles in, starts the faces, and takes all down again at the end. */
 public final class Dronemap {
     private static final Logger LOG = LoggerFactory.getLogger(Dronemap.class);
 
@@ -39,9 +39,10 @@ public final class Dronemap {
     private static void start(Settings settings, Closing closing) {
         HouseBuilder builder = new HouseBuilder(settings, closing);
         House house = builder.open();
+        builder.hear();
         ConfigurableApplicationContext faces = FacesServer.start(settings, house);
         closing.add("the faces", faces);
-        builder.connect();
+        builder.serve();
         openPhoneDoor(settings, closing);
         String scheme = settings.tls() == null ? "http" : "https";
         LOG.info(

@@ -59,7 +59,7 @@ public record House(
      * The ways in for vehicles, where added ones are kept, and the keys that vehicles prove themselves with; and the way in
      * for ground stations of other makers.
      *
-     * @param open vehicles are let in, which they are last of all when the server starts
+     * @param open all ways in are open: those for vehicles before the faces start, that for ground stations after them
      */
     public record LinkSide(
             VehicleLinks vehicles,

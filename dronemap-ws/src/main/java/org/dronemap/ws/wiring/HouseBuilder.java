@@ -338,11 +338,11 @@ final class HouseBuilder {
         return url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
     }
 
-    /** Lets vehicles in, robots and ground stations. */
-    void connect() {
-        if (outlet != null) {
-            outlets.open(outlet);
-        }
+    /**
+     * Lets vehicles and robots in, and goes on with what was under way. Those in the air fly home when they miss the server for
+     * five seconds: they do not wait for the faces, which take longer than that to start.
+     */
+    void hear() {
         if (robotLinks != null) {
             robots.open(robotLinks);
         }
@@ -356,6 +356,14 @@ final class HouseBuilder {
         }
         if (operations != null) {
             operations.goOn();
+        }
+        LOG.info("Vehicles are heard");
+    }
+
+    /** Lets ground stations of other makers in. */
+    void serve() {
+        if (outlet != null) {
+            outlets.open(outlet);
         }
         connected = true;
     }
