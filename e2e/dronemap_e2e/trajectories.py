@@ -41,9 +41,12 @@ class Spot:
 
 @dataclass(frozen=True)
 class Visit:
+    """`at_start`: it had not left the place where it took off, and may only be on its way somewhere else."""
+
     waypoint: str
     vehicle: int
     seconds: float
+    at_start: bool = False
 
 
 @dataclass(frozen=True)
@@ -110,7 +113,10 @@ def visits(tracks: dict[int, Track], spots: Sequence[Spot]) -> list[Visit]:
     found = []
     for vehicle, track in tracks.items():
         there: set[str] = set()
+        at_start = True
         for fix, speed in track.speeds():
+            start = track.fixes[0]
+            at_start = at_start and math.hypot(fix.east - start.east, fix.north - start.north) <= LEFT_METRES
             for spot in spots:
                 away = math.hypot(fix.east - spot.east, fix.north - spot.north)
                 if away > LEFT_METRES:
@@ -122,7 +128,7 @@ def visits(tracks: dict[int, Track], spots: Sequence[Spot]) -> list[Visit]:
                     and speed <= SLOW_METRES_PER_SECOND
                 ):
                     there.add(spot.name)
-                    found.append(Visit(spot.name, vehicle, fix.seconds))
+                    found.append(Visit(spot.name, vehicle, fix.seconds, at_start))
     return sorted(found, key=lambda visit: visit.seconds)
 
 

@@ -116,6 +116,13 @@ def check_doubles(conductor: Conductor, trial: Trial, twice: dict[str, list[Visi
         assert len(in_contact) <= 1, f"waypoint {name}: {some}\n{words}"
 
 
+def passes_by(visit: Visit, some: list[Visit]) -> bool:
+    """It took off beside a waypoint that it came to only later."""
+    return visit.at_start and any(
+        other.vehicle == visit.vehicle and other.seconds > visit.seconds for other in some
+    )
+
+
 def until_on_board(conductor: Conductor, trial: Trial, fault: Fault) -> float:
     """From the fault until the last of what was taken from that drone was acknowledged by another one."""
     taken = taken_from(trial, fault)

@@ -31,6 +31,12 @@ def test_who_passes_has_not_visited_and_who_comes_twice_has_twice() -> None:
     assert list(doubles(found)) == ["1"]
 
 
+def test_what_lies_beside_a_start_is_told_from_what_one_came_to() -> None:
+    beside = Spot("3", 2, 0, 20)
+    found = visits({1: flown((0, 0, 0), (0, 0, 20), (50, 0, 20), (2, 0, 20))}, [*SPOTS, beside])
+    assert [(visit.waypoint, visit.at_start) for visit in found] == [("3", True), ("1", False), ("3", False)]
+
+
 def test_fences_bind_below_their_tops_and_between_two_reports() -> None:
     discs = [Disc("mill", 50, 0, 1, 30)]
     assert crossings({1: flown((0, 0, 20), (100, 0, 20), speed=40)}, discs)[0][:2] == (1, "mill")

@@ -9,6 +9,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Start;
 import org.dronemap.cognitive.problem.Supply;
 import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
 
 /** Drones as a new plan finds them. */
 final class Crafts {
@@ -16,6 +17,8 @@ final class Crafts {
     private static final double UNTIL_ON_BOARD_SECONDS = 2;
 
     private static final double LOW_METERS = 3;
+    /** By its speed; it slows down at the top, and takes a second more. */
+    private static final double NEARLY_UP_SECONDS = 1;
     /** What its way home may take of what the straight one does, as it waits for others and goes round fences. */
     private static final double HOMEWARD = 1.2;
 
@@ -58,17 +61,29 @@ final class Crafts {
         return drone.passed() == 0 && sortie != null && sortie.mission().items().get(0) instanceof MissionItem.TakeOff;
     }
 
+    /** It takes off, and not only for a moment yet: what it gets is brought to it when it is up. */
+    static boolean isBusy(RunDrone drone, @Nullable Place place) {
+        boolean takesOff = drone.stage().mayFly() && isTakingOff(drone);
+        return takesOff && (place == null || climbSeconds(drone, place) > NEARLY_UP_SECONDS);
+    }
+
     /** It climbs straight up first, whatever it does then. */
     private static Start onTop(RunDrone drone, Place place) {
+        Place top = top(drone, place);
+        double climb = top.altitudeAmslMeters() - place.altitudeAmslMeters();
+        return climb < LOW_METERS ? Start.inFlight(place) : new Start(top, true, climbSeconds(drone, place));
+    }
+
+    private static double climbSeconds(RunDrone drone, Place place) {
+        double climb = top(drone, place).altitudeAmslMeters() - place.altitudeAmslMeters();
+        return climb / drone.craft().performance().speeds().climb();
+    }
+
+    private static Place top(RunDrone drone, Place place) {
         Sortie sortie = Objects.requireNonNull(drone.sortie());
         List<Fix> fixes = sortie.tour().way(0).fixes();
-        Place top = place.at(
+        return place.at(
                 Math.max(place.altitudeAmslMeters(), fixes.get(1).place().altitudeAmslMeters()));
-        double climb = top.altitudeAmslMeters() - place.altitudeAmslMeters();
-        return climb < LOW_METERS
-                ? Start.inFlight(place)
-                : new Start(
-                        top, true, climb / drone.craft().performance().speeds().climb());
     }
 
     /** What is left: by its battery's word, else by what it must have drawn. */

@@ -223,7 +223,7 @@ final class Planning {
                 drone.id(),
                 firm,
                 drone.orders().subList(firm.size(), drone.orders().size()),
-                drone.stage().mayFly() && Crafts.isTakingOff(drone));
+                Crafts.isBusy(drone, here));
     }
 
     /** What it comes to before it can get anything else; or stands at, where it was stopped. */

@@ -2,6 +2,10 @@ package org.dronemap.cognitive.operation.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Comparator;
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.mission.MissionItem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -56,5 +60,33 @@ class LowBatteryTest {
         fleet.flyUntil(() -> fleet.said.stream().anyMatch(words -> words.contains("does not last")), 2);
         fleet.flyUntil(() -> fleet.state.counts().replans() > 0, 1);
         assertThat(fleet.drone(1).stage()).isEqualTo(DroneStage.HOLDING);
+    }
+
+    /** Who is about to be up gets it, not who climbs for a while yet. */
+    @Test
+    void whatItLeavesGoesToThoseThatWillBeUpFirst() {
+        TestFleet fleet = Runs.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.vehicles.values().stream().allMatch(TestVehicle::isUp), 30);
+        List<TestVehicle> byHeight = fleet.vehicles.values().stream()
+                .sorted(Comparator.comparingDouble(LowBatteryTest::metersToGo))
+                .toList();
+        TestVehicle weak = byHeight.get(0);
+        TestVehicle soonUp = byHeight.get(1);
+        DroneId higher = byHeight.get(2).id;
+        fleet.flyUntil(() -> metersToGo(soonUp) < 1.5, 30);
+        assertThat(metersToGo(byHeight.get(2))).isGreaterThan(4);
+        List<String> had = fleet.state.drone(higher).orElseThrow().orders();
+
+        weak.joules = 0.22 * weak.fullJoules;
+        fleet.flyUntil(() -> fleet.state.counts().replans() > 0, 2);
+        assertThat(fleet.said)
+                .anyMatch(words -> words.contains(
+                        "from " + fleet.state.drone(weak.id).orElseThrow().name()));
+        assertThat(fleet.state.drone(higher).orElseThrow().orders()).isEqualTo(had);
+    }
+
+    private static double metersToGo(TestVehicle vehicle) {
+        MissionItem.TakeOff takeOff = (MissionItem.TakeOff) vehicle.items.get(0);
+        return TestVehicle.GROUND + takeOff.altitudeMeters() - vehicle.altitude;
     }
 }
