@@ -113,10 +113,12 @@ def visits(tracks: dict[int, Track], spots: Sequence[Spot]) -> list[Visit]:
     found = []
     for vehicle, track in tracks.items():
         there: set[str] = set()
-        at_start = True
+        start = next((fix for fix in track.fixes if fix.above_home > AIRBORNE_METRES), None)
+        at_start = start is not None
         for fix, speed in track.speeds():
-            start = track.fixes[0]
-            at_start = at_start and math.hypot(fix.east - start.east, fix.north - start.north) <= LEFT_METRES
+            if start is not None and fix.seconds > start.seconds:
+                moved = math.hypot(fix.east - start.east, fix.north - start.north)
+                at_start = at_start and moved <= LEFT_METRES
             for spot in spots:
                 away = math.hypot(fix.east - spot.east, fix.north - spot.north)
                 if away > LEFT_METRES:

@@ -14,8 +14,8 @@ final class Arrival {
     private static final double JUST_METERS = 4;
     /** So far from where it was to be one comes to stand that was stopped on its last metres. */
     private static final double SHORT_METERS = 8;
-    /** From here on it would brake to a stand about there, whatever it is told. */
-    private static final double BRAKES_METERS = 20;
+    /** Who brakes, and is there so soon, would come to stand about there whatever it is told. */
+    private static final double BRAKES_SECONDS = 3;
 
     private static final double LEVEL_METERS = 1.5;
     private static final double SAME_METERS = 1.5;
@@ -33,7 +33,14 @@ final class Arrival {
 
     /** Whether it comes to a waypoint so soon that it could not be called away from it any more. */
     static boolean isDue(Draft draft, RunDrone drone, Look look) {
-        return heads(draft, drone, look, BRAKES_METERS).isPresent();
+        return heads(draft, drone, look, JUST_METERS).isPresent()
+                || heads(draft, drone, look, brakesMeters(look)).isPresent();
+    }
+
+    /** Evenly, it flies half of its speed on average. */
+    private static double brakesMeters(Look look) {
+        Double speed = look.speed();
+        return speed == null ? 0 : Math.min(SHORT_METERS, BRAKES_SECONDS * speed / 2);
     }
 
     /** The waypoint that it flies to, if it is so near; not on a way round something before. */

@@ -86,8 +86,8 @@ class ArrivalTest {
         TestFleet fleet = Runs.limited(3, 30, 1);
         fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
         TestVehicle weak = fleet.vehicle(1);
-        weak.cruise = 5;
-        isBefore(fleet, weak, 15);
+        weak.cruise = 1;
+        isBefore(fleet, weak, 3);
         int visits = weak.visits.size();
 
         weak.joules = 0.2 * weak.fullJoules;
@@ -96,6 +96,18 @@ class ArrivalTest {
         assertThat(fleet.said).anyMatch(words -> words.contains("lasts for its way home at most"));
         fleet.flyToTheEnd();
         assertThat(fleet.state.count(Target.State.VISITED)).as("%s", fleet.said).isEqualTo(30);
+    }
+
+    @Test
+    void areCalledHomeWhereTheWayToTheNextIsShort() {
+        TestFleet fleet = Runs.limited(3, 30, 1);
+        fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
+        TestVehicle weak = fleet.vehicle(1);
+        weak.cruise = 1;
+        isBefore(fleet, weak, 15);
+
+        weak.joules = 0.2 * weak.fullJoules;
+        fleet.flyUntil(() -> fleet.drone(1).stage() == DroneStage.RETURNING, 1);
     }
 
     /** The vehicle's own word for it comes all the same. */
