@@ -112,6 +112,7 @@ def check_doubles(conductor: Conductor, trial: Trial, twice: dict[str, list[Visi
             for visit in some
             if not (visit.vehicle == cut.system_id and visit.seconds >= since)
             and not gone - TELLING_SECONDS <= visit.seconds <= missed + TELLING_SECONDS
+            and not passes_by(visit, some)
         ]
         assert len(in_contact) <= 1, f"waypoint {name}: {some}\n{words}"
 
