@@ -133,7 +133,8 @@ def test_after_a_crash_vehicles_hear_the_server_before_its_pages_are_there(own_s
     wait_for("it hears the server again", lambda: peer.received("HEARTBEAT"), 60)
     assert not own_server.is_up()
     wait_for("the pages are there", own_server.is_up, 60)
-    assert [drone["link"]["state"] for drone in api.drones()] == ["live"]
+    again = Api(own_server.address, own_server.local_key())
+    assert [drone["link"]["state"] for drone in again.drones()] == ["live"]
     peer.close()
 
 
