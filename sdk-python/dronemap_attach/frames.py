@@ -63,14 +63,16 @@ def _length(data: bytearray, at: int) -> int | None:
     return HEADER_2 + data[at + 1] + CHECKSUM + (SIGNATURE if data[at + 2] & SIGNED else 0)
 
 
-def _is_sound(frame: bytes) -> bool:
-    """A message of version 2 that is not known here is taken as it is."""
+def _is_sound(frame: bytes, is_in_step: bool) -> bool:
+    """A message of version 2 that is not known here is taken as it is, but only where a frame has to begin.
+
+    After noise a byte of chance would begin one, too, and swallow those that follow."""
     if frame[0] == MAGIC_2 and frame[2] & ~SIGNED:
         return False
     end = (HEADER_1 if frame[0] == MAGIC_1 else HEADER_2) + frame[1]
     seed = _SEEDS.get(message_id(frame))
     if seed is None:
-        return frame[0] == MAGIC_2
+        return frame[0] == MAGIC_2 and is_in_step
     return checksum(bytes((*frame[1:end], seed))) == int.from_bytes(frame[end : end + CHECKSUM], "little")
 
 
@@ -80,6 +82,7 @@ class Splitter:
     def __init__(self) -> None:
         self.skipped = 0
         self._rest = bytearray()
+        self._is_in_step = True
 
     def feed(self, data: bytes) -> list[bytes]:
         """The frames that are whole now."""
@@ -88,21 +91,25 @@ class Splitter:
         at, found = 0, []
         while at < len(rest):
             if rest[at] not in (MAGIC_1, MAGIC_2):
-                at += 1
-                self.skipped += 1
+                at += self._skip()
                 continue
             length = _length(rest, at)
             if length is None or at + length > len(rest):
                 break
             frame = bytes(rest[at : at + length])
-            if _is_sound(frame):
+            if _is_sound(frame, self._is_in_step):
                 found.append(frame)
                 at += length
+                self._is_in_step = True
             else:
-                at += 1
-                self.skipped += 1
+                at += self._skip()
         del rest[:at]
         return found
+
+    def _skip(self) -> int:
+        self.skipped += 1
+        self._is_in_step = False
+        return 1
 
 
 def split_datagram(data: bytes) -> list[bytes]:

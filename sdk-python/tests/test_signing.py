@@ -165,6 +165,13 @@ def test_noise_and_broken_frames_cost_no_whole_one() -> None:
     assert split_datagram(frames[1][:-1]) == []
 
 
+def test_noise_that_looks_like_the_beginning_of_an_unknown_message_swallows_no_frame() -> None:
+    server, splitter = oracle(), Splitter()
+    frames = [bytes(m.pack(server)) for m in every_message()[:9]]
+    assert splitter.feed(b"x" + unknown_message(0)[:10] + b"".join(frames)) == frames
+    assert splitter.feed(unknown_message(0)) == [unknown_message(0)]
+
+
 def test_signs_of_life_are_in_the_name_of_the_tool_and_only_once_it_has_one() -> None:
     bridge = Bridge(Signing(PASSPHRASE))
     assert bridge.beat() is None
