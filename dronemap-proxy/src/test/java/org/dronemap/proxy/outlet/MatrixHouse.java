@@ -147,6 +147,8 @@ final class MatrixHouse implements AutoCloseable {
         cloud.cloud().say(drone, Severity.INFO, sentence);
         cloud.awaitDrone(state ->
                 state.messages().stream().anyMatch(message -> message.text().equals(sentence)));
+        // Else nothing would seem to be under way because nothing is written down yet.
+        cloud.awaitWritten();
     }
 
     /** There are thousands of these: it looks often. */
