@@ -127,6 +127,15 @@ describe('the panel of a run', () => {
     expect(screen.getByRole('button', { name: 'Hold all drones' })).toBeDefined();
   });
 
+  it('leaves pausing and ending within reach while places are marked', async () => {
+    const station = panelFor('operator', aRun({}));
+    station.runs.take('add');
+    await tick();
+    for (const name of ['Stop marking', 'Pause the run', 'End the run']) {
+      expect(screen.getByRole('button', { name })).toBeDefined();
+    }
+  });
+
   it('sends nothing while the cloud cannot be reached, and says so', async () => {
     const station = panelFor('operator', aRun({ proposal: PROPOSAL }));
     const answer = vi.spyOn(station.rest.runs, 'answer').mockResolvedValue(aRun());

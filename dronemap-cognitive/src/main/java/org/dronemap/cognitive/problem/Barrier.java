@@ -28,6 +28,14 @@ public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<Dron
         return new Barrier(zone.words(), zone.shape(), zone.band(), Set.of());
     }
 
+    /** As people gave it, without what it is: "Airport". */
+    public String name() {
+        String around = Zone.words(shape, "");
+        String before = around.substring(0, around.length() - 1);
+        boolean isNamed = words.startsWith(before) && words.length() >= around.length();
+        return isNamed ? words.substring(before.length(), words.length() - 1) : words;
+    }
+
     public boolean isKeepIn() {
         return shape.inside();
     }

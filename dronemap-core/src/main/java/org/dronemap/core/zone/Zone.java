@@ -50,6 +50,11 @@ public record Zone(
 
     /** "the no-fly zone “Airport”". */
     public String words() {
+        return words(shape, name);
+    }
+
+    /** The same for one that is not kept by the cloud. */
+    public static String words(FenceZone shape, String name) {
         return (shape.inside() ? "the zone “" : "the no-fly zone “") + name + "”";
     }
 }

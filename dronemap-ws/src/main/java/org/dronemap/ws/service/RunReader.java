@@ -19,6 +19,7 @@ import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
 
 /** Turns what a client wants of a run into what the run understands, or says which member is wrong. */
@@ -148,8 +149,7 @@ final class RunReader {
                     "name, kind, radius, floor, ceiling and altitudeReference",
                     "A zone of a run binds all of its drones from now on; make a zone of the cloud for anything else.");
         }
-        boolean inside = reader.shape().inside();
-        String words = (inside ? "the zone “" : "the no-fly zone “") + reader.name() + "”";
+        String words = Zone.words(reader.shape(), reader.name());
         return new RunInput.AddBarrier(at, by, new Barrier(words, reader.shape(), reader.band(), Set.of()));
     }
 

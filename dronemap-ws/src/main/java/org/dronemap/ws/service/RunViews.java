@@ -40,7 +40,9 @@ public final class RunViews {
                 counts(state),
                 state.drones().stream().map(drone -> drone(state, drone)).toList(),
                 state.targets().stream().map(target -> waypoint(state, target)).toList(),
-                state.setting().barriers().stream().map(ZoneFeature::of).toList(),
+                state.setting().barriers().stream()
+                        .flatMap(barrier -> ZoneFeature.of(barrier).stream())
+                        .toList(),
                 proposal == null ? null : proposal(proposal),
                 state.explanations().stream().map(RunViews::explanation).toList(),
                 saved.last());

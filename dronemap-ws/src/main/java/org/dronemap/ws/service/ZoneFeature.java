@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.problem.Barrier;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.organisation.OrganisationId;
@@ -93,33 +94,36 @@ public record ZoneFeature(
                 properties(zone, zone.organisation().equals(to)));
     }
 
-    /** What drones of a run keep to: by name, place and heights, without an id or a maker. */
-    static ZoneFeature of(Barrier barrier) {
+    /** What drones of a run keep to, once for each that it binds: by name, place and heights, without an id or a maker. */
+    static List<ZoneFeature> of(Barrier barrier) {
+        return barrier.drones().isEmpty()
+                ? List.of(of(barrier, null))
+                : barrier.drones().stream()
+                        .map(DroneId::value)
+                        .sorted()
+                        .map(drone -> of(barrier, drone))
+                        .toList();
+    }
+
+    private static ZoneFeature of(Barrier barrier, @Nullable String drone) {
         return new ZoneFeature(
                 "Feature",
                 null,
                 geometry(barrier.shape()),
                 new ZoneProperties(
-                        name(barrier.words()),
+                        barrier.name(),
                         kind(barrier.shape()),
                         radius(barrier.shape()),
                         barrier.band().floorMeters(),
                         barrier.band().ceilingMeters(),
                         WireNames.camel(barrier.band().reference()),
                         null,
-                        null,
+                        drone,
                         null,
                         null,
                         null,
                         null,
                         null));
-    }
-
-    /** Without what it is: that is told beside it. */
-    private static String name(String words) {
-        int from = words.indexOf('“');
-        int to = words.lastIndexOf('”');
-        return from < 0 || to <= from ? words : words.substring(from + 1, to);
     }
 
     private static String kind(FenceZone shape) {

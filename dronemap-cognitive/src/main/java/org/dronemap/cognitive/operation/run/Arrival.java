@@ -33,8 +33,8 @@ final class Arrival {
 
     /** Whether it comes to a waypoint so soon that it could not be called away from it any more. */
     static boolean isDue(Draft draft, RunDrone drone, Look look) {
-        return heads(draft, drone, look, JUST_METERS).isPresent()
-                || heads(draft, drone, look, brakesMeters(look)).isPresent();
+        return heads(draft, drone, look, Math.max(JUST_METERS, brakesMeters(look)))
+                .isPresent();
     }
 
     /** Evenly, it flies half of its speed on average. */
@@ -61,9 +61,12 @@ final class Arrival {
         });
     }
 
-    /** Whether it stands where it was stopped on its way there. */
-    static boolean isAt(Place here, Place there) {
-        return isNear(here, there, SHORT_METERS);
+    /** The first of its orders, if it stands where it was stopped on its last metres there. */
+    static List<String> stoppedAt(Draft draft, RunDrone drone, Place here) {
+        return drone.orders().stream()
+                .limit(1)
+                .filter(id -> isNear(here, draft.target(id).waypoint().place(), SHORT_METERS))
+                .toList();
     }
 
     private static boolean isNear(Place here, Place there, double meters) {

@@ -231,13 +231,6 @@ final class Planning {
         if (drone.stage() == DroneStage.FLYING && drone.next() == null) {
             return Silences.reached(draft, drone, here, horizon);
         }
-        if (here == null || !drone.stage().mayFly()) {
-            return List.of();
-        }
-        Place stands = here;
-        return drone.orders().stream()
-                .limit(1)
-                .filter(id -> Arrival.isAt(stands, draft.target(id).waypoint().place()))
-                .toList();
+        return here == null || !drone.stage().mayFly() ? List.of() : Arrival.stoppedAt(draft, drone, here);
     }
 }
