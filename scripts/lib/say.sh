@@ -103,6 +103,6 @@ fail_from_log() { # LOG CODE SENTENCE…
             "pip and Maven) and run the same command again. Details: $log"
     fi
     # What Java noted on its way is no reason.
-    grep -vE '^[0-9:.]+ \[[^]]+\] (INFO|DEBUG) ' "$log" | tail -n 20 >&2 || true
+    grep -vE '^[0-9-]+T[0-9:.]+[^ ]* (INFO|DEBUG) ' "$log" | tail -n 20 >&2 || true
     fail "$code" "$* Details: $log"
 }
