@@ -157,9 +157,12 @@ public final class TestCloud implements AutoCloseable {
         }
     }
 
-    /** Nothing is under way, and whatever was steered by sticks was held when nobody did so any more. */
-    public boolean isSettled() {
-        return commandsUnderWay() == 0 && count("Hold", "hold") >= count("Steer", "steer by sticks");
+    /**
+     * How often the cloud held the drone beyond once for each time that it was steered by sticks: while it is less than it was
+     * before, a hold is still to come.
+     */
+    public long holdsBeyondSticks() {
+        return count("Hold", "hold") - count("Steer", "steer by sticks");
     }
 
     private long count(String type, String summary) {

@@ -123,9 +123,12 @@ final class MatrixHouse implements AutoCloseable {
     Set<String> reached(List<Message> words) {
         jumped.addAndGet(SECOND_NANOS);
         int before = vehicle.heard().size();
+        long holds = cloud.holdsBeyondSticks();
         words.forEach(client::says);
         watch();
-        await(cloud::isSettled, "a command does not end");
+        await(
+                () -> cloud.commandsUnderWay() == 0 && cloud.holdsBeyondSticks() >= holds,
+                "a command does not end, or nothing holds what was steered");
         // All that left has arrived.
         await(() -> vehicle.heard().size() == taps.said.size(), "a frame was lost on the way");
         Set<String> kinds = new TreeSet<>();
