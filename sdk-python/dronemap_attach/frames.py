@@ -91,7 +91,8 @@ class Splitter:
         at, found = 0, []
         while at < len(rest):
             if rest[at] not in (MAGIC_1, MAGIC_2):
-                at += self._skip()
+                self._skip()
+                at += 1
                 continue
             length = _length(rest, at)
             if length is None or at + length > len(rest):
@@ -102,14 +103,14 @@ class Splitter:
                 at += length
                 self._is_in_step = True
             else:
-                at += self._skip()
+                self._skip()
+                at += 1
         del rest[:at]
         return found
 
-    def _skip(self) -> int:
+    def _skip(self) -> None:
         self.skipped += 1
         self._is_in_step = False
-        return 1
 
 
 def split_datagram(data: bytes) -> list[bytes]:

@@ -37,7 +37,9 @@ export function runFeatures(
 /** What the drones of the run keep to beside the zones that are drawn anyway. */
 export function ownBarriers(run: MissionRun | null, zones: readonly Zone[]): Barrier[] {
   const drawn = new Set(zones.map(shapeOf));
-  return (run?.barriers ?? []).filter((barrier) => !drawn.has(shapeOf(barrier)));
+  // One that binds some drones is told once for each of them.
+  const others = new Map((run?.barriers ?? []).map((barrier) => [shapeOf(barrier), barrier]));
+  return [...others].filter(([shape]) => !drawn.has(shape)).map(([, barrier]) => barrier);
 }
 
 function shapeOf({ geometry, properties }: Zone | Barrier): string {

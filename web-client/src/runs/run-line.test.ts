@@ -212,5 +212,6 @@ describe('a mission run on the map', () => {
     const run = aRun({ barriers: [school, circle('Crane', 8.1)] });
     expect(ownBarriers(run, [everybodys]).map((one) => one.properties.name)).toEqual(['Crane']);
     expect(ownBarriers(null, [everybodys])).toEqual([]);
+    expect(ownBarriers(aRun({ barriers: [school, circle('School', 8)] }), [])).toHaveLength(1);
   });
 });

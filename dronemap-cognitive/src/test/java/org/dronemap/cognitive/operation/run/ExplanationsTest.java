@@ -6,8 +6,6 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import org.dronemap.cognitive.Scenes;
-import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.core.command.CloudLoss;
 import org.junit.jupiter.api.Test;
@@ -76,12 +74,7 @@ class ExplanationsTest {
         fleet.flyUntil(() -> fleet.state.count(Target.State.VISITED) >= 3, 600);
         fleet.vehicle(1).falling = true;
         answered(fleet, 30);
-        fleet.wish(new RunInput.AddWaypoints(
-                fleet.now,
-                "Ann",
-                List.of(
-                        Waypoint.at("n1", Scenes.place(100, 300, 440)),
-                        Waypoint.at("n2", Scenes.place(-100, -300, 440)))));
+        Runs.addTwoWaypoints(fleet);
         answered(fleet, 30);
         fleet.flyToTheEnd();
         return fleet;

@@ -81,4 +81,14 @@ final class Runs {
                 TestFleet.START);
         return new TestFleet(order, vehicles);
     }
+
+    /** North and south, by Ann. */
+    static void addTwoWaypoints(TestFleet fleet) {
+        fleet.wish(new RunInput.AddWaypoints(
+                fleet.now,
+                "Ann",
+                List.of(
+                        Waypoint.at("n1", Scenes.place(100, 300, 440)),
+                        Waypoint.at("n2", Scenes.place(-100, -300, 440)))));
+    }
 }

@@ -38,12 +38,7 @@ class WishesTest {
     @Test
     void visitWaypointsThatAreAdded() {
         TestFleet fleet = flying();
-        fleet.wish(new RunInput.AddWaypoints(
-                fleet.now,
-                "Ann",
-                List.of(
-                        Waypoint.at("n1", Scenes.place(100, 300, 440)),
-                        Waypoint.at("n2", Scenes.place(-100, -300, 440)))));
+        Runs.addTwoWaypoints(fleet);
         fleet.fly(1);
 
         assertThat(fleet.state.target("n1").orElseThrow().state()).isEqualTo(Target.State.ASSIGNED);
