@@ -1,7 +1,6 @@
 package org.dronemap.proxy;
 
 import java.io.IOException;
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -35,6 +34,7 @@ import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointCounters;
@@ -50,13 +50,13 @@ public final class TestCloud implements AutoCloseable {
     private static final CommandGate.Source PILOT =
             new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "rest");
 
-    private final Lanes lanes = new Lanes(2);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    private final Journal journal = new Journal(new SystemTime());
     private final Commands commands = new Commands();
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            Clock.systemUTC(),
+            new SystemTime(),
             new CloudManager.Keeping(new Drones(), commands, new Leases(), journal),
             () -> new DroneId(UUID.randomUUID().toString()));
     private final Proxy proxy;

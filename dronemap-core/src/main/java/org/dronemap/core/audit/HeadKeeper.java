@@ -1,17 +1,18 @@
 package org.dronemap.core.audit;
 
 import java.time.Clock;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
+import java.time.Duration;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Writes down outside of the database, every few seconds, how long the chain is. A thread of its own; any may call. */
 public final class HeadKeeper implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(HeadKeeper.class);
-    private static final int PERIOD_SECONDS = 10;
+    private static final Duration PERIOD = Duration.ofSeconds(10);
+    private static final Duration LONGEST_CLOSE = Duration.ofSeconds(5);
 
     private final AuditStore store;
     private final AuditHeads heads;
@@ -19,25 +20,21 @@ public final class HeadKeeper implements AutoCloseable {
     private final Clock clock;
     // guarded by this
     private AuditHead kept = AuditHead.EMPTY;
-    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread created = new Thread(task, "audit-heads");
-        created.setDaemon(true);
-        return created;
-    });
+    private final Worker thread;
 
-    public HeadKeeper(AuditStore store, AuditHeads heads, AuditChain chain, Clock clock) {
+    public HeadKeeper(AuditStore store, AuditHeads heads, AuditChain chain, Time time) {
         this.store = store;
         this.heads = heads;
         this.chain = chain;
-        this.clock = clock;
+        this.clock = time.clock();
+        this.thread = time.worker("audit-heads", 1);
     }
 
     public void start() {
         if (heads.all().isEmpty()) {
             add(SignedHead.Kind.BEGUN, store.head());
         }
-        ScheduledFuture<?> unused =
-                thread.scheduleWithFixedDelay(this::keep, PERIOD_SECONDS, PERIOD_SECONDS, TimeUnit.SECONDS);
+        Repetition unused = thread.every(PERIOD, PERIOD, this::keep);
     }
 
     /** The chain of now, vouched for; kept here as well. */
@@ -74,7 +71,9 @@ public final class HeadKeeper implements AutoCloseable {
 
     @Override
     public void close() {
-        thread.shutdown();
+        if (!thread.finish(LONGEST_CLOSE)) {
+            LOG.warn("The head of the audit chain was still being kept at the end");
+        }
         keep();
     }
 }

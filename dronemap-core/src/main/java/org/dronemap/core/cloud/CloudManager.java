@@ -1,11 +1,11 @@
 package org.dronemap.core.cloud;
 
 import java.time.Clock;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -29,16 +29,18 @@ import org.dronemap.core.lease.Epochs;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.LeaseStore;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 
 /** The one registry of drones. Links bring vehicles in, faces read states, listeners hear of changes. Any thread. */
 public final class CloudManager {
-    private static final int LONGEST_WRITE_SECONDS = 10;
+    private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
 
     private final Lanes lanes;
     private final Rules rules;
+    private final Time time;
     private final Clock clock;
     private final DroneStore store;
     private final Journal journal;
@@ -50,7 +52,7 @@ public final class CloudManager {
     private final CommandStore turns;
     private final CommandGate gate;
     private final SetpointGate setpoints;
-    private final ControlDesk controls = new ControlDesk(registry);
+    private final ControlDesk controls;
     private final DroneControl.Keeping leases;
     private final LeaseMachine leaseMachine;
     private final ZoneBook zones = new ZoneBook();
@@ -63,14 +65,16 @@ public final class CloudManager {
     public record Rules(Watchdog watchdog, LeaseRules leases) {}
 
     /** With the usual rules of control. */
-    public CloudManager(Lanes lanes, Watchdog watchdog, Clock clock, Keeping keeping, Supplier<DroneId> newIds) {
-        this(lanes, new Rules(watchdog, LeaseRules.DEFAULT), clock, keeping, newIds);
+    public CloudManager(Lanes lanes, Watchdog watchdog, Time time, Keeping keeping, Supplier<DroneId> newIds) {
+        this(lanes, new Rules(watchdog, LeaseRules.DEFAULT), time, keeping, newIds);
     }
 
-    public CloudManager(Lanes lanes, Rules rules, Clock clock, Keeping keeping, Supplier<DroneId> newIds) {
+    public CloudManager(Lanes lanes, Rules rules, Time time, Keeping keeping, Supplier<DroneId> newIds) {
         this.lanes = lanes;
         this.rules = rules;
-        this.clock = clock;
+        this.time = time;
+        this.clock = time.clock();
+        this.controls = new ControlDesk(registry, time);
         this.store = keeping.drones();
         this.journal = keeping.journal();
         this.newIds = newIds;
@@ -78,7 +82,7 @@ public final class CloudManager {
         this.reception = new Reception(registry, clock);
         this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody, new ZoneRules(zones));
         this.setpoints = new SetpointGate(registry, gate);
-        ZoneGuard guard = new ZoneGuard(zones, new ZoneActions(registry, gate), clock);
+        ZoneGuard guard = new ZoneGuard(zones, new ZoneActions(registry, gate, time), time);
         zones.onChange(change -> registry.all().forEach(guard::lookAgain));
         listeners.add(guard);
         this.leases = new DroneControl.Keeping(keeping.leases(), journal);
@@ -219,7 +223,7 @@ public final class CloudManager {
                 drone.rename(name);
                 keepName(drone, kept);
             }));
-            kept.orTimeout(LONGEST_WRITE_SECONDS, TimeUnit.SECONDS).join();
+            Void unused = time.join(kept, LONGEST_WRITE);
         });
         return found.isPresent();
     }

@@ -1,20 +1,23 @@
 package org.dronemap.core.cloud;
 
-import java.util.concurrent.TimeUnit;
+import java.time.Duration;
 import java.util.function.BiPredicate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
+import org.dronemap.core.time.Time;
 
 /** Where people take, ask for, hand over and give back the control of drones. Any thread. */
 public final class ControlDesk {
-    private static final int LONGEST_WRITE_SECONDS = 10;
+    private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
 
     private final DroneRegistry registry;
+    private final Time time;
 
-    ControlDesk(DroneRegistry registry) {
+    ControlDesk(DroneRegistry registry, Time time) {
         this.registry = registry;
+        this.time = time;
     }
 
     /** Who commands a drone now; nobody when there is no such drone. */
@@ -30,7 +33,7 @@ public final class ControlDesk {
     public LeaseStep apply(DroneId drone, LeaseEvent event) {
         ManagedDrone managed = registry.find(drone).orElseThrow(() -> new UnknownDroneException(drone));
         DroneControl.Decision decision = managed.control().apply(event);
-        decision.durable().orTimeout(LONGEST_WRITE_SECONDS, TimeUnit.SECONDS).join();
+        Void unused = time.join(decision.durable(), LONGEST_WRITE);
         return decision.step();
     }
 

@@ -1,11 +1,11 @@
 package org.dronemap.core.cloud;
 
-import java.util.concurrent.ArrayBlockingQueue;
+import java.time.Duration;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.audit.Activity;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -13,14 +13,14 @@ import org.slf4j.LoggerFactory;
 public final class Journal implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
     private static final int CAPACITY = 10_000;
+    private static final Duration LONGEST_FINISH = Duration.ofSeconds(5);
 
     private final LongAdder failed = new LongAdder();
-    private final ThreadPoolExecutor thread =
-            new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(CAPACITY), task -> {
-                Thread created = new Thread(task, "journal");
-                created.setDaemon(true);
-                return created;
-            });
+    private final Worker thread;
+
+    public Journal(Time time) {
+        thread = time.worker("journal", CAPACITY);
+    }
 
     /**
      * Runs {@code write} and then {@code after}, also when the write failed (which is logged and counted). The write is
@@ -56,15 +56,8 @@ public final class Journal implements AutoCloseable {
 
     @Override
     public void close() {
-        thread.shutdown();
-        try {
-            if (!thread.awaitTermination(5, TimeUnit.SECONDS)) {
-                LOG.warn(
-                        "The journal still had {} writes when it was closed",
-                        thread.getQueue().size());
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        if (!thread.finish(LONGEST_FINISH)) {
+            LOG.warn("The journal still had {} writes when it was closed", thread.waiting());
         }
     }
 }

@@ -6,8 +6,9 @@ import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
+import org.dronemap.core.time.Loop;
+import org.dronemap.core.time.Time;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -37,21 +38,25 @@ public final class Lane implements AutoCloseable {
     private final int telemetryLimit;
     private final LongAdder dropped = new LongAdder();
     private final LongAdder failed = new LongAdder();
-    private final Thread thread;
+    private final String name;
+    private final Time time;
+    private final Loop loop;
     private volatile boolean closed;
     // Owned by the lane's thread.
     private final ArrayDeque<Runnable> taken = new ArrayDeque<>(AT_ONCE);
-    private final WakeRhythm rhythm = new WakeRhythm();
     private final List<Ticker> tickers = new ArrayList<>();
-    private long lastTickNanos = System.nanoTime();
-    private volatile Turn turn = new Turn(lastTickNanos, 0);
+    private long lastTickNanos;
+    private volatile Turn turn;
 
-    public Lane(String name, int capacity) {
+    public Lane(Time time, String name, int capacity) {
+        this.time = time;
+        this.name = name;
         tasks = new ArrayBlockingQueue<>(capacity);
         telemetryLimit = capacity / 4;
-        thread = new Thread(this::run, name);
-        thread.setDaemon(true);
-        thread.start();
+        lastTickNanos = time.nanos();
+        turn = new Turn(lastTickNanos, 0);
+        loop = time.loop(name, this::work);
+        loop.start();
     }
 
     /** For what newer news replaces: false, and counted, when the lane is too busy. */
@@ -60,14 +65,16 @@ public final class Lane implements AutoCloseable {
             dropped.increment();
             return false;
         }
+        loop.wake();
         return true;
     }
 
     /** For what must not be lost without a word. */
     public void execute(Runnable discrete) {
         if (closed || !tasks.offer(discrete)) {
-            throw new RejectedExecutionException("the lane " + thread.getName() + " is full or closed");
+            throw new RejectedExecutionException("the lane " + name + " is full or closed");
         }
+        loop.wake();
     }
 
     /** Adds a ticker; from the lane's thread only. */
@@ -83,7 +90,7 @@ public final class Lane implements AutoCloseable {
     /** Monotonic time in ns that stands still while this process does: for judging the silence of others. */
     public long activeNanos() {
         Turn now = turn;
-        return now.beganNanos() + Math.min(System.nanoTime() - now.beganNanos(), STALL_NANOS) - now.stalledNanos();
+        return now.beganNanos() + Math.min(time.nanos() - now.beganNanos(), STALL_NANOS) - now.stalledNanos();
     }
 
     /** Telemetry refused since the start. */
@@ -96,31 +103,8 @@ public final class Lane implements AutoCloseable {
         return failed.sum();
     }
 
-    private void run() {
-        boolean worked = false;
-        while (!closed) {
-            try {
-                if (tasks.drainTo(taken, AT_ONCE) == 0) {
-                    rhythm.pause(worked, this::await);
-                    tasks.drainTo(taken, AT_ONCE);
-                }
-                worked = !taken.isEmpty();
-                work();
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                return;
-            }
-        }
-    }
-
-    private void await() throws InterruptedException {
-        Runnable first = tasks.poll(TICK_NANOS, TimeUnit.NANOSECONDS);
-        if (first != null) {
-            taken.add(first);
-        }
-    }
-
-    private void work() {
+    private long work() {
+        boolean any = tasks.drainTo(taken, AT_ONCE) > 0;
         for (Runnable task = taken.poll(); task != null && !closed; task = taken.poll()) {
             // Before the task, which may judge a silence that was our own.
             noticeStall();
@@ -129,22 +113,23 @@ public final class Lane implements AutoCloseable {
         }
         noticeStall();
         tickWhenDue();
+        return any ? 0 : TICK_NANOS;
     }
 
     private void noticeStall() {
         Turn before = turn;
-        long gap = System.nanoTime() - before.beganNanos();
+        long gap = time.nanos() - before.beganNanos();
         if (gap < TURN_NANOS) {
             return;
         }
         turn = new Turn(before.beganNanos() + gap, before.stalledNanos() + Math.max(0, gap - STALL_NANOS));
         if (gap > STALL_NANOS) {
-            LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", thread.getName(), gap / 1_000_000);
+            LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", name, gap / 1_000_000);
         }
     }
 
     private void tickWhenDue() {
-        long gap = System.nanoTime() - lastTickNanos;
+        long gap = time.nanos() - lastTickNanos;
         if (gap < TICK_NANOS) {
             return;
         }
@@ -159,13 +144,13 @@ public final class Lane implements AutoCloseable {
             work.run();
         } catch (RuntimeException e) {
             failed.increment();
-            LOG.error("A task of lane {} failed", thread.getName(), e);
+            LOG.error("A task of lane {} failed", name, e);
         }
     }
 
     @Override
     public void close() {
         closed = true;
-        thread.interrupt();
+        loop.close();
     }
 }

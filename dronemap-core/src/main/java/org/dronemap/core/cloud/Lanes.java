@@ -4,17 +4,19 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.Time;
 
 /** All lanes of this process: a drone's is found by its id; sessions not yet bound to a drone share the registry lane. */
 public final class Lanes implements AutoCloseable {
     private static final int CAPACITY = 65_536;
 
     private final List<Lane> lanes;
-    private final Lane registry = new Lane("lane-registry", CAPACITY);
+    private final Lane registry;
 
-    public Lanes(int count) {
+    public Lanes(Time time, int count) {
+        registry = new Lane(time, "lane-registry", CAPACITY);
         lanes = IntStream.range(0, count)
-                .mapToObj(index -> new Lane("lane-" + index, CAPACITY))
+                .mapToObj(index -> new Lane(time, "lane-" + index, CAPACITY))
                 .toList();
     }
 

@@ -1,12 +1,10 @@
 package org.dronemap.core.cloud;
 
+import java.time.Duration;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -18,6 +16,9 @@ import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Zone;
 import org.slf4j.Logger;
@@ -35,19 +36,18 @@ final class ZoneActions {
     private static final CommandGate.Source SOURCE =
             new CommandGate.Source(new Principal("zones", Role.SUPERVISOR), FACE);
     private static final int TRIES = 4;
-    private static final long PAUSE_MILLIS = 1_000;
+    private static final Duration PAUSE = Duration.ofSeconds(1);
+    /** A breach of each of very many drones at once. */
+    private static final int CAPACITY = 100_000;
 
     private final DroneRegistry registry;
     private final CommandGate gate;
-    private final ExecutorService thread = Executors.newSingleThreadExecutor(task -> {
-        Thread created = new Thread(task, "zones");
-        created.setDaemon(true);
-        return created;
-    });
+    private final Worker thread;
 
-    ZoneActions(DroneRegistry registry, CommandGate gate) {
+    ZoneActions(DroneRegistry registry, CommandGate gate, Time time) {
         this.registry = registry;
         this.gate = gate;
+        this.thread = time.worker("zones", CAPACITY);
     }
 
     Optional<DroneState> state(DroneId id) {
@@ -145,7 +145,6 @@ final class ZoneActions {
             return;
         }
         LOG.warn("{} was told to {} without success ({}); once more", drone, command.summary(), why);
-        CompletableFuture.delayedExecutor(PAUSE_MILLIS, TimeUnit.MILLISECONDS, thread)
-                .execute(() -> act(drone, command, tries - 1));
+        Repetition unused = thread.after(PAUSE, () -> act(drone, command, tries - 1));
     }
 }

@@ -13,6 +13,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.Lookout;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneBook;
@@ -34,6 +35,7 @@ final class ZoneGuard implements CloudListener {
     private final ZoneBook book;
     private final ZoneRules rules;
     private final ZoneActions actions;
+    private final Time time;
     private final Clock clock;
     private final ConcurrentHashMap<DroneId, Watched> watched = new ConcurrentHashMap<>();
     private final ConcurrentHashMap<DroneId, String> pilots = new ConcurrentHashMap<>();
@@ -41,14 +43,19 @@ final class ZoneGuard implements CloudListener {
     /** Owned by the drone's lane. */
     private static final class Watched {
         private final Lookout lookout = new Lookout();
-        private long lookedNanos = System.nanoTime() - RHYTHM_NANOS;
+        private long lookedNanos;
+
+        Watched(long nowNanos) {
+            lookedNanos = nowNanos - RHYTHM_NANOS;
+        }
     }
 
-    ZoneGuard(ZoneBook book, ZoneActions actions, Clock clock) {
+    ZoneGuard(ZoneBook book, ZoneActions actions, Time time) {
         this.book = book;
         this.rules = new ZoneRules(book);
         this.actions = actions;
-        this.clock = clock;
+        this.time = time;
+        this.clock = time.clock();
     }
 
     @Override
@@ -60,8 +67,8 @@ final class ZoneGuard implements CloudListener {
             watched.remove(state.id());
             return;
         }
-        Watched drone = watched.computeIfAbsent(state.id(), id -> new Watched());
-        long now = System.nanoTime();
+        long now = time.nanos();
+        Watched drone = watched.computeIfAbsent(state.id(), id -> new Watched(now));
         if (now - drone.lookedNanos >= RHYTHM_NANOS) {
             drone.lookedNanos = now;
             look(drone.lookout, state, now);

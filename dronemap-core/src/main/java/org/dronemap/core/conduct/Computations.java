@@ -1,14 +1,10 @@
 package org.dronemap.core.conduct;
 
-import java.time.Clock;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
-import java.util.function.LongSupplier;
 import org.dronemap.core.operation.Computation;
+import org.dronemap.core.time.Pool;
+import org.dronemap.core.time.Time;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -16,19 +12,12 @@ import org.slf4j.LoggerFactory;
 final class Computations implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Computations.class);
 
-    private final LongSupplier nanoTime;
-    private final Clock clock;
-    private final ThreadPoolExecutor pool;
+    private final Time time;
+    private final Pool pool;
 
-    Computations(int threads, int queued, LongSupplier nanoTime, Clock clock) {
-        this.nanoTime = nanoTime;
-        this.clock = clock;
-        AtomicInteger numbers = new AtomicInteger();
-        pool = new ThreadPoolExecutor(threads, threads, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(queued), work -> {
-            Thread thread = new Thread(work, "computation-" + numbers.incrementAndGet());
-            thread.setDaemon(true);
-            return thread;
-        });
+    Computations(Time time, int threads, int queued) {
+        this.time = time;
+        pool = time.pool("computation", threads, queued);
     }
 
     /** Something that is worked out, until it is called off: then nobody hears of its result. */
@@ -46,7 +35,7 @@ final class Computations implements AutoCloseable {
         try {
             pool.execute(() -> work(what, underway, then));
         } catch (RejectedExecutionException full) {
-            then.accept(what.failed("Too much is being worked out already.", clock));
+            then.accept(what.failed("Too much is being worked out already.", time.clock()));
         }
         return underway;
     }
@@ -57,18 +46,18 @@ final class Computations implements AutoCloseable {
         }
         I result;
         try {
-            result = what.run(nanoTime, clock, () -> underway.calledOff || pool.isShutdown());
+            result = what.run(time, () -> underway.calledOff || pool.isClosed());
         } catch (RuntimeException e) {
             LOG.error("What an operation asked for could not be worked out", e);
-            result = what.failed("The server failed; those who run it find out why in its log.", clock);
+            result = what.failed("The server failed; those who run it find out why in its log.", time.clock());
         }
-        if (!underway.calledOff && !pool.isShutdown()) {
+        if (!underway.calledOff && !pool.isClosed()) {
             then.accept(result);
         }
     }
 
     @Override
     public void close() {
-        pool.shutdownNow();
+        pool.close();
     }
 }

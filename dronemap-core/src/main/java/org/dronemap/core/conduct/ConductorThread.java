@@ -1,14 +1,14 @@
 package org.dronemap.core.conduct;
 
+import java.time.Duration;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.dronemap.core.audit.Activity;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -16,29 +16,22 @@ import org.slf4j.LoggerFactory;
 final class ConductorThread implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ConductorThread.class);
     private static final int LONGEST_WAIT_SECONDS = 15;
+    /** More than all that may be asked at once and every command that may end. */
+    private static final int CAPACITY = 100_000;
 
-    private final ScheduledExecutorService thread;
+    private final Time time;
+    private final Worker thread;
+    private volatile boolean closed;
 
-    ConductorThread(String name) {
-        thread = Executors.newSingleThreadScheduledExecutor(task -> {
-            Thread created = new Thread(task, name);
-            created.setDaemon(true);
-            return created;
-        });
+    ConductorThread(Time time, String name) {
+        this.time = time;
+        thread = time.worker(name, CAPACITY);
     }
 
     /** At once, and again after each such pause; a turn that fails is not the last one. */
-    void every(long pause, TimeUnit unit, Runnable work) {
-        ScheduledFuture<?> begun = thread.scheduleWithFixedDelay(() -> tried(work), 0, pause, unit);
+    void every(Duration pause, Runnable work) {
+        Repetition begun = thread.every(Duration.ZERO, pause, work);
         LOG.debug("Conducting begins: {}", begun);
-    }
-
-    private static void tried(Runnable work) {
-        try {
-            work.run();
-        } catch (RuntimeException e) {
-            LOG.error("A turn of the conductor failed; the next one is tried", e);
-        }
     }
 
     /** When its turn comes; not at all once this is closed. */
@@ -46,7 +39,9 @@ final class ConductorThread implements AutoCloseable {
         try {
             thread.execute(work);
         } catch (RejectedExecutionException e) {
-            LOG.debug("The conductor has stopped");
+            if (!closed) {
+                LOG.error("The conductor has too much to do: something that happened is not heeded", e);
+            }
         }
     }
 
@@ -57,7 +52,7 @@ final class ConductorThread implements AutoCloseable {
      */
     <T> T ask(Callable<T> work) {
         try {
-            return thread.submit(Activity.carried(work)).get(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
+            return time.await(thread.submit(Activity.carried(work)), Duration.ofSeconds(LONGEST_WAIT_SECONDS));
         } catch (ExecutionException e) {
             if (e.getCause() instanceof RuntimeException cause) {
                 throw cause;
@@ -73,6 +68,7 @@ final class ConductorThread implements AutoCloseable {
 
     @Override
     public void close() {
-        thread.shutdownNow();
+        closed = true;
+        thread.close();
     }
 }

@@ -6,7 +6,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudListener;
@@ -23,6 +22,7 @@ import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.Sighting;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.time.Time;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -38,8 +38,8 @@ public final class Operations implements CloudListener, AutoCloseable {
     public static final Duration KEPT = Duration.ofDays(90);
 
     private static final Logger LOG = LoggerFactory.getLogger(Operations.class);
-    private static final long RHYTHM_MILLIS = 100;
-    private static final long TIDYING_HOURS = 6;
+    private static final Duration RHYTHM = Duration.ofMillis(100);
+    private static final Duration BETWEEN_TIDYINGS = Duration.ofHours(6);
     private static final int COMPUTING_THREADS = 2;
     private static final int MOST_WAITING = 16;
 
@@ -50,7 +50,7 @@ public final class Operations implements CloudListener, AutoCloseable {
     private final OperationBook book;
     private final CopyOnWriteArrayList<OperationListener> listeners = new CopyOnWriteArrayList<>();
     private final AtomicBoolean woken = new AtomicBoolean();
-    private final ConductorThread thread = new ConductorThread("operations");
+    private final ConductorThread thread;
 
     /** A change that cannot be made, with the sentence why. */
     public static final class Refused extends RuntimeException {
@@ -73,13 +73,14 @@ public final class Operations implements CloudListener, AutoCloseable {
             CloudManager cloud,
             OperationStore store,
             OperationRights rights,
-            Clock clock,
+            Time time,
             Collection<OperationKind<?, ?>> kinds) {
         this.cloud = cloud;
         this.store = store;
-        this.clock = clock;
-        LongSupplier nanoTime = System::nanoTime;
-        this.computations = new Computations(COMPUTING_THREADS, MOST_WAITING, nanoTime, clock);
+        this.clock = time.clock();
+        this.thread = new ConductorThread(time, "operations");
+        LongSupplier nanoTime = time::nanos;
+        this.computations = new Computations(time, COMPUTING_THREADS, MOST_WAITING);
         DroneCrew crew = new DroneCrew(cloud, FACE);
         Conducted.Means means = new Conducted.Means(
                 store,
@@ -105,8 +106,8 @@ public final class Operations implements CloudListener, AutoCloseable {
             book.goOn();
             return true;
         });
-        thread.every(RHYTHM_MILLIS, TimeUnit.MILLISECONDS, this::turn);
-        thread.every(TIDYING_HOURS, TimeUnit.HOURS, this::tidy);
+        thread.every(RHYTHM, this::turn);
+        thread.every(BETWEEN_TIDYINGS, this::tidy);
     }
 
     public void addListener(OperationListener listener) {

@@ -1,10 +1,10 @@
 package org.dronemap.core.conduct;
 
 import java.time.Clock;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.UnaryOperator;
 import org.dronemap.core.cloud.CloudListener;
@@ -16,6 +16,7 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.Choice;
 import org.dronemap.core.virtual.Run;
 import org.dronemap.core.virtual.RunMachine;
@@ -34,7 +35,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     /** The way in that commands of virtual drones come by. */
     static final String FACE = "virtual";
 
-    private static final long RHYTHM_MILLIS = 200;
+    private static final Duration RHYTHM = Duration.ofMillis(200);
     /** Of these turns one looks for drones for those that wait. */
     private static final int TURNS_PER_SEARCH = 5;
 
@@ -53,7 +54,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     private final Recalls recalls;
     private final Clock clock;
     private final LongAdder failed = new LongAdder();
-    private final ConductorThread thread = new ConductorThread("conductor");
+    private final ConductorThread thread;
     // Owned by the thread.
     private int turn;
 
@@ -74,21 +75,22 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     public record Place(int position, int length) {}
 
     public VirtualDrones(
-            CloudManager cloud, VirtualDroneStore store, RunMachine machine, VirtualRights rights, Clock clock) {
+            CloudManager cloud, VirtualDroneStore store, RunMachine machine, VirtualRights rights, Time time) {
         this.cloud = cloud;
         this.book = new VirtualBook(store);
         this.machine = machine;
-        this.clock = clock;
+        this.clock = time.clock();
+        this.thread = new ConductorThread(time, "conductor");
         DroneCrew crew = new DroneCrew(cloud, FACE);
-        this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, clock, System::nanoTime));
-        this.recalls = new Recalls(cloud, book, crew, System::nanoTime);
+        this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, clock, time::nanos));
+        this.recalls = new Recalls(cloud, book, crew, time::nanos);
     }
 
     /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
     public void start() {
         runs.takeUp();
         cloud.addListener(this);
-        thread.every(RHYTHM_MILLIS, TimeUnit.MILLISECONDS, this::turn);
+        thread.every(RHYTHM, this::turn);
     }
 
     public void addListener(VirtualListener listener) {

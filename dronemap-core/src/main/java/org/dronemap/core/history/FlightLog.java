@@ -4,6 +4,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.core.time.Loop;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -15,25 +17,23 @@ import org.slf4j.LoggerFactory;
 public final class FlightLog implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(FlightLog.class);
     private static final int MOST_UNSAVED = 10_000;
-    private static final long CLOSE_MILLIS = 5_000;
+    private static final Duration LONGEST_CLOSE = Duration.ofSeconds(5);
 
     private final FlightStore store;
-    private final Duration every;
+    private final long everyNanos;
     private final ConcurrentHashMap<String, Flight> unsaved = new ConcurrentHashMap<>();
-    private final Pulse pulse = new Pulse();
-    private final Thread thread = new Thread(this::run, "flights");
-    private volatile boolean closed;
+    private final Loop loop;
     private volatile @Nullable String failure;
 
     /** {@code every}: so often what changed is written. */
-    public FlightLog(FlightStore store, Duration every) {
+    public FlightLog(FlightStore store, Duration every, Time time) {
         this.store = store;
-        this.every = every;
-        thread.setDaemon(true);
+        this.everyNanos = every.toNanos();
+        this.loop = time.loop("flights", this::saveAll);
     }
 
     public void start() {
-        thread.start();
+        loop.start();
     }
 
     /** Returns at once. */
@@ -67,16 +67,7 @@ public final class FlightLog implements AutoCloseable {
         return store.open();
     }
 
-    private void run() {
-        while (!closed) {
-            if (!pulse.rest(every)) {
-                closed = true;
-            }
-            saveAll();
-        }
-    }
-
-    private void saveAll() {
+    private long saveAll() {
         try {
             for (Flight flight : unsaved.values()) {
                 store.save(flight);
@@ -90,17 +81,14 @@ public final class FlightLog implements AutoCloseable {
             }
             failure = "Flights cannot be written: " + e.getMessage();
         }
+        return everyNanos;
     }
 
     /** Writes what waits, within some seconds. */
     @Override
     public void close() {
-        closed = true;
-        pulse.wake();
-        try {
-            thread.join(CLOSE_MILLIS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        if (!loop.finish(LONGEST_CLOSE)) {
+            LOG.warn("Not all flights were written when the flight log was closed");
         }
     }
 }

@@ -3,6 +3,9 @@ package org.dronemap.core.history;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Optional;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -14,27 +17,19 @@ public final class HistoryKeeper implements AutoCloseable {
     private final TelemetryStore store;
     private final Retention retention;
     private final InstantSource clock;
-    private final Pulse pulse = new Pulse();
-    private volatile boolean closed;
+    private final Worker thread;
     private volatile @Nullable String failure;
 
-    public HistoryKeeper(TelemetryStore store, Retention retention, InstantSource clock) {
+    public HistoryKeeper(TelemetryStore store, Retention retention, Time time) {
         this.store = store;
         this.retention = retention;
-        this.clock = clock;
+        this.clock = time.clock();
+        this.thread = time.worker("history-keeper", 1);
     }
 
     /** At once, and then again and again. */
     public void start(Duration every) {
-        Thread thread = new Thread(() -> run(every), "history-keeper");
-        thread.setDaemon(true);
-        thread.start();
-    }
-
-    private void run(Duration every) {
-        do {
-            tidy();
-        } while (pulse.rest(every) && !closed);
+        Repetition unused = thread.every(Duration.ZERO, every, this::tidy);
     }
 
     /** A sentence when it did not work the last time. */
@@ -54,7 +49,6 @@ public final class HistoryKeeper implements AutoCloseable {
 
     @Override
     public void close() {
-        closed = true;
-        pulse.wake();
+        thread.close();
     }
 }

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.atomic.LongAdder;
+import org.dronemap.core.time.Loop;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,7 +21,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(TelemetryWriter.class);
     private static final Comparator<TelemetryPoint> BY_DRONE =
             Comparator.comparing(point -> point.drone().value());
-    private static final long CLOSE_MILLIS = 5_000;
+    private static final Duration LONGEST_CLOSE = Duration.ofSeconds(5);
     /** So often a batch is tried that a store which answers does not take. */
     private static final int MOST_TRIES = 10;
 
@@ -55,23 +57,28 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private final BlockingQueue<HistoryEvent> events;
     private final LongAdder written = new LongAdder();
     private final LongAdder dropped = new LongAdder();
-    private final Pulse pulse = new Pulse();
-    private final Thread thread = new Thread(this::run, "telemetry");
+    private final Time time;
+    private final Loop loop;
     private volatile boolean closed;
     private volatile @Nullable String failure;
     private volatile int underWay;
     private volatile long droppedNanos;
+    // Owned by the loop.
+    private @Nullable Batch refused;
+    private int tries;
+    private int refusals;
 
-    public TelemetryWriter(TelemetryStore store, Rhythm rhythm) {
+    public TelemetryWriter(TelemetryStore store, Rhythm rhythm, Time time) {
         this.store = store;
         this.rhythm = rhythm;
         this.points = new ArrayBlockingQueue<>(rhythm.room());
         this.events = new ArrayBlockingQueue<>(rhythm.room());
-        thread.setDaemon(true);
+        this.time = time;
+        this.loop = time.loop("telemetry", this::turn);
     }
 
     public void start() {
-        thread.start();
+        loop.start();
     }
 
     @Override
@@ -79,7 +86,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
         if (!points.offer(point)) {
             drop(1);
         } else if (points.size() == rhythm.batch()) {
-            pulse.wake();
+            loop.wake();
         }
     }
 
@@ -93,7 +100,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     /** Any thread. */
     public HistoryHealth health() {
         String trouble = failure;
-        if (trouble == null && droppedNanos != 0 && System.nanoTime() - droppedNanos < SLOW_NANOS) {
+        if (trouble == null && droppedNanos != 0 && time.nanos() - droppedNanos < SLOW_NANOS) {
             trouble = "The telemetry store is too slow: not all that comes can be kept.";
         }
         return new HistoryHealth(trouble, written.sum(), dropped.sum(), points.size() + events.size() + underWay);
@@ -101,29 +108,52 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
 
     private void drop(int count) {
         dropped.add(count);
-        droppedNanos = System.nanoTime();
+        droppedNanos = time.nanos();
     }
 
-    private void run() {
-        while (!closed) {
-            rest(points.size() >= rhythm.batch() ? Duration.ZERO : rhythm.every());
-            writeAll();
+    /** The batch that was refused goes first. */
+    private long turn() {
+        boolean free = refused == null || triedAgain(refused);
+        for (Batch batch = free ? next() : null; batch != null && batch.size() > 0; batch = next()) {
+            underWay = batch.size();
+            if (tried(batch)) {
+                underWay = 0;
+            } else {
+                refuse(batch);
+                if (!closed) {
+                    break;
+                }
+            }
         }
-        writeAll();
+        return (refused == null ? rhythm.every() : rhythm.pause()).toNanos();
     }
 
-    private void rest(Duration time) {
-        if (!closed && !time.isZero() && !pulse.rest(time)) {
-            closed = true;
+    private void refuse(Batch batch) {
+        if (closed) {
+            drop(batch.size());
+            underWay = 0;
+            return;
         }
+        refused = batch;
+        tries = 1;
+        refusals = 0;
     }
 
-    private void writeAll() {
-        Batch batch = next();
-        while (batch.size() > 0) {
-            write(batch);
-            batch = next();
+    /** True when it need not be tried any more: it is written, or the store takes others but not this one. */
+    private boolean triedAgain(Batch batch) {
+        boolean done = tried(batch);
+        // One that answers just after may have come back in between.
+        refusals = !done && tries >= MOST_TRIES && answers() ? refusals + 1 : 0;
+        tries++;
+        boolean given = !done && (closed || refusals >= REFUSALS);
+        if (given) {
+            drop(batch.size());
         }
+        if (done || given) {
+            refused = null;
+            underWay = 0;
+        }
+        return done || given;
     }
 
     private Batch next() {
@@ -134,23 +164,6 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
         List<HistoryEvent> happened = new ArrayList<>();
         events.drainTo(happened, rhythm.batch());
         return new Batch(taken, happened);
-    }
-
-    /** Until it is written, or the store takes others but not this one; after the close it is tried once. */
-    private void write(Batch batch) {
-        underWay = batch.size();
-        boolean done = tried(batch);
-        int refusals = 0;
-        for (int tries = 1; !done && !closed && refusals < REFUSALS; tries++) {
-            rest(rhythm.pause());
-            done = tried(batch);
-            // One that answers just after may have come back in between.
-            refusals = !done && tries >= MOST_TRIES && answers() ? refusals + 1 : 0;
-        }
-        if (!done) {
-            drop(batch.size());
-        }
-        underWay = 0;
     }
 
     private boolean answers() {
@@ -183,11 +196,8 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        pulse.wake();
-        try {
-            thread.join(CLOSE_MILLIS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        if (!loop.finish(LONGEST_CLOSE)) {
+            LOG.warn("Not all telemetry was written when the writer was closed");
         }
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
-import java.time.Clock;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
@@ -29,6 +28,7 @@ import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -39,15 +39,15 @@ class CommandGateTest {
     private static final CommandGate.Source VIEWER = new CommandGate.Source(new Principal("vic", Role.VIEWER), "rest");
     private static final Command UPLOAD = new Command.UploadMission(new Mission(List.of(new MissionItem.Land())));
 
-    private final Lanes lanes = new Lanes(2);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    private final Journal journal = new Journal(new SystemTime());
     private final Fixtures.HeapCommandStore store = new Fixtures.HeapCommandStore();
     private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
     private final AtomicInteger numbers = new AtomicInteger();
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            Clock.systemUTC(),
+            new SystemTime(),
             new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, new Fixtures.HeapLeaseStore(), journal),
             () -> new DroneId("drone-" + numbers.incrementAndGet()));
     private final CommandGate gate = cloud.gate();

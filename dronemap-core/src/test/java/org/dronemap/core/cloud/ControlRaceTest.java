@@ -2,7 +2,6 @@ package org.dronemap.core.cloud;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -28,6 +27,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.Test;
 
 /** Many threads want one drone, and take it from each other while commands are on their way. */
@@ -35,15 +35,15 @@ class ControlRaceTest {
     private static final int RACERS = 8;
     private static final int ROUNDS = 600;
 
-    private final Lanes lanes = new Lanes(2);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    private final Journal journal = new Journal(new SystemTime());
     private final AtomicInteger numbers = new AtomicInteger();
     private final Fixtures.HeapCommandStore store = new Fixtures.HeapCommandStore();
     private final Stubborn vehicle = new Stubborn();
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            Clock.systemUTC(),
+            new SystemTime(),
             new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, new Fixtures.HeapLeaseStore(), journal),
             () -> new DroneId("drone-1"));
 

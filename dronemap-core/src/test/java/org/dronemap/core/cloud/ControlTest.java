@@ -3,7 +3,6 @@ package org.dronemap.core.cloud;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -33,6 +32,7 @@ import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.SavedLease;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -56,8 +56,8 @@ class ControlTest {
             List.of("GUIDED", "LOITER", "AUTO"),
             Map.of("GUIDED", Steering.ORDERS, "LOITER", Steering.STICKS));
 
-    private final Lanes lanes = new Lanes(2);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    private final Journal journal = new Journal(new SystemTime());
     private final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
     private final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
     private final Fixtures.HeapLeaseStore leases = new Fixtures.HeapLeaseStore();
@@ -79,7 +79,7 @@ class ControlTest {
         return new CloudManager(
                 lanes,
                 new CloudManager.Rules(watchdog, RULES),
-                Clock.systemUTC(),
+                new SystemTime(),
                 new CloudManager.Keeping(drones, commands, leases, journal),
                 () -> new DroneId("drone-1"));
     }

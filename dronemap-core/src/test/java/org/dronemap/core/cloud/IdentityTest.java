@@ -3,7 +3,6 @@ package org.dronemap.core.cloud;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.time.Clock;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
@@ -17,6 +16,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Evidence;
 import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.time.SystemTime;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -25,8 +25,8 @@ import org.junit.jupiter.api.Test;
 class IdentityTest {
     private static final long LONG_NANOS = 60_000_000_000L;
 
-    private final Lanes lanes = new Lanes(2);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    private final Journal journal = new Journal(new SystemTime());
     private final Fixtures.HeapDroneStore store = new Fixtures.HeapDroneStore();
     private final AtomicInteger numbers = new AtomicInteger();
     private final CloudManager cloud = manager();
@@ -41,7 +41,7 @@ class IdentityTest {
         return new CloudManager(
                 lanes,
                 new Watchdog(Duration.ofMinutes(1), Duration.ofMinutes(1), Duration.ofMinutes(2)),
-                Clock.systemUTC(),
+                new SystemTime(),
                 new CloudManager.Keeping(
                         store, new Fixtures.HeapCommandStore(), new Fixtures.HeapLeaseStore(), journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));

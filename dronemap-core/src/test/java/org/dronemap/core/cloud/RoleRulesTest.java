@@ -2,7 +2,6 @@ package org.dronemap.core.cloud;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Clock;
 import java.util.EnumSet;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -17,17 +16,18 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.time.SystemTime;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class RoleRulesTest {
-    private final Lanes lanes = new Lanes(1);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 1);
+    private final Journal journal = new Journal(new SystemTime());
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            Clock.systemUTC(),
+            new SystemTime(),
             new CloudManager.Keeping(
                     new Fixtures.HeapDroneStore(),
                     new Fixtures.HeapCommandStore(),

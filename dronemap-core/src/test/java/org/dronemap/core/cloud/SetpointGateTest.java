@@ -3,7 +3,6 @@ package org.dronemap.core.cloud;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -37,6 +36,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
@@ -57,14 +57,14 @@ class SetpointGateTest {
     private static final Setpoint MIDDLE = new Setpoint.Sticks(0, 0, 0, 0);
     private static final Geodetic HERE = new Geodetic(47.3977, 8.5456);
 
-    private final Lanes lanes = new Lanes(1);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 1);
+    private final Journal journal = new Journal(new SystemTime());
     private final Fixtures.HeapCommandStore log = new Fixtures.HeapCommandStore();
     private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
     private final CloudManager cloud = new CloudManager(
             lanes,
             new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)),
-            Clock.systemUTC(),
+            new SystemTime(),
             new CloudManager.Keeping(new Fixtures.HeapDroneStore(), log, new Fixtures.HeapLeaseStore(), journal),
             () -> new DroneId("drone-1"));
     private final SetpointGate setpoints = cloud.setpoints();

@@ -26,6 +26,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
@@ -41,13 +42,13 @@ class ZoneGuardTest {
     private static final Duration LONG = Duration.ofSeconds(30);
     private static final CommandGate.Source BOB = new CommandGate.Source(new Principal("bob", Role.OPERATOR), "rest");
 
-    private final Lanes lanes = new Lanes(2);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    private final Journal journal = new Journal(new SystemTime());
     private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            Clock.systemUTC(),
+            new SystemTime(),
             new CloudManager.Keeping(
                     new Fixtures.HeapDroneStore(),
                     new Fixtures.HeapCommandStore(),

@@ -4,13 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
-import java.util.concurrent.TimeUnit;
+import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class ConductorThreadTest {
-    private final ConductorThread thread = new ConductorThread("conductor");
+    private final ConductorThread thread = new ConductorThread(new SystemTime(), "conductor");
 
     @AfterEach
     void stop() {
@@ -20,7 +21,7 @@ class ConductorThreadTest {
     @Test
     void goesOnAfterATurnThatFailed() {
         AtomicInteger turns = new AtomicInteger();
-        thread.every(1, TimeUnit.MILLISECONDS, () -> {
+        thread.every(Duration.ofMillis(1), () -> {
             turns.incrementAndGet();
             throw new IllegalStateException("the database is away");
         });

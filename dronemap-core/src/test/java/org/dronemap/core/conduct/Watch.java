@@ -1,8 +1,8 @@
 package org.dronemap.core.conduct;
 
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,7 +11,6 @@ import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import java.util.function.LongSupplier;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
@@ -23,6 +22,7 @@ import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.OperationCodec;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.Scene;
+import org.dronemap.core.time.Time;
 
 /** A tiny operation: arms its drones, notes what it hears, lets go of drones that somebody takes. */
 final class Watch implements Operation<Watch.State, String> {
@@ -40,7 +40,7 @@ final class Watch implements Operation<Watch.State, String> {
         static volatile CountDownLatch mayEnd = new CountDownLatch(0);
 
         @Override
-        public String run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled) {
+        public String run(Time time, BooleanSupplier cancelled) {
             try {
                 if (!mayEnd.await(10, TimeUnit.SECONDS)) {
                     return "note slow";
@@ -52,7 +52,7 @@ final class Watch implements Operation<Watch.State, String> {
         }
 
         @Override
-        public String failed(String why, Clock clock) {
+        public String failed(String why, InstantSource clock) {
             return "note failed: " + why;
         }
     }

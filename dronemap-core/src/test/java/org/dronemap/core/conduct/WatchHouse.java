@@ -3,7 +3,6 @@ package org.dronemap.core.conduct;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.time.Clock;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -30,6 +29,7 @@ import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.Replay;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 
@@ -38,8 +38,8 @@ abstract class WatchHouse {
     static final OperationId ID = new OperationId("w1");
     static final CommandId FIRST = new CommandId("command-1");
 
-    private final Lanes lanes = new Lanes(2);
-    final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    final Journal journal = new Journal(new SystemTime());
     final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
     final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
     final Fixtures.HeapLeaseStore leases = new Fixtures.HeapLeaseStore();
@@ -78,14 +78,14 @@ abstract class WatchHouse {
         return new CloudManager(
                 lanes,
                 Watchdog.DEFAULT,
-                Clock.systemUTC(),
+                new SystemTime(),
                 new CloudManager.Keeping(drones, commands, leases, journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 
     Operations operations() {
         Operations made =
-                new Operations(cloud, store, (owner, drone) -> rights.get(), Clock.systemUTC(), List.of(Watch.KIND));
+                new Operations(cloud, store, (owner, drone) -> rights.get(), new SystemTime(), List.of(Watch.KIND));
         made.addListener((saved, why) -> told.add(why));
         return made;
     }

@@ -2,7 +2,6 @@ package org.dronemap.core.conduct;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -21,18 +20,19 @@ import org.dronemap.core.operation.Guide;
 import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.Scene;
 import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class WheelTest {
     private static final Instant ZERO = Instant.parse("2026-05-01T12:00:00Z");
 
-    private final Lanes lanes = new Lanes(1);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 1);
+    private final Journal journal = new Journal(new SystemTime());
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            Clock.systemUTC(),
+            new SystemTime(),
             new CloudManager.Keeping(
                     new Fixtures.HeapDroneStore(),
                     new Fixtures.HeapCommandStore(),

@@ -15,6 +15,7 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.time.SystemTime;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -296,9 +297,9 @@ class HistoryTest {
     }
 
     private History started() {
-        writer = new TelemetryWriter(telemetry, QUICK);
-        log = new FlightLog(flights, Duration.ofMillis(5));
-        HistoryKeeper keeper = new HistoryKeeper(telemetry, Retention.DEFAULT, drone::now);
+        writer = new TelemetryWriter(telemetry, QUICK, new SystemTime());
+        log = new FlightLog(flights, Duration.ofMillis(5), new SystemTime());
+        HistoryKeeper keeper = new HistoryKeeper(telemetry, Retention.DEFAULT, new SystemTime());
         History made = new History(
                 new History.Keeping(telemetry, writer, log, keeper),
                 HistoryPolicy.DEFAULT,

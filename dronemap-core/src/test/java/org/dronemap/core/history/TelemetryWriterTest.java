@@ -5,6 +5,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -13,7 +14,7 @@ class TelemetryWriterTest {
             new TelemetryWriter.Rhythm(Duration.ofMillis(10), 50, 100, Duration.ofMillis(10));
 
     private final HeapTelemetryStore store = new HeapTelemetryStore();
-    private final TelemetryWriter writer = new TelemetryWriter(store, QUICK);
+    private final TelemetryWriter writer = new TelemetryWriter(store, QUICK, new SystemTime());
     private final StateScript script = new StateScript();
 
     @AfterEach

@@ -11,6 +11,7 @@ import org.dronemap.core.access.LinkPolicy;
 import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.SetupSigning;
 import org.dronemap.mavlink.signing.OutgoingSigner;
@@ -59,7 +60,7 @@ final class SigningFuzz {
     }
 
     static long run(Budget budget) {
-        try (Journal journal = new Journal()) {
+        try (Journal journal = new Journal(new SystemTime())) {
             SigningFuzz fuzz = new SigningFuzz(budget, journal);
             FlatHeap heap = new FlatHeap();
             while (budget.isLeft()) {

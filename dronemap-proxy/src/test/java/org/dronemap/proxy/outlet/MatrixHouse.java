@@ -22,6 +22,7 @@ import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.MessageTable;
@@ -48,7 +49,7 @@ final class MatrixHouse implements AutoCloseable {
     private static final int SECOND_NANOS = 1_100_000_000;
 
     private final AtomicLong jumped = new AtomicLong();
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private final LateTaps taps = new LateTaps();
     private final TestCloud cloud = new TestCloud(0, taps);
     private final Outlet outlet;

@@ -22,6 +22,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -64,7 +65,7 @@ class OutletTest {
     private final KeptOutlet store = new KeptOutlet();
     private final Map<String, Principal> users = new ConcurrentHashMap<>();
     private final TestCloud cloud = new TestCloud(0);
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private Outlet outlet = open();
 
     private Outlet open() {

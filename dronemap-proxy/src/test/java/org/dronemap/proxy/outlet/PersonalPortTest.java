@@ -23,6 +23,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -48,7 +49,7 @@ class PersonalPortTest {
     private final Map<String, Principal> users = new ConcurrentHashMap<>();
     private final AtomicLong jumped = new AtomicLong();
     private final TestCloud cloud = new TestCloud(0);
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private final List<DatagramSocket> sockets = new ArrayList<>();
     private final FrameWriter ground = new FrameWriter(245, 190, 2);
     private final FrameWriter vehicle = new FrameWriter(7, 1, 2);

@@ -16,6 +16,7 @@ import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -34,7 +35,7 @@ final class StationHouse implements AutoCloseable {
             "bob", new Principal("bob", Role.OPERATOR),
             "eve", new Principal("eve", Role.VIEWER));
 
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private final Taps taps = new Taps();
     private final TestCloud cloud = new TestCloud(0, taps);
     private final Outlet outlet = new Outlet(

@@ -21,6 +21,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -46,7 +47,7 @@ class RecorderTest {
     Path directory;
 
     private final ListedRecordings store = new ListedRecordings();
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private final StandingClock clock = new StandingClock(START);
     private final AtomicLong freeBytes = new AtomicLong(Long.MAX_VALUE);
     private final FrameWriter vehicle = new FrameWriter(1, 1, 2);

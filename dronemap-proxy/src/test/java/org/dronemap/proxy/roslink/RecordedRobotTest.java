@@ -13,6 +13,7 @@ import org.dronemap.core.command.Setpoint.Velocity;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.record.ListedRecordings;
 import org.dronemap.proxy.record.Recorder;
@@ -30,7 +31,7 @@ class RecordedRobotTest extends RobotTrial {
     @TempDir
     Path directory;
 
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private @Nullable Recorder recorder;
 
     @BeforeEach

@@ -13,6 +13,7 @@ import org.dronemap.core.cloud.Fence;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.SetupSigning;
@@ -28,7 +29,7 @@ class DownlinkTest {
     private static final DroneId DRONE = new DroneId("d7k2m9q4xa");
     private static final long SECOND = 1_000_000_000L;
 
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private final Hop hop = new Hop("udp", 14_550);
     private final Downlink downlink = new Downlink(hop);
     private long now = 1_000 * SECOND;

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.dronemap.core.cloud.Lane;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Attitude;
@@ -17,7 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class MailboxTest {
-    private final Lane lane = new Lane("mailbox-test", 64);
+    private final Lane lane = new Lane(new SystemTime(), "mailbox-test", 64);
     private final CountDownLatch busy = new CountDownLatch(1);
     private final FrameWriter writer = new FrameWriter(1, 1, 2);
     private final List<Frame> taken = new CopyOnWriteArrayList<>();

@@ -12,6 +12,7 @@ import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.SetupSigning;
@@ -29,7 +30,7 @@ class LinkGuardTest {
 
     private Instant wall = Instant.parse("2026-03-01T12:00:00Z");
     private long now = 1_000_000_000_000L;
-    private final Journal journal = new Journal();
+    private final Journal journal = new Journal(new SystemTime());
     private final Kept kept = new Kept();
     private final SigningVehicle vehicle = new SigningVehicle(() -> wall);
 

@@ -13,6 +13,7 @@ import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.store.postgres.Database;
 
 /**
@@ -35,8 +36,8 @@ final class OpenLoop implements AutoCloseable {
         Retention retention = Retention.DEFAULT;
         HistoryKeeper keeper = new HistoryKeeper(store, retention, InstantSource.system());
         this.rate = rate;
-        writer = new TelemetryWriter(store, TelemetryWriter.Rhythm.DEFAULT);
-        flights = new FlightLog(database.flights(), Duration.ofSeconds(1));
+        writer = new TelemetryWriter(store, TelemetryWriter.Rhythm.DEFAULT, new SystemTime());
+        flights = new FlightLog(database.flights(), Duration.ofSeconds(1), new SystemTime());
         // Each state counts, however close to the one before.
         HistoryPolicy all = new HistoryPolicy(Duration.ofMillis(1), Duration.ofMillis(1), retention);
         history = new History(

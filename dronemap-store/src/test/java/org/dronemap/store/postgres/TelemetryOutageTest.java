@@ -17,6 +17,7 @@ import org.dronemap.core.history.HistoryHealth;
 import org.dronemap.core.history.Span;
 import org.dronemap.core.history.TelemetryPoint;
 import org.dronemap.core.history.TelemetryWriter;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.Test;
 
 /** What becomes of telemetry while its tables do not take anything, or are not there. */
@@ -28,7 +29,7 @@ class TelemetryOutageTest {
             new TelemetryWriter.Rhythm(Duration.ofMillis(10), 50, ROOM, Duration.ofMillis(50));
 
     private final Database database = SharedDatabase.empty();
-    private final TelemetryWriter writer = new TelemetryWriter(database.telemetry(), QUICK);
+    private final TelemetryWriter writer = new TelemetryWriter(database.telemetry(), QUICK, new SystemTime());
     private int brought;
 
     @Test

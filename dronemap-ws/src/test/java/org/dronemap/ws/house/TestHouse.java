@@ -41,6 +41,7 @@ import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
@@ -93,8 +94,8 @@ public final class TestHouse implements AutoCloseable {
     private static final Settings.Protection PATIENT_WITH_ALL =
             new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED);
 
-    private final Lanes lanes = new Lanes(2);
-    private final Journal journal = new Journal();
+    private final Lanes lanes = new Lanes(new SystemTime(), 2);
+    private final Journal journal = new Journal(new SystemTime());
     private final MemoryAccessStore access = new MemoryAccessStore();
     private final MemoryLinkStore linkStore = new MemoryLinkStore();
     private final RobotKeyRing robotKeys = new RobotKeyRing(linkStore);
@@ -117,9 +118,9 @@ public final class TestHouse implements AutoCloseable {
     private final StoreSwitch historyStores = new StoreSwitch();
     private final TelemetryStore telemetryStore =
             historyStores.before(TelemetryStore.class, new MemoryTelemetryStore());
-    private final TelemetryWriter telemetry = new TelemetryWriter(telemetryStore, EAGER);
+    private final TelemetryWriter telemetry = new TelemetryWriter(telemetryStore, EAGER, new SystemTime());
     private final FlightLog flights =
-            new FlightLog(historyStores.before(FlightStore.class, new MemoryFlightStore()), Duration.ofMillis(10));
+            new FlightLog(historyStores.before(FlightStore.class, new MemoryFlightStore()), Duration.ofMillis(10), new SystemTime());
     private final History history;
 
     public TestHouse(Path data, boolean publicMode) {

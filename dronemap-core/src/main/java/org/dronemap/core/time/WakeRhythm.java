@@ -1,4 +1,4 @@
-package org.dronemap.core.cloud;
+package org.dronemap.core.time;
 
 import java.util.concurrent.locks.LockSupport;
 

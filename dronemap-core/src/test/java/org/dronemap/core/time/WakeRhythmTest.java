@@ -1,4 +1,4 @@
-package org.dronemap.core.cloud;
+package org.dronemap.core.time;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;

@@ -1,0 +1,19 @@
+package org.dronemap.core.time;
+
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+
+/** Does what is handed to it on a few threads. What throws is logged. Any thread. */
+public interface Pool extends Executor, AutoCloseable {
+    /**
+     * @throws RejectedExecutionException when too much waits, or it is closed
+     */
+    @Override
+    void execute(Runnable work);
+
+    boolean isClosed();
+
+    /** Takes nothing more, and forgets what waits; what is being done is interrupted. */
+    @Override
+    void close();
+}

@@ -1,0 +1,71 @@
+package org.dronemap.core.time;
+
+import java.time.Duration;
+import org.jspecify.annotations.Nullable;
+
+/** In stepped time. */
+final class SteppedLoop implements Loop {
+    private final SteppedTime time;
+    private final Agenda agenda;
+    private final Agenda.Owner owner;
+    private final Turn turn;
+    private Agenda.@Nullable Entry next;
+    private boolean taking;
+    private boolean woken;
+    private boolean closed;
+
+    SteppedLoop(SteppedTime time, Agenda agenda, String name, Turn turn) {
+        this.time = time;
+        this.agenda = agenda;
+        this.owner = new Agenda.Owner(name);
+        this.turn = turn;
+    }
+
+    @Override
+    public void start() {
+        schedule(0);
+    }
+
+    @Override
+    public void wake() {
+        time.requireStepper();
+        if (taking) {
+            woken = true;
+        } else if (next != null && next.dueNanos() > time.nanos()) {
+            agenda.remove(next);
+            schedule(0);
+        }
+    }
+
+    private void schedule(long restNanos) {
+        next = closed ? null : agenda.add(owner, time.nanos() + restNanos, this::take);
+    }
+
+    private void take() {
+        long rest = Duration.ofMillis(100).toNanos();
+        woken = false;
+        taking = true;
+        try {
+            rest = turn.take();
+        } finally {
+            taking = false;
+            schedule(woken ? 0 : rest);
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        if (next != null) {
+            agenda.remove(next);
+            next = null;
+        }
+    }
+
+    @Override
+    public boolean finish(Duration longest) {
+        close();
+        long unused = turn.take();
+        return true;
+    }
+}
