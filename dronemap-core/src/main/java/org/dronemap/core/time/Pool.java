@@ -11,6 +11,9 @@ public interface Pool extends Executor, AutoCloseable {
     @Override
     void execute(Runnable work);
 
+    /** What waits is not done any more; false when it does not wait. */
+    boolean callOff(Runnable work);
+
     boolean isClosed();
 
     /** Takes nothing more, and forgets what waits; what is being done is interrupted. */

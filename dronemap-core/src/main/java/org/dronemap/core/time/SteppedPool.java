@@ -1,8 +1,12 @@
 package org.dronemap.core.time;
 
+import java.util.HashSet;
+import java.util.Set;
+
 /** In stepped time: one thing after the other. */
 final class SteppedPool implements Pool {
     private final Worker worker;
+    private final Set<Runnable> waiting = new HashSet<>();
     private boolean closed;
 
     SteppedPool(Worker worker) {
@@ -11,7 +15,17 @@ final class SteppedPool implements Pool {
 
     @Override
     public void execute(Runnable work) {
-        worker.execute(work);
+        worker.execute(() -> {
+            if (waiting.remove(work)) {
+                work.run();
+            }
+        });
+        waiting.add(work);
+    }
+
+    @Override
+    public boolean callOff(Runnable work) {
+        return waiting.remove(work);
     }
 
     @Override

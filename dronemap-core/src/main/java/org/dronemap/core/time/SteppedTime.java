@@ -20,7 +20,7 @@ import java.util.function.LongSupplier;
 public final class SteppedTime implements Time {
     private static final long MOST_AT_ONE_MOMENT = 1_000_000;
     /** What one look at {@link #effort} costs. */
-    private static final long LOOK_NANOS = 1_000_000;
+    private static final long LOOK_NANOS = 4_000_000;
 
     private final Thread stepper = Thread.currentThread();
     private final Agenda agenda = new Agenda();

@@ -31,13 +31,24 @@ final class SystemPool implements Pool {
 
     @Override
     public void execute(Runnable work) {
-        threads.execute(() -> {
+        threads.execute(new Guarded(name, work));
+    }
+
+    /** Equal to another one of the same work, which is how a waiting one is found. */
+    private record Guarded(String name, Runnable work) implements Runnable {
+        @Override
+        public void run() {
             try {
                 work.run();
             } catch (RuntimeException e) {
                 LOG.error("Something handed to {} failed", name, e);
             }
-        });
+        }
+    }
+
+    @Override
+    public boolean callOff(Runnable work) {
+        return threads.remove(new Guarded(name, work));
     }
 
     @Override

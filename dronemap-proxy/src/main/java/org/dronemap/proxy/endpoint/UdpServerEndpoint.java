@@ -11,7 +11,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.util.List;
 import java.util.OptionalLong;
-import org.dronemap.core.cloud.WakeRhythm;
+import org.dronemap.core.time.WakeRhythm;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

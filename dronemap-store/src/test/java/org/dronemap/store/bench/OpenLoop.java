@@ -34,7 +34,7 @@ final class OpenLoop implements AutoCloseable {
     OpenLoop(Database database, int rate) {
         TelemetryStore store = database.telemetry();
         Retention retention = Retention.DEFAULT;
-        HistoryKeeper keeper = new HistoryKeeper(store, retention, InstantSource.system());
+        HistoryKeeper keeper = new HistoryKeeper(store, retention, new SystemTime());
         this.rate = rate;
         writer = new TelemetryWriter(store, TelemetryWriter.Rhythm.DEFAULT, new SystemTime());
         flights = new FlightLog(database.flights(), Duration.ofSeconds(1), new SystemTime());

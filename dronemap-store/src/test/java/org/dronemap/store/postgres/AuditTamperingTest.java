@@ -11,7 +11,6 @@ import java.sql.PreparedStatement;
 import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.sql.Statement;
-import java.time.Clock;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,6 +25,7 @@ import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditVerifier;
 import org.dronemap.core.audit.HeadKeeper;
 import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.store.file.HeadsFile;
 import org.dronemap.store.secret.HmacSeal;
 import org.jspecify.annotations.Nullable;
@@ -74,7 +74,7 @@ class AuditTamperingTest {
         database = SharedDatabase.another();
         store = database.audit(CHAIN);
         heads = new HeadsFile(directory.resolve("audit-heads"));
-        keeper = new HeadKeeper(store, heads, CHAIN, Clock.systemUTC());
+        keeper = new HeadKeeper(store, heads, CHAIN, new SystemTime());
         keeper.start();
         for (int i = 1; i <= RECORDS; i++) {
             store.append(entry(i));
@@ -268,7 +268,7 @@ class AuditTamperingTest {
         database = SharedDatabase.again();
         store = database.audit(CHAIN);
         keeper.close();
-        keeper = new HeadKeeper(store, heads, CHAIN, Clock.systemUTC());
+        keeper = new HeadKeeper(store, heads, CHAIN, new SystemTime());
         keeper.restored();
         store.append(entry(50));
         store.append(entry(51));

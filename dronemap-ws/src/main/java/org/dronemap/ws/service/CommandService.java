@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
@@ -21,6 +20,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.mission.MissionDoubts;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /** Use cases around commands; the one way from any face to the gate. Any thread. */
@@ -34,11 +34,13 @@ public final class CommandService {
     private final CloudManager cloud;
     private final DroneService drones;
     private final Budgets budgets;
+    private final Time time;
 
-    public CommandService(CloudManager cloud, DroneService drones, Budgets budgets) {
+    public CommandService(CloudManager cloud, DroneService drones, Budgets budgets, Time time) {
         this.cloud = cloud;
         this.drones = drones;
         this.budgets = budgets;
+        this.time = time;
     }
 
     /** Checks everything, then asks the gate; the answer is under way, or ended when the id is an old one. */
@@ -109,10 +111,8 @@ public final class CommandService {
     /** The command once it has ended, or as it stands when the wait is over. */
     public CompletableFuture<CommandView> awaitEnd(CommandView command, Duration wait) {
         CommandId id = new CommandId(command.id());
-        return cloud.gate()
-                .end(id)
-                .<Optional<CommandRecord>>thenApply(Optional::of)
-                .completeOnTimeout(Optional.empty(), wait.toMillis(), TimeUnit.MILLISECONDS)
+        return time.within(
+                        cloud.gate().end(id).<Optional<CommandRecord>>thenApply(Optional::of), wait, Optional.empty())
                 .thenApply(ended -> ended.or(() -> cloud.gate().find(id))
                         .map(record -> CommandView.of(record).warned(command.warnings()))
                         .orElse(command));

@@ -1,6 +1,7 @@
 package org.dronemap.ws.service;
 
 import java.time.Clock;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.HashMap;
@@ -8,10 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.operation.follow.Endurance;
 import org.dronemap.cognitive.operation.follow.FollowInput;
@@ -31,6 +28,9 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -40,7 +40,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class FollowReliefs implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(FollowReliefs.class);
-    private static final long PAUSE_SECONDS = 1;
+    private static final Duration PAUSE = Duration.ofSeconds(1);
 
     /** Nothing is so far away that it is looked for earlier. */
     private static final double EARLIEST_SECONDS = 600;
@@ -62,11 +62,7 @@ public final class FollowReliefs implements AutoCloseable {
     private final Owners owners;
     private final Clock clock;
     private final Map<OperationId, String> troubles = new HashMap<>();
-    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread created = new Thread(task, "follow-reliefs");
-        created.setDaemon(true);
-        return created;
-    });
+    private final Worker thread;
 
     /** Users with what they may do now. */
     @FunctionalInterface
@@ -75,20 +71,20 @@ public final class FollowReliefs implements AutoCloseable {
         Optional<Principal> find(String owner);
     }
 
-    public FollowReliefs(FollowService.Conduct conduct, FollowService.Warehouse warehouse, Owners owners, Clock clock) {
+    public FollowReliefs(FollowService.Conduct conduct, FollowService.Warehouse warehouse, Owners owners, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
         this.cloud = conduct.cloud();
         this.drones = new FollowDrones(conduct.cloud());
         this.warehouse = warehouse;
         this.owners = owners;
-        this.clock = clock;
+        this.clock = time.clock();
+        this.thread = time.worker("follow-reliefs", 1);
     }
 
     /** Looks at all follows from now on. */
     public void start() {
-        ScheduledFuture<?> begun =
-                thread.scheduleWithFixedDelay(this::look, PAUSE_SECONDS, PAUSE_SECONDS, TimeUnit.SECONDS);
+        Repetition begun = thread.every(PAUSE, PAUSE, this::look);
         LOG.debug("Looking for drones that run low begins: {}", begun);
     }
 
@@ -193,6 +189,6 @@ public final class FollowReliefs implements AutoCloseable {
 
     @Override
     public void close() {
-        thread.shutdownNow();
+        thread.close();
     }
 }

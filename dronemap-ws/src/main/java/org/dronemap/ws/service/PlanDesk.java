@@ -6,19 +6,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.LongSupplier;
 import org.dronemap.cognitive.allocate.Budget;
 import org.dronemap.cognitive.engine.Engine;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.time.Pool;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -29,12 +25,13 @@ import org.slf4j.LoggerFactory;
 public final class PlanDesk implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PlanDesk.class);
     private static final double NANOS = 1e9;
+    private static final int MOST_LAUNCHES = 10_000;
 
     private final Bounds bounds;
-    private final LongSupplier nanoTime;
-    private final ThreadPoolExecutor pool;
+    private final Time time;
+    private final Pool pool;
     /** What waits here is bounded by the drones of the jobs that are kept. */
-    private final ExecutorService launches = Executors.newSingleThreadExecutor(work -> daemon(work, "plan-launches"));
+    private final Worker launches;
 
     private final CopyOnWriteArrayList<PlanListener> listeners = new CopyOnWriteArrayList<>();
     /** Guarded by this; the oldest first. */
@@ -57,24 +54,11 @@ public final class PlanDesk implements AutoCloseable {
         }
     }
 
-    /** {@code nanoTime} is monotonic. */
-    public PlanDesk(Bounds bounds, LongSupplier nanoTime) {
+    public PlanDesk(Bounds bounds, Time time) {
         this.bounds = bounds;
-        this.nanoTime = nanoTime;
-        AtomicInteger numbers = new AtomicInteger();
-        pool = new ThreadPoolExecutor(
-                bounds.threads(),
-                bounds.threads(),
-                0,
-                TimeUnit.SECONDS,
-                new ArrayBlockingQueue<>(bounds.queued()),
-                work -> daemon(work, "planner-" + numbers.incrementAndGet()));
-    }
-
-    private static Thread daemon(Runnable work, String name) {
-        Thread thread = new Thread(work, name);
-        thread.setDaemon(true);
-        return thread;
+        this.time = time;
+        pool = time.pool("planner", bounds.threads(), bounds.queued());
+        launches = time.worker("plan-launches", MOST_LAUNCHES);
     }
 
     /** Where commands of accepted plans are given: never on a thread that drones wait for. */
@@ -143,7 +127,7 @@ public final class PlanDesk implements AutoCloseable {
     private void tidy() {
         List<PlanJob> old;
         synchronized (this) {
-            long now = nanoTime.getAsLong();
+            long now = time.nanos();
             old = all().stream()
                     .filter(job -> isOver(job)
                             && now - job.endedNanos() > bounds.remembered().toNanos())
@@ -176,8 +160,8 @@ public final class PlanDesk implements AutoCloseable {
 
     /** Cancels what is under way; forgets what has ended. */
     void remove(PlanJob job) {
-        if (job.cancel(nanoTime.getAsLong())) {
-            kept(job).ifPresent(kept -> pool.remove(kept.work()));
+        if (job.cancel(time.nanos())) {
+            kept(job).ifPresent(kept -> pool.callOff(kept.work()));
             tell(job);
             return;
         }
@@ -200,8 +184,12 @@ public final class PlanDesk implements AutoCloseable {
         listeners.forEach(listener -> listener.removed(job));
     }
 
+    Time time() {
+        return time;
+    }
+
     long nowNanos() {
-        return nanoTime.getAsLong();
+        return time.nanos();
     }
 
     private void work(PlanJob job) {
@@ -210,20 +198,20 @@ public final class PlanDesk implements AutoCloseable {
         }
         tell(job);
         PlanOrder order = job.order();
-        long began = nanoTime.getAsLong();
+        long began = time.nanos();
         try {
-            Budget budget = Budget.time(order.search(), nanoTime).orWhen(job::isCancelled);
+            Budget budget = Budget.time(order.search(), time.effort()).orWhen(job::isCancelled);
             job.finish(
                     Engine.watched(order.problem(), order.seed(), budget, (progress, orders) -> {
-                        double seconds = (nanoTime.getAsLong() - began) / NANOS;
+                        double seconds = (time.nanos() - began) / NANOS;
                         if (job.improve(new PlanJob.Step(seconds, progress), orders)) {
                             tell(job);
                         }
                     }),
-                    nanoTime.getAsLong());
+                    time.nanos());
         } catch (RuntimeException e) {
             LOG.error("The plan {} could not be worked out", job.id(), e);
-            job.fail("The search failed; those who run the server find out why in its log.", nanoTime.getAsLong());
+            job.fail("The search failed; those who run the server find out why in its log.", time.nanos());
         }
         tell(job);
     }
@@ -231,10 +219,10 @@ public final class PlanDesk implements AutoCloseable {
     @Override
     public void close() {
         everybodys().forEach(job -> {
-            job.cancel(nanoTime.getAsLong());
+            job.cancel(time.nanos());
             job.stop("It has its mission and was not started, since the server was shut down.");
         });
-        pool.shutdownNow();
-        launches.shutdownNow();
+        pool.close();
+        launches.close();
     }
 }

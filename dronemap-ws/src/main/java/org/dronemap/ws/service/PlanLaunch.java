@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.drone.Capabilities;
@@ -115,12 +114,12 @@ final class PlanLaunch {
 
     /** True at the time of its departure, or as soon as nobody is to be started any more. */
     private CompletableFuture<Boolean> whenDue(Tour tour) {
-        long millis = Math.round(tour.departsSeconds() * MILLIS);
-        if (millis <= 0) {
+        Duration wait = Duration.ofMillis(Math.round(tour.departsSeconds() * MILLIS));
+        if (wait.isZero() || wait.isNegative()) {
             return CompletableFuture.completedFuture(true);
         }
         settle(tour.drone(), PlanFlight.Stage.WAITING, null);
-        return job.stopped().thenApply(why -> true).completeOnTimeout(true, millis, TimeUnit.MILLISECONDS);
+        return desk.time().within(job.stopped().thenApply(why -> true), wait, true);
     }
 
     /** Tells of a drone that would go on, and is not to. */

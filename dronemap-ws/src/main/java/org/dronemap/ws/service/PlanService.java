@@ -4,8 +4,8 @@ import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.dronemap.cognitive.engine.Planned;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
@@ -98,8 +98,8 @@ public final class PlanService {
             throw Rejection.conflict("Its missions are on their way to the drones already.");
         }
         CompletableFuture<Void> run = new PlanLaunch(desk, commands, job, caller, start).run(tours);
-        return run.copy()
-                .completeOnTimeout(null, wait.toMillis(), TimeUnit.MILLISECONDS)
+        return desk.time()
+                .within(run.<Optional<Void>>thenApply(ended -> Optional.empty()), wait, Optional.empty())
                 .thenApply(ended -> PlanViews.whole(job));
     }
 

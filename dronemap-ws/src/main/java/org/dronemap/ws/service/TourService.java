@@ -1,17 +1,13 @@
 package org.dronemap.ws.service;
 
-import java.time.Clock;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import org.dronemap.cognitive.allocate.Budget;
 import org.dronemap.cognitive.engine.Engine;
@@ -21,6 +17,8 @@ import org.dronemap.cognitive.plan.Stop;
 import org.dronemap.cognitive.problem.Problem;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.time.Pool;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneBook;
 
 /** Puts the waypoints of one drone into a good order, for who edits its mission; nothing is flown by it. Any thread. */
@@ -29,18 +27,14 @@ public final class TourService implements AutoCloseable {
     private static final long SEED = 1;
 
     private final TourReader reader;
-    private final ThreadPoolExecutor pool =
-            new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(QUEUED), TourService::daemon);
+    private final Time time;
+    private final Pool pool;
     private final Set<String> waiting = ConcurrentHashMap.newKeySet();
 
-    public TourService(DroneService drones, ZoneBook zones, Clock clock) {
-        reader = new TourReader(drones, zones, clock);
-    }
-
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "tours");
-        thread.setDaemon(true);
-        return thread;
+    public TourService(DroneService drones, ZoneBook zones, Time time) {
+        this.time = time;
+        pool = time.pool("tours", 1, QUEUED);
+        reader = new TourReader(drones, zones, time.clock());
     }
 
     /** One at a time for each user; refused while too many wait. */
@@ -60,10 +54,10 @@ public final class TourService implements AutoCloseable {
         }
     }
 
-    private static TourView ordered(TourReader.Tour tour) {
+    private TourView ordered(TourReader.Tour tour) {
         Problem problem = tour.problem();
         Plan listed = Engine.asListed(problem);
-        Planned found = Engine.plan(problem, SEED, Budget.time(tour.search(), System::nanoTime), better -> {});
+        Planned found = Engine.plan(problem, SEED, Budget.time(tour.search(), time.effort()), better -> {});
         Map<String, Integer> numbers = new LinkedHashMap<>();
         IntStream.range(0, problem.waypoints().size())
                 .forEach(number -> numbers.put(problem.waypoints().get(number).id(), number));
@@ -95,6 +89,6 @@ public final class TourService implements AutoCloseable {
 
     @Override
     public void close() {
-        pool.shutdownNow();
+        pool.close();
     }
 }

@@ -1,7 +1,6 @@
 package org.dronemap.ws.wiring;
 
 import java.nio.file.Path;
-import java.time.Clock;
 import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHeads;
@@ -10,6 +9,7 @@ import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.HeadKeeper;
 import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.time.Time;
 import org.dronemap.store.file.HeadsFile;
 import org.dronemap.store.postgres.Database;
 import org.dronemap.store.secret.ServerSecret;
@@ -19,20 +19,20 @@ import org.jspecify.annotations.Nullable;
 final class AuditBuilder {
     private final AuditChain chain;
     private final AuditHeads heads;
-    private final Clock clock;
+    private final Time time;
 
-    AuditBuilder(Settings settings, Clock clock) {
+    AuditBuilder(Settings settings, Time time) {
         Path directory = settings.dataDirectory();
         this.chain = new AuditChain(
                 ServerSecret.seal(Settings.Hidden.shown(settings.auditKey()), directory.resolve("audit-key")));
         this.heads = new HeadsFile(directory.resolve("audit-heads"));
-        this.clock = clock;
+        this.time = time;
     }
 
     /** From here on each change leaves its record. */
     House.AuditSide open(Database database, Closing closing) {
         AuditStore store = database.audit(chain);
-        HeadKeeper keeper = new HeadKeeper(store, heads, chain, clock);
+        HeadKeeper keeper = new HeadKeeper(store, heads, chain, time);
         keeper.start();
         closing.add("the heads of the audit log", keeper);
         return new House.AuditSide(store, heads, chain, keeper);
@@ -41,16 +41,16 @@ final class AuditBuilder {
     /** For a server that does not run. */
     AuditVerdict verify(Database database, @Nullable SignedHead receipt) {
         AuditStore store = database.audit(chain);
-        return new House.AuditSide(store, heads, chain, new HeadKeeper(store, heads, chain, clock)).verify(receipt);
+        return new House.AuditSide(store, heads, chain, new HeadKeeper(store, heads, chain, time)).verify(receipt);
     }
 
     /** The chain goes on from what the backup held, and says so. */
     void restored(Database database, Path backup) {
         AuditStore store = database.audit(chain);
-        try (HeadKeeper keeper = new HeadKeeper(store, heads, chain, clock)) {
+        try (HeadKeeper keeper = new HeadKeeper(store, heads, chain, time)) {
             keeper.restored();
             store.append(new AuditEntry(
-                    clock.instant(),
+                    time.clock().instant(),
                     null,
                     null,
                     null,

@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import org.dronemap.core.time.Time;
 import org.dronemap.ws.rest.FollowController;
 import org.dronemap.ws.service.FollowReliefs;
 import org.dronemap.ws.service.FollowService;
@@ -18,12 +19,12 @@ public class FollowConfiguration {
     }
 
     @Bean
-    FollowReliefs followReliefs(House house, Clock clock) {
+    FollowReliefs followReliefs(House house, Time time) {
         FollowReliefs reliefs = new FollowReliefs(
                 conduct(house),
                 house.virtuals()::warehouse,
                 new AccountRights(house.access(), house.grantBook()),
-                clock);
+                time);
         reliefs.start();
         return reliefs;
     }

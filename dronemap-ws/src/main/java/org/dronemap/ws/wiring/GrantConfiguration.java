@@ -28,7 +28,11 @@ public class GrantConfiguration {
     Rounds grantRounds(House house) {
         GrantBook book = house.grantBook();
         return new Rounds(
-                "grants", GRANT_RHYTHM, book::announce, "Not everybody could be told that a grant has begun or ended");
+                house.time(),
+                "grants",
+                GRANT_RHYTHM,
+                book::announce,
+                "Not everybody could be told that a grant has begun or ended");
     }
 
     @Bean

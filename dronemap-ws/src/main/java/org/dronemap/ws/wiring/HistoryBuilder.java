@@ -1,7 +1,6 @@
 package org.dronemap.ws.wiring;
 
 import java.security.SecureRandom;
-import java.time.Clock;
 import java.time.Duration;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.history.FlightLog;
@@ -11,6 +10,7 @@ import org.dronemap.core.history.HistoryKeeper;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
+import org.dronemap.core.time.Time;
 
 /** Has all that drones do remembered. */
 final class HistoryBuilder {
@@ -20,24 +20,24 @@ final class HistoryBuilder {
     private static final int LETTERS_OF_AN_ID = 12;
 
     private final HistoryPolicy policy;
-    private final Clock clock;
+    private final Time time;
     private final SecureRandom random = new SecureRandom();
 
-    HistoryBuilder(HistoryPolicy policy, Clock clock) {
+    HistoryBuilder(HistoryPolicy policy, Time time) {
         this.policy = policy;
-        this.clock = clock;
+        this.time = time;
     }
 
     /** From now on; what is opened is handed to {@code closing}. */
     History open(TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, Closing closing) {
-        HistoryKeeper keeper = new HistoryKeeper(telemetry, policy.retention(), clock);
-        TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.Rhythm.DEFAULT);
-        FlightLog flights = new FlightLog(flightStore, FLIGHTS_EVERY);
+        HistoryKeeper keeper = new HistoryKeeper(telemetry, policy.retention(), time);
+        TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.Rhythm.DEFAULT, time);
+        FlightLog flights = new FlightLog(flightStore, FLIGHTS_EVERY, time);
         closing.add("the keeper of old telemetry", keeper);
         closing.add("the flights", flights);
         closing.add("the telemetry", writer);
         History history =
-                new History(new History.Keeping(telemetry, writer, flights, keeper), policy, clock, this::newId);
+                new History(new History.Keeping(telemetry, writer, flights, keeper), policy, time.clock(), this::newId);
         keeper.start(TIDY_EVERY);
         writer.start();
         flights.start();

@@ -17,6 +17,7 @@ import org.dronemap.core.history.History;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.recording.RecordingArchive;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.ws.service.BackupService;
 import org.dronemap.ws.service.DtlsKeyRing;
@@ -30,6 +31,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Everything behind the faces, built and running. */
 public record House(
+        Time time,
         CloudManager cloud,
         AccessStore access,
         MissionStore missions,

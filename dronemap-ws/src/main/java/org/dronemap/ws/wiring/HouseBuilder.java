@@ -30,6 +30,8 @@ import org.dronemap.core.history.History;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
+import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.Doors;
@@ -62,7 +64,8 @@ final class HouseBuilder {
     private final Settings settings;
     private final Closing closing;
     private final List<EndpointUrl> endpoints;
-    private final Lanes lanes = new Lanes(LANES);
+    private final Time time = new SystemTime();
+    private final Lanes lanes = new Lanes(time, LANES);
     private final OutletBuilder outlets;
     private final RobotBuilder robots;
     private @Nullable Outlet outlet;
@@ -84,17 +87,17 @@ final class HouseBuilder {
 
     /** Everything but the links: nothing is heard and nothing sent yet. */
     House open() {
-        Clock clock = Clock.systemUTC();
+        Clock clock = time.clock();
         Database database = database();
         closing.add("the database", database);
-        House.AuditSide audit = new AuditBuilder(settings, clock).open(database, closing);
+        House.AuditSide audit = new AuditBuilder(settings, time).open(database, closing);
         CommandStore commands = commands(database, audit, clock);
-        Journal journal = new Journal();
+        Journal journal = new Journal(time);
         closing.add("the journal", journal);
-        CloudManager cloud = cloud(database, commands, journal, clock);
+        CloudManager cloud = cloud(database, commands, journal);
         GrantBook grants = grants(database, cloud, clock);
         cloud.addListener(new AuditedControl(audit.store(), clock, grants::owner));
-        History history = history(database, cloud, clock);
+        History history = history(database, cloud);
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
         Recorder recorder = recorder(database, journal, cloud, clock);
@@ -104,6 +107,7 @@ final class HouseBuilder {
         RobotKeyRing robotKeys = new RobotKeyRing(database.links());
         RoslinkProxy robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
         return new House(
+                time,
                 cloud,
                 database.access(),
                 database.missions(),
@@ -129,8 +133,8 @@ final class HouseBuilder {
                 vehicles, database.links(), dtlsKeys, robotKeys, new ProxyOutlet(clients), () -> connected);
     }
 
-    private History history(Database database, CloudManager cloud, Clock clock) {
-        return new HistoryBuilder(settings.history(), clock)
+    private History history(Database database, CloudManager cloud) {
+        return new HistoryBuilder(settings.history(), time)
                 .open(telemetry(database), database.flights(), cloud, closing);
     }
 
@@ -143,8 +147,8 @@ final class HouseBuilder {
         return links;
     }
 
-    private static AuditedOutletControl control(CloudManager cloud, House.AuditSide audit) {
-        return new AuditedOutletControl(cloud, new AuditDesk(audit.store(), Clock.systemUTC(), System::nanoTime));
+    private AuditedOutletControl control(CloudManager cloud, House.AuditSide audit) {
+        return new AuditedOutletControl(cloud, new AuditDesk(audit.store(), time.clock(), time::nanos));
     }
 
     private RoslinkProxy robots(CloudManager cloud, Recorder recorder, RobotKeyRing keys, Doors doors) {
@@ -176,12 +180,12 @@ final class HouseBuilder {
                 : component -> FrameTap.both(recorder.open(component), clients.open(component));
     }
 
-    private CloudManager cloud(Database database, CommandStore commands, Journal journal, Clock clock) {
+    private CloudManager cloud(Database database, CommandStore commands, Journal journal) {
         closing.add("the lanes", lanes);
         return new CloudManager(
                 lanes,
                 new CloudManager.Rules(settings.watchdog(), settings.control()),
-                clock,
+                time,
                 new CloudManager.Keeping(database.drones(), commands, database.leases(), journal),
                 new DroneIds());
     }
@@ -198,14 +202,13 @@ final class HouseBuilder {
     /** Takes up what was under way, before any vehicle is heard and anybody else can command. */
     private VirtualDrones virtualDrones(
             CloudManager cloud, Database database, GrantBook grants, House.AuditSide audit) {
-        Clock clock = Clock.systemUTC();
         VirtualDrones virtuals = new VirtualDrones(
                 cloud,
                 database.virtualDrones(),
                 new RunMachine(settings.virtualSilence()),
                 new AccountRights(database.access(), grants),
-                clock);
-        virtuals.addListener(new AuditedBindings(audit.store(), clock, virtuals.all()));
+                time);
+        virtuals.addListener(new AuditedBindings(audit.store(), time.clock(), virtuals.all()));
         virtuals.start();
         closing.add("the virtual drones", virtuals);
         return virtuals;
@@ -214,11 +217,7 @@ final class HouseBuilder {
     /** As for virtual drones. */
     private RunSide runs(CloudManager cloud, Database database, GrantBook grants) {
         RunSide runs = RunSide.of(
-                cloud,
-                database.operations(),
-                new AccountRights(database.access(), grants),
-                settings.apart(),
-                Clock.systemUTC());
+                cloud, database.operations(), new AccountRights(database.access(), grants), settings.apart(), time);
         runs.operations().takeUp();
         operations = runs.operations();
         closing.add("the operations", runs.operations());
@@ -231,8 +230,8 @@ final class HouseBuilder {
                 settings.dataDirectory().resolve("link-secret"));
     }
 
-    private static CommandStore commands(Database database, House.AuditSide audit, Clock clock) {
-        CommandStore commands = new AuditedCommands(database.commands(), audit.store(), System::nanoTime);
+    private CommandStore commands(Database database, House.AuditSide audit, Clock clock) {
+        CommandStore commands = new AuditedCommands(database.commands(), audit.store(), time::nanos);
         int ended = commands.endUnfinished(
                 new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
         if (ended > 0) {
@@ -311,7 +310,7 @@ final class HouseBuilder {
         Database database = database();
         closing.add("the database", database);
         BackupSummary summary = database.backup().restore(backup);
-        new AuditBuilder(settings, Clock.systemUTC()).restored(database, backup);
+        new AuditBuilder(settings, time).restored(database, backup);
         LOG.info("Restored from {}: {}", backup, summary);
     }
 
@@ -319,8 +318,7 @@ final class HouseBuilder {
     AuditVerdict verifyAudit(@Nullable ReceiptView receipt) {
         Database database = database();
         closing.add("the database", database);
-        return new AuditBuilder(settings, Clock.systemUTC())
-                .verify(database, receipt == null ? null : receipt.signedHead());
+        return new AuditBuilder(settings, time).verify(database, receipt == null ? null : receipt.signedHead());
     }
 
     private Database database() {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import org.dronemap.core.time.Time;
 import org.dronemap.ws.rest.PlanController;
 import org.dronemap.ws.rest.TourController;
 import org.dronemap.ws.service.CommandService;
@@ -17,8 +18,8 @@ import org.springframework.context.annotation.Import;
 @Import({PlanController.class, TourController.class})
 public class PlanConfiguration {
     @Bean(destroyMethod = "close")
-    PlanDesk planDesk() {
-        return new PlanDesk(PlanDesk.Bounds.of(Runtime.getRuntime().availableProcessors()), System::nanoTime);
+    PlanDesk planDesk(Time time) {
+        return new PlanDesk(PlanDesk.Bounds.of(time.parallelism()), time);
     }
 
     @Bean
@@ -27,7 +28,7 @@ public class PlanConfiguration {
     }
 
     @Bean(destroyMethod = "close")
-    TourService tourService(House house, DroneService drones, Clock clock) {
-        return new TourService(drones, house.cloud().zones(), clock);
+    TourService tourService(House house, DroneService drones, Time time) {
+        return new TourService(drones, house.cloud().zones(), time);
     }
 }

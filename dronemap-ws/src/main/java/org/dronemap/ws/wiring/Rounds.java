@@ -1,10 +1,8 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Duration;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -12,8 +10,7 @@ import org.slf4j.LoggerFactory;
 final class Rounds implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Rounds.class);
 
-    private final ScheduledExecutorService thread;
-    private final ScheduledFuture<?> rounds;
+    private final Worker thread;
     private final Runnable what;
     private final String failure;
 
@@ -21,15 +18,11 @@ final class Rounds implements AutoCloseable {
      * @param name of the thread
      * @param failure what is said in the log when a round failed; the next one comes all the same
      */
-    Rounds(String name, Duration apart, Runnable what, String failure) {
+    Rounds(Time time, String name, Duration apart, Runnable what, String failure) {
         this.what = what;
         this.failure = failure;
-        thread = Executors.newSingleThreadScheduledExecutor(task -> {
-            Thread created = new Thread(task, name);
-            created.setDaemon(true);
-            return created;
-        });
-        rounds = thread.scheduleWithFixedDelay(this::round, apart.toMillis(), apart.toMillis(), TimeUnit.MILLISECONDS);
+        thread = time.worker(name, 1);
+        var unused = thread.every(apart, apart, this::round);
     }
 
     private void round() {
@@ -42,7 +35,6 @@ final class Rounds implements AutoCloseable {
 
     @Override
     public void close() {
-        rounds.cancel(false);
-        thread.shutdown();
+        thread.close();
     }
 }

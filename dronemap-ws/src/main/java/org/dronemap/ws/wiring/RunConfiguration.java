@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import java.time.Duration;
+import org.dronemap.core.time.Time;
 import org.dronemap.ws.rest.RunController;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.PlanService;
@@ -26,10 +27,11 @@ public class RunConfiguration {
     }
 
     @Bean(destroyMethod = "close")
-    Rounds runZoneRounds(House house, Clock clock) {
+    Rounds runZoneRounds(House house, Time time) {
         RunZones zones = new RunZones(
-                house.runs().operations(), house.runs().kind(), house.cloud().zones(), clock);
+                house.runs().operations(), house.runs().kind(), house.cloud().zones(), time.clock());
         return new Rounds(
+                time,
                 "run-zones",
                 ZONE_RHYTHM,
                 zones::tell,

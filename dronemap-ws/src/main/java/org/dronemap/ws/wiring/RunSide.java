@@ -1,6 +1,5 @@
 package org.dronemap.ws.wiring;
 
-import java.time.Clock;
 import java.util.List;
 import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.cognitive.operation.follow.Follow;
@@ -14,6 +13,7 @@ import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.time.Time;
 import org.dronemap.ws.journal.FollowCodec;
 import org.dronemap.ws.journal.RunCodec;
 
@@ -29,11 +29,10 @@ public record RunSide(
     private static final String FOLLOW = "follow";
 
     /** Not started yet; {@code apart}: what drones that follow keep from others. */
-    public static RunSide of(
-            CloudManager cloud, OperationStore store, OperationRights rights, Apart apart, Clock clock) {
+    public static RunSide of(CloudManager cloud, OperationStore store, OperationRights rights, Apart apart, Time time) {
         OperationKind<RunState, RunInput> kind = new OperationKind<>(MISSION_RUN, new MissionRun(), new RunCodec());
         OperationKind<FollowState, FollowInput> follows =
                 new OperationKind<>(FOLLOW, new Follow(apart), new FollowCodec());
-        return new RunSide(new Operations(cloud, store, rights, clock, List.of(kind, follows)), kind, follows);
+        return new RunSide(new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
     }
 }

@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.time.Clock;
 import org.dronemap.core.audit.AuditDesk;
+import org.dronemap.core.time.Time;
 import org.dronemap.store.parquet.ParquetTrack;
 import org.dronemap.ws.place.PlaceNames;
 import org.dronemap.ws.security.Authentication;
@@ -64,8 +65,13 @@ import org.springframework.context.annotation.Configuration;
 public class ServiceConfiguration {
 
     @Bean
-    Clock clock() {
-        return Clock.systemUTC();
+    Time time(House house) {
+        return house.time();
+    }
+
+    @Bean
+    Clock clock(Time time) {
+        return time.clock();
     }
 
     @Bean
@@ -197,7 +203,7 @@ public class ServiceConfiguration {
 
     @Bean
     CommandService commandService(House house, DroneService drones, Budgets budgets) {
-        return new CommandService(house.cloud(), drones, budgets);
+        return new CommandService(house.cloud(), drones, budgets, house.time());
     }
 
     @Bean

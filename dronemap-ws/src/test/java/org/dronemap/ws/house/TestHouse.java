@@ -42,6 +42,7 @@ import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
@@ -94,8 +95,9 @@ public final class TestHouse implements AutoCloseable {
     private static final Settings.Protection PATIENT_WITH_ALL =
             new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED);
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 2);
-    private final Journal journal = new Journal(new SystemTime());
+    private final Time time = new SystemTime();
+    private final Lanes lanes = new Lanes(time, 2);
+    private final Journal journal = new Journal(time);
     private final MemoryAccessStore access = new MemoryAccessStore();
     private final MemoryLinkStore linkStore = new MemoryLinkStore();
     private final RobotKeyRing robotKeys = new RobotKeyRing(linkStore);
@@ -118,9 +120,9 @@ public final class TestHouse implements AutoCloseable {
     private final StoreSwitch historyStores = new StoreSwitch();
     private final TelemetryStore telemetryStore =
             historyStores.before(TelemetryStore.class, new MemoryTelemetryStore());
-    private final TelemetryWriter telemetry = new TelemetryWriter(telemetryStore, EAGER, new SystemTime());
-    private final FlightLog flights =
-            new FlightLog(historyStores.before(FlightStore.class, new MemoryFlightStore()), Duration.ofMillis(10), new SystemTime());
+    private final TelemetryWriter telemetry = new TelemetryWriter(telemetryStore, EAGER, time);
+    private final FlightLog flights = new FlightLog(
+            historyStores.before(FlightStore.class, new MemoryFlightStore()), Duration.ofMillis(10), time);
     private final History history;
 
     public TestHouse(Path data, boolean publicMode) {
@@ -152,8 +154,7 @@ public final class TestHouse implements AutoCloseable {
     public TestHouse(Path data, Choices choices) {
         this.data = data;
         audit = auditSide();
-        cloud = new CloudManager(
-                lanes, PATIENT, Clock.systemUTC(), keeping(), () -> new DroneId("drone-" + ids.incrementAndGet()));
+        cloud = new CloudManager(lanes, PATIENT, time, keeping(), () -> new DroneId("drone-" + ids.incrementAndGet()));
         cloud.addListener(new AuditedControl(audit.store(), Clock.systemUTC(), grants::owner));
         recorder = new Recorder(
                 data.resolve("recordings"),
@@ -163,10 +164,11 @@ public final class TestHouse implements AutoCloseable {
         startRecorder();
         history = history();
         virtuals = virtuals();
-        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants), Apart.USUAL, Clock.systemUTC());
+        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants), Apart.USUAL, time);
         runs.operations().takeUp();
         runs.operations().goOn();
         House house = new House(
+                time,
                 cloud,
                 access,
                 new MemoryMissionStore(),
@@ -193,14 +195,14 @@ public final class TestHouse implements AutoCloseable {
                 new MemoryVirtualDroneStore(),
                 new RunMachine(RunMachine.USUAL_SILENCE),
                 new AccountRights(access, grants),
-                Clock.systemUTC());
+                time);
         made.addListener(new AuditedBindings(audit.store(), Clock.systemUTC(), made.all()));
         made.start();
         return made;
     }
 
     private History history() {
-        HistoryKeeper keeper = new HistoryKeeper(telemetryStore, Retention.DEFAULT, Clock.systemUTC());
+        HistoryKeeper keeper = new HistoryKeeper(telemetryStore, Retention.DEFAULT, time);
         History made = new History(
                 new History.Keeping(telemetryStore, telemetry, flights, keeper),
                 HistoryPolicy.DEFAULT,
@@ -225,7 +227,7 @@ public final class TestHouse implements AutoCloseable {
         AuditChain chain = new AuditChain(new HmacSeal(new byte[] {1}));
         AuditStore store = new MemoryAuditStore(chain);
         HeadsFile heads = new HeadsFile(data.resolve("audit-heads"));
-        HeadKeeper keeper = new HeadKeeper(store, heads, chain, Clock.systemUTC());
+        HeadKeeper keeper = new HeadKeeper(store, heads, chain, time);
         keeper.start();
         return new House.AuditSide(store, heads, chain, keeper);
     }

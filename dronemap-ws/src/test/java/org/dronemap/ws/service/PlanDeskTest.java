@@ -8,7 +8,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.cognitive.engine.Progress;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Performance;
@@ -19,6 +18,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.time.SteppedTime;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.ws.house.Waiting;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -26,9 +27,10 @@ import org.junit.jupiter.api.Test;
 /** What may be planned at once, and for how long it is remembered. */
 class PlanDeskTest {
     private static final Duration LONG = Duration.ofMinutes(5);
-    private final AtomicLong aheadNanos = new AtomicLong();
-    private final PlanDesk desk = new PlanDesk(
-            new PlanDesk.Bounds(1, 2, 4, 10, Duration.ofHours(1)), () -> System.nanoTime() + aheadNanos.get());
+    private static final PlanDesk.Bounds BOUNDS = new PlanDesk.Bounds(1, 2, 4, 10, Duration.ofHours(1));
+
+    private final SteppedTime time = new SteppedTime(Instant.EPOCH);
+    private PlanDesk desk = new PlanDesk(BOUNDS, time);
     private int asked;
 
     @AfterEach
@@ -66,6 +68,7 @@ class PlanDeskTest {
 
     @Test
     void refusesWithASentenceWhenTheQueueIsFull() {
+        desk = new PlanDesk(BOUNDS, new SystemTime());
         PlanJob first = submitted(LONG);
         await(first, PlanJob.State.RUNNING);
         PlanJob second = submitted(LONG);
@@ -87,22 +90,25 @@ class PlanDeskTest {
         List<PlanJob> jobs = new ArrayList<>();
         for (int i = 0; i < 4; i++) {
             jobs.add(submitted(Duration.ofMillis(10)));
-            await(jobs.get(i), PlanJob.State.FINISHED);
+            time.settle();
+            assertThat(jobs.get(i).status().state()).isEqualTo(PlanJob.State.FINISHED);
         }
         PlanJob another = submitted(Duration.ofMillis(10));
 
         assertThat(desk.find(jobs.get(0).id())).isEmpty();
         assertThat(desk.find(jobs.get(1).id())).isPresent();
-        await(another, PlanJob.State.FINISHED);
+        time.settle();
+        assertThat(another.status().state()).isEqualTo(PlanJob.State.FINISHED);
     }
 
     @Test
     void forgetsWhatEndedLongAgo() {
         PlanJob job = submitted(Duration.ofMillis(10));
-        await(job, PlanJob.State.FINISHED);
+        time.settle();
+        assertThat(job.status().state()).isEqualTo(PlanJob.State.FINISHED);
         assertThat(desk.jobs(OrganisationId.HOME)).containsExactly(job);
 
-        aheadNanos.set(Duration.ofMinutes(61).toNanos());
+        time.advance(Duration.ofMinutes(61));
         assertThat(desk.jobs(OrganisationId.HOME)).isEmpty();
     }
 

@@ -1,16 +1,15 @@
 package org.dronemap.cognitive.operation.run;
 
-import java.time.Clock;
 import java.time.Duration;
-import java.util.concurrent.Executor;
-import java.util.concurrent.ForkJoinPool;
+import java.time.InstantSource;
 import java.util.function.BooleanSupplier;
-import java.util.function.LongSupplier;
 import org.dronemap.cognitive.allocate.Budget;
 import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.cognitive.replan.Replanning;
 import org.dronemap.cognitive.replan.Situation;
 import org.dronemap.core.operation.Computation;
+import org.dronemap.core.time.Pool;
+import org.dronemap.core.time.Time;
 
 /**
  * A plan for a situation.
@@ -23,26 +22,21 @@ public record Replan(int request, Situation situation, long seed, Duration limit
     private static final int MOST_SEARCHES = 4;
 
     @Override
-    public RunInput run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled) {
-        // Where the pool is busy, the budget is spent before a search begins, and the others' plan counts.
-        return run(
-                nanoTime,
-                clock,
-                cancelled,
-                Math.min(MOST_SEARCHES, Runtime.getRuntime().availableProcessors()),
-                ForkJoinPool.commonPool());
-    }
-
-    RunInput run(LongSupplier nanoTime, Clock clock, BooleanSupplier cancelled, int searches, Executor executor) {
+    public RunInput run(Time time, BooleanSupplier cancelled) {
+        int searches = Math.min(MOST_SEARCHES, time.parallelism());
         Replanning replanning = new Replanning(situation);
-        Replanned result = limit.isZero()
-                ? replanning.atOnce()
-                : replanning.improve(seed, Budget.time(limit, nanoTime).orWhen(cancelled), searches, executor);
-        return new RunInput.Replanned(clock.instant(), request, result, null);
+        if (limit.isZero()) {
+            return new RunInput.Replanned(time.clock().instant(), request, replanning.atOnce(), null);
+        }
+        Budget budget = Budget.time(limit, time.effort()).orWhen(cancelled);
+        try (Pool helpers = time.pool("replan", searches, 0)) {
+            Replanned result = replanning.improve(seed, budget, searches, helpers);
+            return new RunInput.Replanned(time.clock().instant(), request, result, null);
+        }
     }
 
     @Override
-    public RunInput failed(String why, Clock clock) {
+    public RunInput failed(String why, InstantSource clock) {
         return new RunInput.Replanned(clock.instant(), request, null, why);
     }
 }

@@ -2,10 +2,8 @@ package org.dronemap.cognitive.operation.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -13,7 +11,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.dronemap.core.command.Command;
@@ -28,6 +25,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.Decision;
 import org.dronemap.core.operation.Scene;
+import org.dronemap.core.time.SteppedTime;
 
 /** Conducts a run with vehicles of the tests in virtual time, as fast as it can be computed, and watches what must hold. */
 final class TestFleet {
@@ -156,14 +154,7 @@ final class TestFleet {
             Replan replan = (Replan) compute.what();
             Instant at = now.plus(replan.limit()).plusMillis(100);
             later(at, true, () -> {
-                AtomicLong nanos = new AtomicLong();
-                // One search, so that a seed is the same run each time.
-                input(replan.run(
-                        () -> nanos.addAndGet(4_000_000),
-                        Clock.fixed(now, ZoneOffset.UTC),
-                        () -> false,
-                        1,
-                        Runnable::run));
+                input(replan.run(new SteppedTime(now), () -> false));
             });
         }
     }
