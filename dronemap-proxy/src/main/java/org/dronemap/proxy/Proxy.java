@@ -8,6 +8,7 @@ import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
+import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.record.Replays;
 import org.dronemap.proxy.session.AskAllowance;
 import org.dronemap.proxy.session.Enrolment;
@@ -90,7 +91,7 @@ public final class Proxy implements AutoCloseable {
     }
 
     /** Who takes in what new links bring. */
-    SessionTable sessions() {
+    public PeerHandler.Factory sessions() {
         return sessions;
     }
 

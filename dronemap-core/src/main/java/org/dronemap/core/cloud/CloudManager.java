@@ -80,7 +80,7 @@ public final class CloudManager {
         this.newIds = newIds;
         this.turns = keeping.commands();
         this.reception = new Reception(registry, clock);
-        this.gate = new CommandGate(registry, keeping.commands(), journal, clock, everybody, new ZoneRules(zones));
+        this.gate = new CommandGate(registry, keeping.commands(), journal, time, everybody, new ZoneRules(zones));
         this.setpoints = new SetpointGate(registry, gate);
         ZoneGuard guard = new ZoneGuard(zones, new ZoneActions(registry, gate, time), time);
         zones.onChange(change -> registry.all().forEach(guard::lookAgain));
@@ -305,7 +305,7 @@ public final class CloudManager {
     private Helm helm(ManagedDrone drone) {
         return new Helm(
                 drone,
-                new Helm.Log(turns, journal, everybody, clock),
+                new Helm.Log(turns, journal, everybody, time),
                 (braked, epoch) -> ControlWatch.brake(gate, braked, epoch));
     }
 

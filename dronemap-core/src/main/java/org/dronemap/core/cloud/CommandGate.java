@@ -4,7 +4,6 @@ import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.access.Principal;
@@ -20,6 +19,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -36,6 +36,7 @@ public final class CommandGate {
     private final DroneRegistry registry;
     private final CommandStore store;
     private final Journal journal;
+    private final Time time;
     private final Clock clock;
     private final CloudListener listener;
     private final ZoneRules zones;
@@ -67,14 +68,15 @@ public final class CommandGate {
             DroneRegistry registry,
             CommandStore store,
             Journal journal,
-            Clock clock,
+            Time time,
             CloudListener listener,
             ZoneRules zones) {
         this.zones = zones;
         this.registry = registry;
         this.store = store;
         this.journal = journal;
-        this.clock = clock;
+        this.time = time;
+        this.clock = time.clock();
         this.listener = listener;
     }
 
@@ -139,7 +141,7 @@ public final class CommandGate {
     /** The same, also while somebody has the control of this epoch still. */
     void submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
         managed.control().enterForSafety(SAFETY.principal(), command, epoch).ifPresent(passage -> {
-            CommandId id = new CommandId(UUID.randomUUID().toString());
+            CommandId id = new CommandId(time.newId());
             // The lane must not wait for the disk.
             journal.write(
                     "what a rule commands: " + command.summary(),

@@ -1,7 +1,5 @@
 package org.dronemap.core.cloud;
 
-import java.time.Clock;
-import java.util.UUID;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicReference;
 import org.dronemap.core.command.CommandId;
@@ -10,6 +8,7 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -41,7 +40,7 @@ final class Helm implements Lane.Ticker {
     private long stillNanos;
 
     /** Where turns are written down, and who hears of them. */
-    record Log(CommandStore store, Journal journal, CloudListener listener, Clock clock) {}
+    record Log(CommandStore store, Journal journal, CloudListener listener, Time time) {}
 
     /** Stops a vehicle that does not stand by itself once nobody steers it. */
     interface Brake {
@@ -121,7 +120,7 @@ final class Helm implements Lane.Ticker {
                     end(now, why, true);
                 } else if (isNews && !setpoint.isStill()) {
                     CommandRecord refused = record(source, setpoint, null)
-                            .ended(why, log.clock().instant());
+                            .ended(why, log.time().clock().instant());
                     log.journal()
                             .write(
                                     "who may not steer " + drone.id(),
@@ -179,13 +178,13 @@ final class Helm implements Lane.Ticker {
 
     private CommandRecord record(CommandGate.Source source, Setpoint setpoint, @Nullable Long epoch) {
         return new CommandRecord(
-                new CommandId("steer-" + UUID.randomUUID()),
+                new CommandId("steer-" + log.time().newId()),
                 drone.id(),
                 source.principal().name(),
                 source.face(),
                 "Steer",
                 setpoint.summary(),
-                log.clock().instant(),
+                log.time().clock().instant(),
                 CommandPhase.ACCEPTED,
                 null,
                 null,
@@ -217,7 +216,7 @@ final class Helm implements Lane.Ticker {
 
     private void end(Turn ending, Outcome outcome, boolean standStill) {
         turn = null;
-        CommandRecord done = ending.record.ended(outcome, log.clock().instant());
+        CommandRecord done = ending.record.ended(outcome, log.time().clock().instant());
         log.journal()
                 .write(
                         "that somebody steers " + drone.id() + " no more",

@@ -2,7 +2,6 @@ package org.dronemap.core.cloud;
 
 import java.time.Duration;
 import java.util.Optional;
-import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.stream.Stream;
@@ -42,11 +41,13 @@ final class ZoneActions {
 
     private final DroneRegistry registry;
     private final CommandGate gate;
+    private final Time time;
     private final Worker thread;
 
     ZoneActions(DroneRegistry registry, CommandGate gate, Time time) {
         this.registry = registry;
         this.gate = gate;
+        this.time = time;
         this.thread = time.worker("zones", CAPACITY);
     }
 
@@ -116,8 +117,7 @@ final class ZoneActions {
 
     private void act(DroneId drone, Command command, int tries) {
         try {
-            CommandRecord record =
-                    gate.submit(SOURCE, drone, new CommandId(UUID.randomUUID().toString()), command);
+            CommandRecord record = gate.submit(SOURCE, drone, new CommandId(time.newId()), command);
             CompletableFuture<Void> unused = gate.end(record.id()).thenAccept(ended -> judge(ended, command, tries));
         } catch (UnknownDroneException removedMeanwhile) {
             LOG.info("{} was removed before it could be told to {}", drone, command.summary());

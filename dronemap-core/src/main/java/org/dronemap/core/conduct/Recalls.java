@@ -3,8 +3,6 @@ package org.dronemap.core.conduct;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.UUID;
-import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -12,6 +10,7 @@ import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualDrone;
 
 /**
@@ -24,14 +23,14 @@ final class Recalls {
     private final CloudManager cloud;
     private final VirtualBook book;
     private final DroneCrew crew;
-    private final LongSupplier nanoTime;
+    private final Time time;
     private final Map<DroneId, Long> calledNanos = new HashMap<>();
 
-    Recalls(CloudManager cloud, VirtualBook book, DroneCrew crew, LongSupplier nanoTime) {
+    Recalls(CloudManager cloud, VirtualBook book, DroneCrew crew, Time time) {
         this.cloud = cloud;
         this.book = book;
         this.crew = crew;
-        this.nanoTime = nanoTime;
+        this.time = time;
     }
 
     void goOn(VirtualDrone drone) {
@@ -53,14 +52,14 @@ final class Recalls {
             crew.release(VirtualHolder.of(drone), state.id());
             return;
         }
-        long now = nanoTime.getAsLong();
+        long now = time.nanos();
         Long called = calledNanos.get(state.id());
         if (called == null || now - called > BETWEEN_CALLS_NANOS) {
             calledNanos.put(state.id(), now);
             crew.command(
                     VirtualHolder.of(drone),
                     state.id(),
-                    new CommandId(UUID.randomUUID().toString()),
+                    new CommandId(time.newId()),
                     state.airborne() ? new Command.ReturnToLaunch() : new Command.Disarm(false));
         }
     }

@@ -4,9 +4,7 @@ import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
@@ -15,6 +13,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Wind;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.Candidate;
 import org.dronemap.core.virtual.Choice;
@@ -38,13 +37,14 @@ final class Runs {
     private final DroneCrew crew;
     private final RunMachine machine;
     private final VirtualRights rights;
+    private final Time time;
     private final Clock clock;
     private final Stillness stillness;
     private final Silence silence;
     private final ConcurrentHashMap<VirtualDroneId, List<Choice.Unfit>> waitingFor = new ConcurrentHashMap<>();
 
     /** What runs are driven by. */
-    record Means(RunMachine machine, VirtualRights rights, Clock clock, LongSupplier nanoTime) {}
+    record Means(RunMachine machine, VirtualRights rights, Time time) {}
 
     Runs(CloudManager cloud, VirtualBook book, DroneCrew crew, Means means) {
         this.cloud = cloud;
@@ -52,9 +52,10 @@ final class Runs {
         this.crew = crew;
         this.machine = means.machine();
         this.rights = means.rights();
-        this.clock = means.clock();
-        this.stillness = new Stillness(means.nanoTime());
-        this.silence = new Silence(means.nanoTime());
+        this.time = means.time();
+        this.clock = time.clock();
+        this.stillness = new Stillness(time::nanos);
+        this.silence = new Silence(time::nanos);
     }
 
     /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. Any thread. */
@@ -94,7 +95,7 @@ final class Runs {
         Step step = machine.next(run, sight(now, assignment));
         Command command = step.send();
         if (command != null) {
-            CommandId id = new CommandId(UUID.randomUUID().toString());
+            CommandId id = new CommandId(time.newId());
             book.put(now.with(step.run().given(id, clock.instant())));
             crew.command(VirtualHolder.of(now), assignment.drone(), id, command);
             return Optional.empty();

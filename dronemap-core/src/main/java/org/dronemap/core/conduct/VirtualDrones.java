@@ -82,8 +82,8 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         this.clock = time.clock();
         this.thread = new ConductorThread(time, "conductor");
         DroneCrew crew = new DroneCrew(cloud, FACE);
-        this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, clock, time::nanos));
-        this.recalls = new Recalls(cloud, book, crew, time::nanos);
+        this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, time));
+        this.recalls = new Recalls(cloud, book, crew, time);
     }
 
     /** Takes up what was under way when the process ended, before it returns; then goes on with it. */

@@ -1,6 +1,5 @@
 package org.dronemap.core.time;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -18,17 +17,27 @@ final class Agenda {
 
     private final PriorityQueue<Entry> entries = new PriorityQueue<>(
             Comparator.comparingLong((Entry entry) -> entry.dueNanos).thenComparingLong(entry -> entry.number));
-    private final ArrayDeque<Owner> busy = new ArrayDeque<>();
     private final List<RuntimeException> failures = new ArrayList<>();
     private long numbers;
+
+    /** Of all that belongs together: when it is over, nothing of it is done any more. */
+    static final class Life {
+        private boolean over;
+
+        void end() {
+            over = true;
+        }
+    }
 
     /** Whoever does one thing after the other. */
     static final class Owner {
         private final String name;
+        private final Life life;
         private boolean busy;
 
-        Owner(String name) {
+        Owner(String name, Life life) {
             this.name = name;
+            this.life = life;
         }
     }
 
@@ -72,7 +81,7 @@ final class Agenda {
             entries.remove();
             if (entry.owner.busy) {
                 passed.add(entry);
-            } else {
+            } else if (!entry.owner.life.over) {
                 found = entry;
             }
         }
@@ -82,14 +91,12 @@ final class Agenda {
 
     void work(Entry entry) {
         entry.owner.busy = true;
-        busy.push(entry.owner);
         try {
             entry.work.run();
         } catch (RuntimeException e) {
             LOG.error("{} failed at one thing; it goes on with the next", entry.owner.name, e);
             failures.add(e);
         } finally {
-            busy.pop();
             entry.owner.busy = false;
         }
     }

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 
 /** In stepped time. */
 final class SteppedLoop implements Loop {
-    private final SteppedTime time;
+    private final SteppedProcess time;
     private final Agenda agenda;
     private final Agenda.Owner owner;
     private final Turn turn;
@@ -14,10 +14,10 @@ final class SteppedLoop implements Loop {
     private boolean woken;
     private boolean closed;
 
-    SteppedLoop(SteppedTime time, Agenda agenda, String name, Turn turn) {
+    SteppedLoop(SteppedProcess time, Agenda agenda, Agenda.Life life, String name, Turn turn) {
         this.time = time;
         this.agenda = agenda;
-        this.owner = new Agenda.Owner(name);
+        this.owner = new Agenda.Owner(name, life);
         this.turn = turn;
     }
 

@@ -6,12 +6,14 @@ import java.time.Instant;
 import java.time.ZoneId;
 import java.time.ZoneOffset;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
+import java.util.random.RandomGenerator;
 
 /**
  * Time that goes on only when it is told to, from one thing that is due to the next, without waiting. All that would be done
@@ -19,18 +21,34 @@ import java.util.function.LongSupplier;
  */
 public final class SteppedTime implements Time {
     private static final long MOST_AT_ONE_MOMENT = 1_000_000;
-    /** What one look at {@link #effort} costs. */
-    private static final long LOOK_NANOS = 4_000_000;
 
     private final Thread stepper = Thread.currentThread();
     private final Agenda agenda = new Agenda();
-    private final Agenda.Owner waits = new Agenda.Owner("what waits");
     private final Instant began;
+    private final SplittableRandom random;
+    private final SteppedProcess itself = new SteppedProcess(this, agenda);
     private long nowNanos;
+
+    /** A server, or whoever else may die while time goes on for others. */
+    public interface Killable extends Time {
+        /** Nothing that waits here, or is due later, is done any more. */
+        void kill();
+    }
 
     /** It is {@code began} until it is stepped. */
     public SteppedTime(Instant began) {
+        this(began, 1);
+    }
+
+    /** The same with a seed of what comes by chance. */
+    public SteppedTime(Instant began, long seed) {
         this.began = began;
+        this.random = new SplittableRandom(seed);
+    }
+
+    /** The same time for something that may die. */
+    public Killable killable() {
+        return new SteppedProcess(this, agenda);
     }
 
     /** Does all that is due by now, and what follows from that, until nobody has work left. */
@@ -48,21 +66,15 @@ public final class SteppedTime implements Time {
     /** Lets so much time go by, with all that is due in it. */
     public void advance(Duration time) {
         long until = nowNanos + time.toNanos();
-        boolean unused = advanceUntil(() -> false, until);
+        boolean unused = goOnUntil(() -> false, until);
     }
 
     /** Lets time go by until something holds, which is looked at after each thing that is done; false: not within so long. */
     public boolean advanceUntil(BooleanSupplier holds, Duration longest) {
-        settle();
-        return holds.getAsBoolean() || advanceUntil(holds, nowNanos + longest.toNanos());
+        return holds.getAsBoolean() || goOnUntil(holds, nowNanos + longest.toNanos());
     }
 
-    /** What failed so far in work that was handed in. */
-    public List<RuntimeException> failures() {
-        return agenda.failures();
-    }
-
-    private boolean advanceUntil(BooleanSupplier holds, long untilNanos) {
+    private boolean goOnUntil(BooleanSupplier holds, long untilNanos) {
         requireStepper();
         for (Agenda.Entry due = agenda.next(untilNanos); due != null; due = agenda.next(untilNanos)) {
             nowNanos = Math.max(nowNanos, due.dueNanos());
@@ -73,6 +85,11 @@ public final class SteppedTime implements Time {
         }
         nowNanos = Math.max(nowNanos, untilNanos);
         return false;
+    }
+
+    /** What failed so far in work that was handed in. */
+    public List<RuntimeException> failures() {
+        return agenda.failures();
     }
 
     @Override
@@ -87,68 +104,53 @@ public final class SteppedTime implements Time {
 
     @Override
     public LongSupplier effort() {
-        return new Effort(nowNanos);
+        return itself.effort();
+    }
+
+    @Override
+    public RandomGenerator random() {
+        return random;
     }
 
     @Override
     public int parallelism() {
-        return 1;
+        return itself.parallelism();
     }
 
     @Override
     public Worker worker(String name, int capacity) {
-        return new SteppedWorker(this, agenda, name, capacity);
+        return itself.worker(name, capacity);
     }
 
     @Override
     public Loop loop(String name, Loop.Turn turn) {
-        return new SteppedLoop(this, agenda, name, turn);
+        return itself.loop(name, turn);
     }
 
     @Override
     public Pool pool(String name, int threads, int capacity) {
-        return new SteppedPool(worker(name, threads + capacity));
+        return itself.pool(name, threads, capacity);
     }
 
     @Override
     public Thread blocking(String name, Runnable work) {
-        throw new UnsupportedOperationException("Nobody can step what waits for bytes: " + name);
+        return itself.blocking(name, work);
     }
 
     @Override
     public <T> T await(Future<T> what, Duration longest)
             throws ExecutionException, TimeoutException, InterruptedException {
-        settle();
-        if (!what.isDone() && !advanceUntil(what::isDone, nowNanos + longest.toNanos())) {
-            throw new TimeoutException("not within " + longest);
-        }
-        return what.get();
+        return itself.await(what, longest);
     }
 
     @Override
     public <T> CompletableFuture<T> within(CompletableFuture<T> what, Duration longest, T otherwise) {
-        CompletableFuture<T> first = what.copy();
-        Agenda.Entry end = agenda.add(waits, nowNanos + longest.toNanos(), () -> first.complete(otherwise));
-        return first.whenComplete((value, failure) -> agenda.remove(end));
+        return itself.within(what, longest, otherwise);
     }
 
     void requireStepper() {
         if (Thread.currentThread() != stepper) {
             throw new IllegalStateException("Stepped time belongs to " + stepper.getName());
-        }
-    }
-
-    private static final class Effort implements LongSupplier {
-        private long nanos;
-
-        Effort(long nanos) {
-            this.nanos = nanos;
-        }
-
-        @Override
-        public long getAsLong() {
-            nanos += LOOK_NANOS;
-            return nanos;
         }
     }
 

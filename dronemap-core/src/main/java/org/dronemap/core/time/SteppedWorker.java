@@ -7,7 +7,7 @@ import java.util.concurrent.RejectedExecutionException;
 
 /** In stepped time. */
 final class SteppedWorker implements Worker {
-    private final SteppedTime time;
+    private final SteppedProcess time;
     private final Agenda agenda;
     private final Agenda.Owner owner;
     private final int capacity;
@@ -15,10 +15,10 @@ final class SteppedWorker implements Worker {
     private int waiting;
     private boolean closed;
 
-    SteppedWorker(SteppedTime time, Agenda agenda, String name, int capacity) {
+    SteppedWorker(SteppedProcess time, Agenda agenda, Agenda.Life life, String name, int capacity) {
         this.time = time;
         this.agenda = agenda;
-        this.owner = new Agenda.Owner(name);
+        this.owner = new Agenda.Owner(name, life);
         this.capacity = capacity;
     }
 

@@ -1,5 +1,6 @@
 package org.dronemap.core.time;
 
+import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
@@ -8,9 +9,11 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.LongSupplier;
+import java.util.random.RandomGenerator;
 
 /** The machine's own time, and threads of this process. */
 public final class SystemTime implements Time {
+    private final SecureRandom random = new SecureRandom();
     private final Clock clock;
 
     public SystemTime() {
@@ -35,6 +38,11 @@ public final class SystemTime implements Time {
     @Override
     public LongSupplier effort() {
         return System::nanoTime;
+    }
+
+    @Override
+    public RandomGenerator random() {
+        return random;
     }
 
     @Override

@@ -2,12 +2,14 @@ package org.dronemap.core.time;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeoutException;
 import java.util.function.LongSupplier;
+import java.util.random.RandomGenerator;
 
 /**
  * The time that a server goes by and the threads that it works on. Made once, where the server is built, and handed to all
@@ -25,6 +27,14 @@ public interface Time {
      * so that such work ends after as many rounds on every machine.
      */
     LongSupplier effort();
+
+    /** Chance: what nobody can foretell, or in stepped time the same each time. */
+    RandomGenerator random();
+
+    /** An id that nothing else has. */
+    default String newId() {
+        return new UUID(random().nextLong(), random().nextLong()).toString();
+    }
 
     /** How many pieces of work really go on at the same time; 1 in stepped time. */
     int parallelism();

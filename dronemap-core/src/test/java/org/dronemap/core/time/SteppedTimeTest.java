@@ -221,6 +221,24 @@ class SteppedTimeTest {
     }
 
     @Test
+    void whatIsKilledDoesNothingMoreAndOthersGoOn() {
+        SteppedTime.Killable process = time.killable();
+        Worker killed = process.worker("killed", 10);
+        killed.execute(() -> note("killed"));
+        killed.every(Duration.ofMillis(1), Duration.ofMillis(1), () -> note("killed round"));
+        process.loop("killed loop", () -> {
+                    note("killed turn");
+                    return 1;
+                })
+                .start();
+        time.worker("other", 10).after(Duration.ofMillis(5), () -> note("other"));
+        process.kill();
+        time.advance(Duration.ofSeconds(1));
+
+        assertThat(done).containsExactly("other at 5");
+    }
+
+    @Test
     void nobodyStepsWhatWaitsForBytes() {
         assertThatThrownBy(() -> time.blocking("socket", () -> {})).isInstanceOf(UnsupportedOperationException.class);
     }

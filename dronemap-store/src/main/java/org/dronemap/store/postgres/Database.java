@@ -2,6 +2,8 @@ package org.dronemap.store.postgres;
 
 import com.zaxxer.hikari.HikariConfig;
 import com.zaxxer.hikari.HikariDataSource;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.sql.Connection;
 import java.sql.DriverManager;
@@ -28,6 +30,7 @@ import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.RememberedAccess;
 import org.dronemap.store.StoreException;
+import org.dronemap.store.Stores;
 import org.dronemap.store.postgres.own.OwnPostgres;
 import org.dronemap.store.secret.SecretBox;
 import org.jspecify.annotations.Nullable;
@@ -35,7 +38,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** An open database whose schema is up to date, and the stores in it. Thread-safe. */
-public final class Database implements AutoCloseable {
+public final class Database implements Stores {
     /** The schema that holds everything, so that a database shared with others keeps apart. */
     static final String SCHEMA = "dronemap";
 
@@ -87,77 +90,104 @@ public final class Database implements AutoCloseable {
         return pool;
     }
 
+    @Override
     public DroneStore drones() {
         return new PostgresDroneStore(sql);
     }
 
+    @Override
     public MissionStore missions() {
         return new PostgresMissionStore(sql);
     }
 
+    @Override
     public ZoneStore zones() {
         return new PostgresZoneStore(sql);
     }
 
+    @Override
     public CommandStore commands() {
         return new PostgresCommandStore(sql);
     }
 
     /** Who was recognised lately is recognised while the database is away, too. */
+    @Override
     public AccessStore access() {
         return access;
     }
 
+    @Override
     public GrantStore grants() {
         return new PostgresGrantStore(sql);
     }
 
     /** Keys are sealed with {@code box} on their way in. */
+    @Override
     public LinkSecurityStore linkSecurity(SecretBox box) {
         return new PostgresLinkSecurityStore(sql, box);
     }
 
     /** Keys are sealed with {@code box} on their way in. */
+    @Override
     public OutletStore outlet(SecretBox box) {
         return new PostgresOutletStore(sql, box);
     }
 
+    @Override
     public RecordingStore recordings() {
         return new PostgresRecordingStore(sql);
     }
 
+    @Override
     public LinkStore links() {
         return new PostgresLinkStore(sql);
     }
 
+    @Override
     public LeaseStore leases() {
         return new PostgresLeaseStore(sql);
     }
 
     /** From now on each change takes along the record of the call that it belongs to. Once. */
+    @Override
     public AuditStore audit(AuditChain chain) {
         ledger.open(chain);
         return new PostgresAuditStore(sql, ledger);
     }
 
+    @Override
     public VirtualDroneStore virtualDrones() {
         return new PostgresVirtualDroneStore(sql);
     }
 
+    @Override
     public OperationStore operations() {
         return new PostgresOperationStore(sql);
     }
 
+    @Override
     public TelemetryStore telemetry() {
         return new PostgresTelemetryStore(pool);
     }
 
+    @Override
     public FlightStore flights() {
         return new PostgresFlightStore(sql);
     }
 
     public Backup backup() {
         return new Backup(pool, SCHEMA);
+    }
+
+    @Override
+    public boolean isUp() {
+        return health().isUp();
+    }
+
+    @Override
+    public void backUp(OutputStream out) throws IOException {
+        BackupSummary summary = backup().write(out);
+        LOG.info("A backup was written: {}", summary);
     }
 
     /** Whether the database answers now. Blocks up to some seconds. */

@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -151,9 +150,9 @@ public final class CommandService {
         return drones.find(principal, droneId).map(DroneState::name).orElse(null);
     }
 
-    private static CommandId id(@Nullable String given) {
+    private CommandId id(@Nullable String given) {
         if (given == null) {
-            return new CommandId(UUID.randomUUID().toString());
+            return new CommandId(time.newId());
         }
         if (!isId(given)) {
             throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");

@@ -1,6 +1,5 @@
 package org.dronemap.ws.service;
 
-import java.time.Clock;
 import java.time.Instant;
 import java.util.Collections;
 import java.util.List;
@@ -26,6 +25,7 @@ import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.Reach;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.Sighting;
+import org.dronemap.core.time.Time;
 
 /** Use cases around follows: ask for one, start, tell where the phone is, pause, change, stop. Any thread. */
 public final class FollowService {
@@ -45,7 +45,7 @@ public final class FollowService {
         Set<DroneId> drones();
     }
 
-    public FollowService(Conduct conduct, Warehouse warehouse, Clock clock) {
+    public FollowService(Conduct conduct, Warehouse warehouse, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
         this.drones = new FollowDrones(conduct.cloud());
@@ -57,7 +57,7 @@ public final class FollowService {
                 conduct.cloud(),
                 new OperationDesk.Words('f', "follow", "a follow flies"),
                 FollowService::isShownTo,
-                clock);
+                time);
     }
 
     /** Those under way and the newest that are over, the newest first. */

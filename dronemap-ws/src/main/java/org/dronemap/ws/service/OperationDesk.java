@@ -1,6 +1,5 @@
 package org.dronemap.ws.service;
 
-import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -10,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiPredicate;
 import java.util.function.Supplier;
+import java.util.random.RandomGenerator;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.Operations;
@@ -21,6 +21,7 @@ import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.time.Time;
 
 /**
  * What use cases around one kind of operation have in common: find it for whom it exists, begin it, hand it wishes. Any thread.
@@ -40,7 +41,7 @@ final class OperationDesk<S, I> {
     private final Words words;
     private final BiPredicate<Principal, Picture<S>> shown;
     private final Clock clock;
-    private final SecureRandom random = new SecureRandom();
+    private final RandomGenerator random;
 
     /**
      * What people call it.
@@ -58,13 +59,14 @@ final class OperationDesk<S, I> {
             CloudManager cloud,
             Words words,
             BiPredicate<Principal, Picture<S>> shown,
-            Clock clock) {
+            Time time) {
         this.operations = operations;
         this.kind = kind;
         this.cloud = cloud;
         this.words = words;
         this.shown = shown;
-        this.clock = clock;
+        this.clock = time.clock();
+        this.random = time.random();
     }
 
     /** Those under way and the newest that are over, the newest first. */

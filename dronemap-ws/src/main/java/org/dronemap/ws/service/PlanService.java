@@ -1,11 +1,11 @@
 package org.dronemap.ws.service;
 
-import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.random.RandomGenerator;
 import org.dronemap.cognitive.engine.Planned;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
@@ -13,6 +13,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneBook;
 import org.jspecify.annotations.Nullable;
 
@@ -29,14 +30,15 @@ public final class PlanService {
     private final DroneService drones;
     private final CommandService commands;
     private final Clock clock;
-    private final SecureRandom random = new SecureRandom();
+    private final RandomGenerator random;
 
-    public PlanService(PlanDesk desk, DroneService drones, CommandService commands, ZoneBook zones, Clock clock) {
+    public PlanService(PlanDesk desk, DroneService drones, CommandService commands, ZoneBook zones, Time time) {
         this.desk = desk;
-        this.reader = new PlanReader(drones, zones, clock);
+        this.reader = new PlanReader(drones, zones, time.clock());
         this.drones = drones;
         this.commands = commands;
-        this.clock = clock;
+        this.clock = time.clock();
+        this.random = time.random();
     }
 
     /** Others do not exist for this one. */

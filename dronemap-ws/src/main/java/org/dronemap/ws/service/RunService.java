@@ -1,6 +1,5 @@
 package org.dronemap.ws.service;
 
-import java.time.Clock;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -21,6 +20,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.time.Time;
 
 /** Use cases around mission runs: start, look, change, answer, stop. Shared by those who may command all of its drones. Any thread. */
 public final class RunService {
@@ -33,7 +33,7 @@ public final class RunService {
     /** What runs are conducted by. */
     public record Conduct(Operations operations, OperationKind<RunState, RunInput> kind, CloudManager cloud) {}
 
-    public RunService(Conduct conduct, PlanService plans, DroneService drones, Clock clock) {
+    public RunService(Conduct conduct, PlanService plans, DroneService drones, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
         this.plans = plans;
@@ -44,7 +44,7 @@ public final class RunService {
                 conduct.cloud(),
                 new OperationDesk.Words('r', "mission run", "a mission run flies"),
                 RunService::isShownTo,
-                clock);
+                time);
     }
 
     /** For others it does not exist. */

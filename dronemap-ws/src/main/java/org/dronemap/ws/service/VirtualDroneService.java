@@ -1,16 +1,17 @@
 package org.dronemap.ws.service;
 
-import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.random.RandomGenerator;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.Needs;
 import org.dronemap.core.virtual.Tour;
 import org.dronemap.core.virtual.VirtualDrone;
@@ -29,12 +30,13 @@ public final class VirtualDroneService {
     private final VirtualDrones virtuals;
     private final VirtualDroneViews views;
     private final Clock clock;
-    private final SecureRandom random = new SecureRandom();
+    private final RandomGenerator random;
 
-    public VirtualDroneService(VirtualDrones virtuals, VirtualDroneViews views, Clock clock) {
+    public VirtualDroneService(VirtualDrones virtuals, VirtualDroneViews views, Time time) {
         this.virtuals = virtuals;
         this.views = views;
-        this.clock = clock;
+        this.clock = time.clock();
+        this.random = time.random();
     }
 
     /** Others do not exist for this one. */

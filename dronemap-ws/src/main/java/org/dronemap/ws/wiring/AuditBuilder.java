@@ -10,12 +10,12 @@ import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.HeadKeeper;
 import org.dronemap.core.audit.SignedHead;
 import org.dronemap.core.time.Time;
+import org.dronemap.store.Stores;
 import org.dronemap.store.file.HeadsFile;
-import org.dronemap.store.postgres.Database;
 import org.dronemap.store.secret.ServerSecret;
 import org.jspecify.annotations.Nullable;
 
-/** Opens the audit log of a database: its key and its heads lie beside the database, not in it. */
+/** Opens the audit log of what is stored: its key and its heads lie beside the database, not in it. */
 final class AuditBuilder {
     private final AuditChain chain;
     private final AuditHeads heads;
@@ -30,8 +30,8 @@ final class AuditBuilder {
     }
 
     /** From here on each change leaves its record. */
-    House.AuditSide open(Database database, Closing closing) {
-        AuditStore store = database.audit(chain);
+    House.AuditSide open(Stores stores, Closing closing) {
+        AuditStore store = stores.audit(chain);
         HeadKeeper keeper = new HeadKeeper(store, heads, chain, time);
         keeper.start();
         closing.add("the heads of the audit log", keeper);
@@ -39,14 +39,14 @@ final class AuditBuilder {
     }
 
     /** For a server that does not run. */
-    AuditVerdict verify(Database database, @Nullable SignedHead receipt) {
-        AuditStore store = database.audit(chain);
+    AuditVerdict verify(Stores stores, @Nullable SignedHead receipt) {
+        AuditStore store = stores.audit(chain);
         return new House.AuditSide(store, heads, chain, new HeadKeeper(store, heads, chain, time)).verify(receipt);
     }
 
     /** The chain goes on from what the backup held, and says so. */
-    void restored(Database database, Path backup) {
-        AuditStore store = database.audit(chain);
+    void restored(Stores stores, Path backup) {
+        AuditStore store = stores.audit(chain);
         try (HeadKeeper keeper = new HeadKeeper(store, heads, chain, time)) {
             keeper.restored();
             store.append(new AuditEntry(

@@ -1,14 +1,18 @@
 package org.dronemap.ws.wiring;
 
-import java.security.SecureRandom;
 import java.util.function.Supplier;
+import java.util.random.RandomGenerator;
 import org.dronemap.core.drone.DroneId;
 
 /** Makes up ids for new drones: ten letters and digits. */
 final class DroneIds implements Supplier<DroneId> {
     private static final String LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
 
-    private final SecureRandom random = new SecureRandom();
+    private final RandomGenerator random;
+
+    DroneIds(RandomGenerator random) {
+        this.random = random;
+    }
 
     @Override
     public DroneId get() {

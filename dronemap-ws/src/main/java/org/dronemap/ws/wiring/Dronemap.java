@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.util.List;
 import java.util.Map;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.ws.door.PhoneDoor;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,7 +24,7 @@ public final class Dronemap {
         try {
             Settings settings = Settings.fromEnvironment(environment);
             if (arguments.length > 0) {
-                int code = new OwnerTasks(settings, closing).run(List.of(arguments));
+                int code = new OwnerTasks(settings, closing, new SystemTime()).run(List.of(arguments));
                 closing.close();
                 return code;
             }
@@ -37,8 +38,8 @@ public final class Dronemap {
     }
 
     private static void start(Settings settings, Closing closing) {
-        HouseBuilder builder = new HouseBuilder(settings, closing);
-        House house = builder.open();
+        HouseBuilder builder = new HouseBuilder(settings, closing, new SystemTime());
+        House house = builder.open(new DatabaseBuilder(settings).open(closing));
         builder.hear();
         ConfigurableApplicationContext faces = FacesServer.start(settings, house);
         closing.add("the faces", faces);

@@ -1,6 +1,5 @@
 package org.dronemap.ws.wiring;
 
-import java.time.Clock;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.rest.FollowController;
 import org.dronemap.ws.service.FollowReliefs;
@@ -14,8 +13,8 @@ import org.springframework.context.annotation.Import;
 @Import(FollowController.class)
 public class FollowConfiguration {
     @Bean
-    FollowService followService(House house, Clock clock) {
-        return new FollowService(conduct(house), house.virtuals()::warehouse, clock);
+    FollowService followService(House house, Time time) {
+        return new FollowService(conduct(house), house.virtuals()::warehouse, time);
     }
 
     @Bean

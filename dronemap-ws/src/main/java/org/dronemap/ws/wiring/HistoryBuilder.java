@@ -1,6 +1,5 @@
 package org.dronemap.ws.wiring;
 
-import java.security.SecureRandom;
 import java.time.Duration;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.history.FlightLog;
@@ -21,7 +20,6 @@ final class HistoryBuilder {
 
     private final HistoryPolicy policy;
     private final Time time;
-    private final SecureRandom random = new SecureRandom();
 
     HistoryBuilder(HistoryPolicy policy, Time time) {
         this.policy = policy;
@@ -49,7 +47,7 @@ final class HistoryBuilder {
     private String newId() {
         StringBuilder id = new StringBuilder();
         for (int i = 0; i < LETTERS_OF_AN_ID; i++) {
-            id.append(LETTERS.charAt(random.nextInt(LETTERS.length())));
+            id.append(LETTERS.charAt(time.random().nextInt(LETTERS.length())));
         }
         return id.toString();
     }

@@ -11,7 +11,6 @@ import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.audit.AuditDesk;
-import org.dronemap.core.audit.AuditVerdict;
 import org.dronemap.core.audit.AuditedCommands;
 import org.dronemap.core.cloud.AuditedControl;
 import org.dronemap.core.cloud.CloudListener;
@@ -30,7 +29,6 @@ import org.dronemap.core.history.History;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
-import org.dronemap.core.time.SystemTime;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.Proxy;
@@ -42,21 +40,18 @@ import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.roslink.RoslinkProxy;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.proxy.signing.Keyrings;
+import org.dronemap.store.Stores;
 import org.dronemap.store.mongo.MongoTelemetryStore;
-import org.dronemap.store.postgres.BackupSummary;
-import org.dronemap.store.postgres.Database;
-import org.dronemap.store.postgres.DatabaseSettings;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.store.secret.ServerSecret;
 import org.dronemap.ws.security.Argon2Passwords;
 import org.dronemap.ws.service.DtlsKeyRing;
-import org.dronemap.ws.service.ReceiptView;
 import org.dronemap.ws.service.RobotKeyRing;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Builds what is around the cloud manager: database, journal and lanes behind the faces, links to vehicles before them. */
+/** Builds what is around the cloud manager: stores, journal and lanes behind the faces, links to vehicles before them. */
 final class HouseBuilder {
     private static final Logger LOG = LoggerFactory.getLogger(HouseBuilder.class);
     private static final int LANES = 2;
@@ -64,8 +59,8 @@ final class HouseBuilder {
     private final Settings settings;
     private final Closing closing;
     private final List<EndpointUrl> endpoints;
-    private final Time time = new SystemTime();
-    private final Lanes lanes = new Lanes(time, LANES);
+    private final Time time;
+    private final Lanes lanes;
     private final OutletBuilder outlets;
     private final RobotBuilder robots;
     private @Nullable Outlet outlet;
@@ -76,8 +71,10 @@ final class HouseBuilder {
     private volatile boolean connected;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
-    HouseBuilder(Settings settings, Closing closing) {
+    HouseBuilder(Settings settings, Closing closing, Time time) {
         this.settings = settings;
+        this.time = time;
+        this.lanes = new Lanes(time, LANES);
         this.closing = closing;
         this.endpoints =
                 settings.endpoints().stream().map(HouseBuilder::endpoint).toList();
@@ -86,56 +83,53 @@ final class HouseBuilder {
     }
 
     /** Everything but the links: nothing is heard and nothing sent yet. */
-    House open() {
+    House open(Stores stores) {
         Clock clock = time.clock();
-        Database database = database();
-        closing.add("the database", database);
-        House.AuditSide audit = new AuditBuilder(settings, time).open(database, closing);
-        CommandStore commands = commands(database, audit, clock);
+        House.AuditSide audit = new AuditBuilder(settings, time).open(stores, closing);
+        CommandStore commands = commands(stores, audit, clock);
         Journal journal = new Journal(time);
         closing.add("the journal", journal);
-        CloudManager cloud = cloud(database, commands, journal);
-        GrantBook grants = grants(database, cloud, clock);
+        CloudManager cloud = cloud(stores, commands, journal);
+        GrantBook grants = grants(stores, cloud, clock);
         cloud.addListener(new AuditedControl(audit.store(), clock, grants::owner));
-        History history = history(database, cloud);
+        History history = history(stores, cloud);
         SecretBox box = box();
-        DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
-        Recorder recorder = recorder(database, journal, cloud, clock);
-        Outlet clients = outlet(control(cloud, audit), database, journal, box, grants, doors(dtlsKeys));
-        Keyrings keyrings = keyrings(cloud, database, journal, box);
-        Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), database.links());
-        RobotKeyRing robotKeys = new RobotKeyRing(database.links());
+        DtlsKeyRing dtlsKeys = new DtlsKeyRing(stores.links(), new BoxSealing(box));
+        Recorder recorder = recorder(stores, journal, cloud, clock);
+        Outlet clients = outlet(control(cloud, audit), stores, journal, box, grants, doors(dtlsKeys));
+        Keyrings keyrings = keyrings(cloud, stores, journal, box);
+        Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), stores.links());
+        RobotKeyRing robotKeys = new RobotKeyRing(stores.links());
         RoslinkProxy robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
         return new House(
                 time,
                 cloud,
-                database.access(),
-                database.missions(),
-                database.zones(),
+                stores.access(),
+                stores.missions(),
+                stores.zones(),
                 new ProxyRecordings(links.replays()),
                 recorder.shelf(),
                 history,
-                linkSide(new ProxyLinks(links, robotSide), database, dtlsKeys, robotKeys, clients),
-                () -> database.health().isUp(),
-                file -> writeBackup(database, file),
+                linkSide(new ProxyLinks(links, robotSide), stores, dtlsKeys, robotKeys, clients),
+                stores::isUp,
+                file -> writeBackup(stores, file),
                 new ProxyLinkSecurity(links.keyrings()),
-                database.grants(),
+                stores.grants(),
                 grants,
-                virtualDrones(cloud, database, grants, audit),
-                runs(cloud, database, grants),
+                virtualDrones(cloud, stores, grants, audit),
+                runs(cloud, stores, grants),
                 audit,
                 new Argon2Passwords());
     }
 
     private House.LinkSide linkSide(
-            ProxyLinks vehicles, Database database, DtlsKeyRing dtlsKeys, RobotKeyRing robotKeys, Outlet clients) {
+            ProxyLinks vehicles, Stores stores, DtlsKeyRing dtlsKeys, RobotKeyRing robotKeys, Outlet clients) {
         return new House.LinkSide(
-                vehicles, database.links(), dtlsKeys, robotKeys, new ProxyOutlet(clients), () -> connected);
+                vehicles, stores.links(), dtlsKeys, robotKeys, new ProxyOutlet(clients), () -> connected);
     }
 
-    private History history(Database database, CloudManager cloud) {
-        return new HistoryBuilder(settings.history(), time)
-                .open(telemetry(database), database.flights(), cloud, closing);
+    private History history(Stores stores, CloudManager cloud) {
+        return new HistoryBuilder(settings.history(), time).open(telemetry(stores), stores.flights(), cloud, closing);
     }
 
     private Proxy links(CloudManager cloud, Keyrings keyrings, FrameTap.Factory taps, Doors doors, LinkStore saved) {
@@ -162,13 +156,13 @@ final class HouseBuilder {
 
     private Outlet outlet(
             AuditedOutletControl control,
-            Database database,
+            Stores stores,
             Journal journal,
             SecretBox box,
             GrantBook grants,
             Doors doors) {
-        OutletBuilder.AccountOutletRights rights = new OutletBuilder.AccountOutletRights(database.access(), grants);
-        Outlet clients = outlets.build(control, database.outlet(box), journal, rights, doors);
+        OutletBuilder.AccountOutletRights rights = new OutletBuilder.AccountOutletRights(stores.access(), grants);
+        Outlet clients = outlets.build(control, stores.outlet(box), journal, rights, doors);
         closing.add("the outlet", clients);
         outlet = clients;
         return clients;
@@ -180,33 +174,32 @@ final class HouseBuilder {
                 : component -> FrameTap.both(recorder.open(component), clients.open(component));
     }
 
-    private CloudManager cloud(Database database, CommandStore commands, Journal journal) {
+    private CloudManager cloud(Stores stores, CommandStore commands, Journal journal) {
         closing.add("the lanes", lanes);
         return new CloudManager(
                 lanes,
                 new CloudManager.Rules(settings.watchdog(), settings.control()),
                 time,
-                new CloudManager.Keeping(database.drones(), commands, database.leases(), journal),
-                new DroneIds());
+                new CloudManager.Keeping(stores.drones(), commands, stores.leases(), journal),
+                new DroneIds(time.random()));
     }
 
     /** In force before anybody can ask, or any vehicle is heard. */
-    private static GrantBook grants(Database database, CloudManager cloud, Clock clock) {
+    private static GrantBook grants(Stores stores, CloudManager cloud, Clock clock) {
         GrantBook grants = new GrantBook(clock);
-        grants.replace(database.grants().holdings());
+        grants.replace(stores.grants().holdings());
         cloud.zones().ownersBy(grants::owner);
-        cloud.zones().put(database.zones().zones());
+        cloud.zones().put(stores.zones().zones());
         return grants;
     }
 
     /** Takes up what was under way, before any vehicle is heard and anybody else can command. */
-    private VirtualDrones virtualDrones(
-            CloudManager cloud, Database database, GrantBook grants, House.AuditSide audit) {
+    private VirtualDrones virtualDrones(CloudManager cloud, Stores stores, GrantBook grants, House.AuditSide audit) {
         VirtualDrones virtuals = new VirtualDrones(
                 cloud,
-                database.virtualDrones(),
+                stores.virtualDrones(),
                 new RunMachine(settings.virtualSilence()),
-                new AccountRights(database.access(), grants),
+                new AccountRights(stores.access(), grants),
                 time);
         virtuals.addListener(new AuditedBindings(audit.store(), time.clock(), virtuals.all()));
         virtuals.start();
@@ -215,9 +208,9 @@ final class HouseBuilder {
     }
 
     /** As for virtual drones. */
-    private RunSide runs(CloudManager cloud, Database database, GrantBook grants) {
+    private RunSide runs(CloudManager cloud, Stores stores, GrantBook grants) {
         RunSide runs = RunSide.of(
-                cloud, database.operations(), new AccountRights(database.access(), grants), settings.apart(), time);
+                cloud, stores.operations(), new AccountRights(stores.access(), grants), settings.apart(), time);
         runs.operations().takeUp();
         operations = runs.operations();
         closing.add("the operations", runs.operations());
@@ -230,8 +223,8 @@ final class HouseBuilder {
                 settings.dataDirectory().resolve("link-secret"));
     }
 
-    private CommandStore commands(Database database, House.AuditSide audit, Clock clock) {
-        CommandStore commands = new AuditedCommands(database.commands(), audit.store(), time::nanos);
+    private CommandStore commands(Stores stores, House.AuditSide audit, Clock clock) {
+        CommandStore commands = new AuditedCommands(stores.commands(), audit.store(), time::nanos);
         int ended = commands.endUnfinished(
                 new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
         if (ended > 0) {
@@ -246,10 +239,10 @@ final class HouseBuilder {
         return new Doors(keys::secret, certificate, WebSocketDoor.Limits.DEFAULT);
     }
 
-    private Keyrings keyrings(CloudManager cloud, Database database, Journal journal, SecretBox box) {
+    private Keyrings keyrings(CloudManager cloud, Stores stores, Journal journal, SecretBox box) {
         Keyrings keyrings = new Keyrings(
                 new Keyrings.Keeping(
-                        database.linkSecurity(box),
+                        stores.linkSecurity(box),
                         journal,
                         drone -> cloud.drone(drone)
                                 .map(state -> state.link().key().systemId())
@@ -269,23 +262,23 @@ final class HouseBuilder {
         }
     }
 
-    private TelemetryStore telemetry(Database database) {
+    private TelemetryStore telemetry(Stores stores) {
         String url = Settings.Hidden.shown(settings.mongodbUrl());
         if (url == null) {
-            return database.telemetry();
+            return stores.telemetry();
         }
         MongoTelemetryStore store = MongoTelemetryStore.open(url);
         closing.add("the MongoDB", store);
         return store;
     }
 
-    private Recorder recorder(Database database, Journal journal, CloudManager cloud, Clock clock) {
+    private Recorder recorder(Stores stores, Journal journal, CloudManager cloud, Clock clock) {
         Path directory = settings.dataDirectory().resolve("recordings");
         Recorder recorder = new Recorder(
                 directory,
                 settings.recording(),
                 new Recorder.Keeping(
-                        database.recordings(),
+                        stores.recordings(),
                         journal,
                         id -> cloud.drone(id).map(DroneState::name).orElse(id.value())),
                 clock);
@@ -298,42 +291,10 @@ final class HouseBuilder {
         return recorder;
     }
 
-    private static void writeBackup(Database database, Path file) throws IOException {
+    private static void writeBackup(Stores stores, Path file) throws IOException {
         try (OutputStream out = Files.newOutputStream(file)) {
-            BackupSummary summary = database.backup().write(out);
-            LOG.info("A backup was written: {}", summary);
+            stores.backUp(out);
         }
-    }
-
-    /** Replaces all that is stored by what a backup holds; for a server that does not run. */
-    void restore(Path backup) {
-        Database database = database();
-        closing.add("the database", database);
-        BackupSummary summary = database.backup().restore(backup);
-        new AuditBuilder(settings, time).restored(database, backup);
-        LOG.info("Restored from {}: {}", backup, summary);
-    }
-
-    /** Whether all records of what was done are as they were; for a server that does not run. */
-    AuditVerdict verifyAudit(@Nullable ReceiptView receipt) {
-        Database database = database();
-        closing.add("the database", database);
-        return new AuditBuilder(settings, time).verify(database, receipt == null ? null : receipt.signedHead());
-    }
-
-    private Database database() {
-        Path directory = settings.dataDirectory();
-        try {
-            Files.createDirectories(directory);
-        } catch (IOException e) {
-            throw new SetupException(
-                    "The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be made: " + e.getMessage(), e);
-        }
-        if (!Files.isWritable(directory)) {
-            throw new SetupException("The data directory " + directory + " (DRONEMAP_DATA_DIR) cannot be written to.");
-        }
-        String url = settings.databaseUrl();
-        return url == null ? Database.openOwn(directory.resolve("postgres")) : Database.open(DatabaseSettings.of(url));
     }
 
     /**

@@ -1,6 +1,5 @@
 package org.dronemap.ws.wiring;
 
-import java.time.Clock;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.rest.PlanController;
 import org.dronemap.ws.rest.TourController;
@@ -23,8 +22,8 @@ public class PlanConfiguration {
     }
 
     @Bean
-    PlanService planService(House house, PlanDesk desk, DroneService drones, CommandService commands, Clock clock) {
-        return new PlanService(desk, drones, commands, house.cloud().zones(), clock);
+    PlanService planService(House house, PlanDesk desk, DroneService drones, CommandService commands, Time time) {
+        return new PlanService(desk, drones, commands, house.cloud().zones(), time);
     }
 
     @Bean(destroyMethod = "close")

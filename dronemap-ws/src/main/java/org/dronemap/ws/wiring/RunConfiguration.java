@@ -1,6 +1,5 @@
 package org.dronemap.ws.wiring;
 
-import java.time.Clock;
 import java.time.Duration;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.rest.RunController;
@@ -20,10 +19,10 @@ public class RunConfiguration {
     private static final Duration ZONE_RHYTHM = Duration.ofMillis(500);
 
     @Bean
-    RunService runService(House house, PlanService plans, DroneService drones, Clock clock) {
+    RunService runService(House house, PlanService plans, DroneService drones, Time time) {
         RunService.Conduct conduct =
                 new RunService.Conduct(house.runs().operations(), house.runs().kind(), house.cloud());
-        return new RunService(conduct, plans, drones, clock);
+        return new RunService(conduct, plans, drones, time);
     }
 
     @Bean(destroyMethod = "close")

@@ -150,7 +150,9 @@ public class ServiceConfiguration {
             Settings settings) {
         OidcSettings oidc = settings.oidc();
         ExternalUsers users = new ExternalUsers(house.access(), accounts, passwords, new Secrets());
-        return oidc == null ? null : new OidcSignIn(oidc, authentication, users, Clock.systemUTC());
+        return oidc == null
+                ? null
+                : new OidcSignIn(oidc, authentication, users, house.time().clock());
     }
 
     @Bean
@@ -159,13 +161,13 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    Budgets budgets(Settings settings) {
-        return new Budgets(settings.protection().rates(), System::nanoTime);
+    Budgets budgets(Settings settings, Time time) {
+        return new Budgets(settings.protection().rates(), time::nanos);
     }
 
     @Bean
     AuditDesk auditDesk(House house, Clock clock) {
-        return new AuditDesk(house.audit().store(), clock, System::nanoTime);
+        return new AuditDesk(house.audit().store(), clock, house.time()::nanos);
     }
 
     @Bean
@@ -234,7 +236,7 @@ public class ServiceConfiguration {
 
     @Bean
     FenceService fenceService(House house, DroneService drones, CommandService commands) {
-        return new FenceService(house.cloud(), drones, commands, Clock.systemUTC());
+        return new FenceService(house.cloud(), drones, commands, house.time().clock());
     }
 
     @Bean
@@ -343,7 +345,12 @@ public class ServiceConfiguration {
     RobotKeyService robotKeyService(House house, OrganisationService organisations, Secrets secrets, Clock clock) {
         RobotKeyService.Surroundings around =
                 new RobotKeyService.Surroundings(house.links().vehicles(), house.cloud(), organisations);
-        return new RobotKeyService(house.links().robotKeys(), around, secrets, clock, new DroneIds());
+        return new RobotKeyService(
+                house.links().robotKeys(),
+                around,
+                secrets,
+                clock,
+                new DroneIds(house.time().random()));
     }
 
     @Bean

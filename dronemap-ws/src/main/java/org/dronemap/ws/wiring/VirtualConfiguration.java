@@ -1,6 +1,6 @@
 package org.dronemap.ws.wiring;
 
-import java.time.Clock;
+import org.dronemap.core.time.Time;
 import org.dronemap.ws.rest.VirtualDroneController;
 import org.dronemap.ws.rest.WarehouseController;
 import org.dronemap.ws.service.DroneService;
@@ -21,8 +21,8 @@ public class VirtualConfiguration {
     }
 
     @Bean
-    VirtualDroneService virtualDroneService(House house, VirtualDroneViews views, Clock clock) {
-        return new VirtualDroneService(house.virtuals(), views, clock);
+    VirtualDroneService virtualDroneService(House house, VirtualDroneViews views, Time time) {
+        return new VirtualDroneService(house.virtuals(), views, time);
     }
 
     @Bean
