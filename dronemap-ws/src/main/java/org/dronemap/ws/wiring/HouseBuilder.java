@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Clock;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantBook;
@@ -34,6 +35,7 @@ import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.Proxy;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.record.Recorder;
@@ -199,7 +201,7 @@ final class HouseBuilder {
                 cloud,
                 stores.virtualDrones(),
                 new RunMachine(settings.virtualSilence()),
-                new AccountRights(stores.access(), grants),
+                new AccountRights(stores.access(), grants, time),
                 time);
         virtuals.addListener(new AuditedBindings(audit.store(), time.clock(), virtuals.all()));
         virtuals.start();
@@ -210,7 +212,7 @@ final class HouseBuilder {
     /** As for virtual drones. */
     private RunSide runs(CloudManager cloud, Stores stores, GrantBook grants) {
         RunSide runs = RunSide.of(
-                cloud, stores.operations(), new AccountRights(stores.access(), grants), settings.apart(), time);
+                cloud, stores.operations(), new AccountRights(stores.access(), grants, time), settings.apart(), time);
         runs.operations().takeUp();
         operations = runs.operations();
         closing.add("the operations", runs.operations());
@@ -317,6 +319,11 @@ final class HouseBuilder {
             operations.goOn();
         }
         LOG.info("Vehicles are heard");
+    }
+
+    /** Who takes in what links to vehicles bring, once the house is open. */
+    PeerHandler.Factory vehicles() {
+        return Objects.requireNonNull(proxy, "the house is not open yet").sessions();
     }
 
     /** Lets ground stations of other makers in. */

@@ -1,0 +1,27 @@
+package org.dronemap.ws.lab;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import org.dronemap.core.access.Role;
+import org.dronemap.ws.service.CommandRequest;
+import org.junit.jupiter.api.Test;
+
+class FirstFlightTest {
+    @Test
+    void aCopterFliesAMissionAndComesHome() {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone copter = lab.copter();
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            ann.plans(copter, 20, copter.place(60, 0), copter.place(60, 40))
+                    .does(copter, CommandRequest.setMode("GUIDED"))
+                    .does(copter, CommandRequest.simple("arm"))
+                    .does(copter, CommandRequest.startMission(null));
+
+            lab.until("it is at the far corner", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(60, 40)) < 2);
+            assertThat(copter.height()).isBetween(18.0, 22.0);
+            lab.until("it is down again", Duration.ofMinutes(2), copter::isDown);
+            assertThat(copter.away()).isLessThan(2);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package org.dronemap.ws.lab;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.sim.flight.Craft;
+import org.dronemap.sim.flight.Navigation;
+import org.dronemap.sim.personality.SimulatedVehicle;
+import org.dronemap.sim.physics.Battery;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.Position;
+import org.dronemap.sim.physics.Wind;
+
+/** One vehicle of the laboratory: what it truly does, its wire, and the drone that the server takes it for. */
+public final class LabDrone {
+    /** Where the first one stands; altitude in m AMSL. */
+    public static final LocalFrame FIELD = new LocalFrame(47.3977, 8.5456, 488);
+
+    private static final double SPACING_METERS = 60;
+    private static final double MILLIAMP_HOURS = 5_200;
+    private static final int FIRST_PORT = 20_000;
+    private static final double MILLIS = 1_000;
+
+    private final Laboratory lab;
+    private final String name;
+    private final int systemId;
+    /** It says only when it is not ready. */
+    private final boolean isPx4;
+    private final Wire wire;
+    private final SimulatedVehicle vehicle;
+    private final LocalFrame start;
+
+    LabDrone(Laboratory lab, VehicleKit kit, int number, long seed, FlightRecord record) {
+        this.lab = lab;
+        this.systemId = number;
+        this.isPx4 = kit.kind().name().equals("px4");
+        this.name = kit.kind().name() + " " + number;
+        this.start = FIELD.shifted(new Position(0, (number - 1) * SPACING_METERS, 0));
+        this.wire = new Wire(name, FIRST_PORT + number, lab.time(), seed, record, frame -> this.vehicle().receive(frame));
+        Craft craft = new Craft(
+                start,
+                new Battery(MILLIAMP_HOURS),
+                new Wind(kit.windSpeed(), 0, seed),
+                new Navigation((long) (kit.readySeconds() * MILLIS)));
+        this.vehicle = new SimulatedVehicle(
+                kit.settings(systemId, systemId, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, wire::up);
+    }
+
+    void beat() {
+        vehicle.advance(lab.time().nanos() / Duration.ofMillis(1).toNanos());
+        if (vehicle.takeNewAddress()) {
+            wire.move();
+        }
+    }
+
+    public String name() {
+        return name;
+    }
+
+    public Wire wire() {
+        return wire;
+    }
+
+    /** What it truly is and does. */
+    public SimulatedVehicle vehicle() {
+        return vehicle;
+    }
+
+    public Craft craft() {
+        return vehicle.craft();
+    }
+
+    /** Metres above where it took off, in truth. */
+    public double height() {
+        return craft().aboveHome();
+    }
+
+    /** Metres from there on the ground, in truth. */
+    public double away() {
+        return craft().body().position().horizontalDistanceTo(new Position(0, 0, 0));
+    }
+
+    /** It is down and its motors stand, in truth. */
+    public boolean isDown() {
+        return !craft().armed() && craft().landed();
+    }
+
+    /** That many metres north and east of where it was put down. */
+    public Geodetic place(double north, double east) {
+        Position offset = new Position(north, east, 0);
+        return new Geodetic(start.latitudeOf(offset), start.longitudeOf(offset));
+    }
+
+    /** Metres between it and a place on the ground, in truth. */
+    public double distanceTo(Geodetic place) {
+        return craft().body().position().horizontalDistanceTo(start.locate(place.latitudeDegrees(), place.longitudeDegrees(), 0));
+    }
+
+    /** As the server has it; empty: it knows no such drone. */
+    public Optional<DroneState> known() {
+        return lab.server().house().cloud().drones().stream()
+                .filter(state -> state.link().key().systemId() == systemId)
+                .findFirst();
+    }
+
+    public DroneState state() {
+        return known().orElseThrow(() -> new AssertionError("The server does not know " + name));
+    }
+
+    public DroneId id() {
+        return state().id();
+    }
+
+    public boolean isLost() {
+        return state().link().state() == LinkState.LOST;
+    }
+
+    boolean isReady() {
+        return known().filter(state -> state.link().state() == LinkState.LIVE
+                        && state.position() != null
+                        && state.home() != null
+                        && state.capabilities().known()
+                        && (isPx4 ? !Boolean.FALSE.equals(state.readyToArm()) : Boolean.TRUE.equals(state.readyToArm())))
+                .isPresent();
+    }
+
+    String words() {
+        return name + ": truly " + (craft().armed() ? "armed" : "disarmed") + String.format(", %.1f m up, %.1f m away; ", height(), away())
+                + "for the server "
+                + known().map(state -> state.mode() + ", armed " + state.armed() + ", " + state.link().state() + ", "
+                                + state.messages())
+                        .orElse("unknown");
+    }
+}

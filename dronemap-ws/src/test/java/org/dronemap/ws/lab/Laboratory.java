@@ -1,0 +1,213 @@
+package org.dronemap.ws.lab;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.dronemap.core.access.AccountState;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.access.User;
+import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.time.SteppedTime;
+import org.dronemap.store.memory.MemoryStores;
+import org.dronemap.ws.wiring.SteppedServer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A whole server, as it is wired in earnest but without faces and sockets, and simulated vehicles on wires of memory: all in
+ * the thread of the test and in stepped time. The same seed is the same flight, on every machine. Nobody waits: two minutes
+ * in the air take a fraction of a second.
+ */
+public final class Laboratory implements AutoCloseable {
+    private static final Instant BEGAN = Instant.parse("2026-05-01T10:00:00Z");
+    private static final int MOST_OPERATIONS = 1_000;
+    private static final int MOST_ENTRIES = 1_000_000;
+    private static final Duration BEAT = Duration.ofMillis(20);
+    private static final Duration LONGEST_PREPARATION = Duration.ofSeconds(60);
+
+    private final SteppedTime time;
+    private final long seed;
+    private final Path data;
+    private final MemoryStores stores = new MemoryStores();
+    private final FlightRecord record;
+    private final List<LabDrone> drones = new ArrayList<>();
+    private SteppedTime.@Nullable Killable process;
+    private @Nullable SteppedServer server;
+
+    public Laboratory(long seed) {
+        this.seed = seed;
+        time = new SteppedTime(BEGAN, seed);
+        record = new FlightRecord(time::nanos);
+        try {
+            data = Files.createTempDirectory("laboratory");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        var unused = time.worker("vehicles", 1).every(BEAT, BEAT, () -> drones.forEach(LabDrone::beat));
+        startServer();
+    }
+
+    /** Over what an earlier one has kept. */
+    public void startServer() {
+        process = time.killable();
+        server = new SteppedServer(data, process, stores);
+        drones.forEach(drone -> drone.wire().attach(server().links()));
+    }
+
+    /** As by kill -9: nothing more is done, written or said. */
+    public void crashServer() {
+        if (process != null) {
+            process.kill();
+        }
+        drones.forEach(drone -> drone.wire().attach(null));
+        server = null;
+    }
+
+    public SteppedServer server() {
+        return Optional.ofNullable(server).orElseThrow(() -> new IllegalStateException("the server has crashed"));
+    }
+
+    public MemoryStores stores() {
+        return stores;
+    }
+
+    public SteppedTime time() {
+        return time;
+    }
+
+    public Instant now() {
+        return time.clock().instant();
+    }
+
+    /** A copter on the ground, ready to arm, sixty metres from the one before. */
+    public LabDrone copter() {
+        return ready(add(VehicleKit.COPTER));
+    }
+
+    /** Such a vehicle, of which nothing is expected yet. */
+    public LabDrone add(VehicleKit kit) {
+        int number = drones.size() + 1;
+        LabDrone drone = new LabDrone(this, kit, number, seed * 1_000_003 + number, record);
+        drones.add(drone);
+        drone.wire().attach(server().links());
+        return drone;
+    }
+
+    /** Waits until the server knows it with its home, and it says that it may be armed. */
+    public LabDrone ready(LabDrone drone) {
+        until(drone.name() + " is ready", LONGEST_PREPARATION, drone::isReady);
+        return drone;
+    }
+
+    /** A new user with that role, who owns what is there. */
+    public Pilot pilot(String name, Role role) {
+        if (!stores.access().addUser(new User(name, role, AccountState.ACTIVE, "none", false, OrganisationId.HOME))) {
+            throw new IllegalArgumentException("There is a user " + name + " already.");
+        }
+        return new Pilot(this, name, role);
+    }
+
+    Principal principal(String name, Role role) {
+        return new Principal(
+                name, role, KeyScope.ALL, null, server().house().grantBook().reach(OrganisationId.HOME, name));
+    }
+
+    /** Lets so much time go by. */
+    public void goOn(Duration much) {
+        time.advance(much);
+        requireSound();
+    }
+
+    /** Lets time go by until this holds; the test fails when it takes longer than that. */
+    public void until(String what, Duration longest, BooleanSupplier holds) {
+        boolean held = time.advanceUntil(holds, longest);
+        requireSound();
+        if (!held) {
+            throw new AssertionError("Not within " + longest.toSeconds() + " s: " + what + "\n" + picture());
+        }
+    }
+
+    /** The same for what appears. */
+    public <T> T until(String what, Duration longest, Supplier<Optional<T>> appears) {
+        until(what, longest, () -> appears.get().isPresent());
+        return appears.get().orElseThrow();
+    }
+
+    /** Lets time go by, and holds this all along. */
+    public void throughout(String what, Duration time, BooleanSupplier holds) {
+        if (this.time.advanceUntil(() -> !holds.getAsBoolean(), time)) {
+            throw new AssertionError("No longer: " + what + "\n" + picture());
+        }
+        requireSound();
+    }
+
+    private void requireSound() {
+        if (!time.failures().isEmpty()) {
+            throw new AssertionError("Something failed in the server or a vehicle", time.failures().get(0));
+        }
+    }
+
+    private String picture() {
+        StringBuilder text = new StringBuilder("at " + now());
+        for (LabDrone drone : drones) {
+            text.append('\n').append(drone.words());
+        }
+        return text.toString();
+    }
+
+    /** SHA-256 of all frames, commands' outcomes and journals of this flight; the last that it can be asked. */
+    public String sum() {
+        for (String kind : List.of("missionRun", "follow")) {
+            for (SavedOperation operation : stores.operations().latest(OrganisationId.HOME, kind, MOST_OPERATIONS)) {
+                record.note(operation.toString());
+                stores.operations()
+                        .journal(operation.id(), 0, MOST_ENTRIES)
+                        .forEach(entry -> record.note(entry.toString()));
+            }
+        }
+        stores.virtualDrones().virtualDrones().forEach(drone -> record.note(drone.toString()));
+        return record.sum();
+    }
+
+    /** Frames in both directions so far. */
+    public long frames() {
+        return record.frames();
+    }
+
+    @Override
+    public void close() {
+        if (server != null) {
+            server.close();
+        }
+        try {
+            Files.walkFileTree(data, new SimpleFileVisitor<>() {
+                @Override
+                public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
+                    Files.delete(file);
+                    return FileVisitResult.CONTINUE;
+                }
+
+                @Override
+                public FileVisitResult postVisitDirectory(Path folder, @Nullable IOException failure) throws IOException {
+                    Files.delete(folder);
+                    return FileVisitResult.CONTINUE;
+                }
+            });
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

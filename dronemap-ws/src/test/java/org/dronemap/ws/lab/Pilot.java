@@ -1,0 +1,97 @@
+package org.dronemap.ws.lab;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.service.CommandRequest;
+import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.Rejection;
+
+/** A user of the laboratory's server, by a face of its own. */
+public final class Pilot {
+    private static final String FACE = "laboratory";
+    private static final Duration LONGEST_COMMAND = Duration.ofMinutes(2);
+
+    private final Laboratory lab;
+    private final String name;
+    private final Role role;
+
+    Pilot(Laboratory lab, String name, Role role) {
+        this.lab = lab;
+        this.name = name;
+        this.role = role;
+    }
+
+    public Principal principal() {
+        return lab.principal(name, role);
+    }
+
+    /** Gives a command and does not wait; refusals are thrown. */
+    public CommandView give(LabDrone drone, CommandRequest what) {
+        return lab.server().commands().submit(principal(), FACE, drone.id().value(), what);
+    }
+
+    /** Gives a command, and waits for its end whatever that is. */
+    public CommandView outcome(LabDrone drone, CommandRequest what) {
+        return end(give(drone, what));
+    }
+
+    /** Waits for the end of what was given. */
+    public CommandView end(CommandView given) {
+        return lab.until(given.summary() + " has ended", LONGEST_COMMAND, () -> Optional.of(now(given))
+                .filter(command -> command.outcome() != null));
+    }
+
+    private CommandView now(CommandView given) {
+        return lab.server().commands().command(principal(), given.id());
+    }
+
+    /** Gives a command, waits for its end, and insists on success. */
+    public Pilot does(LabDrone drone, CommandRequest what) {
+        CommandView ended = outcome(drone, what);
+        CommandView.OutcomeView outcome = Objects.requireNonNull(ended.outcome());
+        if (!outcome.result().equals("succeeded")) {
+            throw new AssertionError(ended.summary() + ": " + outcome + "; " + drone.words());
+        }
+        return this;
+    }
+
+    /** The sentence that it is refused with before anything is sent. */
+    public String refusal(LabDrone drone, CommandRequest what) {
+        try {
+            CommandView given = give(drone, what);
+            throw new AssertionError("Not refused: " + given);
+        } catch (Rejection refused) {
+            return refused.sentence();
+        }
+    }
+
+    public Pilot takesOff(LabDrone drone, double meters) {
+        return does(drone, CommandRequest.setMode("GUIDED"))
+                .does(drone, CommandRequest.simple("arm"))
+                .does(drone, CommandRequest.takeOff(meters));
+    }
+
+    public Pilot fliesTo(LabDrone drone, Geodetic place, double meters) {
+        return does(drone, CommandRequest.goTo(place.latitudeDegrees(), place.longitudeDegrees(), meters));
+    }
+
+    /** Uploads a take-off, those places at one height, and the way home. */
+    public Pilot plans(LabDrone drone, double meters, Geodetic... places) {
+        List<MissionItem> items = new ArrayList<>();
+        items.add(new MissionItem.TakeOff(meters));
+        for (Geodetic place : places) {
+            items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(meters), 0));
+        }
+        items.add(new MissionItem.ReturnToLaunch());
+        return does(drone, CommandRequest.uploadMission(MissionItemView.of(items)));
+    }
+}

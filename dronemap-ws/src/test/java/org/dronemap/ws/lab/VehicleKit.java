@@ -1,0 +1,43 @@
+package org.dronemap.ws.lab;
+
+import java.util.Map;
+import org.dronemap.sim.personality.AutopilotKind;
+import org.dronemap.sim.personality.VehicleSettings;
+import org.dronemap.sim.personality.arducopter.ArduCopter;
+import org.dronemap.sim.personality.px4.Px4;
+
+/**
+ * What a vehicle of the laboratory is made of.
+ *
+ * @param windSpeed m/s, towards north, with gusts
+ * @param readySeconds until its position estimate stands
+ * @param presets parameters that are not as its autopilot has them
+ */
+public record VehicleKit(
+        AutopilotKind kind, int mavlinkVersion, double windSpeed, double readySeconds, int parameters, Map<String, Double> presets) {
+    private static final double BY_ITSELF = -1;
+    private static final int MIDDLE = 1_500;
+
+    public static final VehicleKit COPTER = new VehicleKit(
+            new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", ArduCopter::new),
+            2,
+            0,
+            1,
+            0,
+            Map.of());
+    public static final VehicleKit PX4 =
+            new VehicleKit(new AutopilotKind("px4", "", Px4::new), 2, 0, 1, 0, Map.of());
+
+    public VehicleKit inWind(double speed) {
+        return new VehicleKit(kind, mavlinkVersion, speed, readySeconds, parameters, presets);
+    }
+
+    public VehicleKit with(Map<String, Double> values) {
+        return new VehicleKit(kind, mavlinkVersion, windSpeed, readySeconds, parameters, values);
+    }
+
+    VehicleSettings settings(int systemId, int hardware, long epochMicros) {
+        return new VehicleSettings(
+                systemId, hardware, mavlinkVersion, BY_ITSELF, MIDDLE, epochMicros, true, parameters, presets);
+    }
+}

@@ -1,0 +1,156 @@
+package org.dronemap.ws.wiring;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.history.HistoryPolicy;
+import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.virtual.RunMachine;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.session.Enrolment;
+import org.dronemap.store.Stores;
+import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.service.Budgets;
+import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.DronePlaces;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.FollowReliefs;
+import org.dronemap.ws.service.FollowService;
+import org.dronemap.ws.service.PlanDesk;
+import org.dronemap.ws.service.PlanService;
+import org.dronemap.ws.service.Rates;
+import org.dronemap.ws.service.Registration;
+import org.dronemap.ws.service.RunService;
+import org.dronemap.ws.service.SteeringService;
+import org.dronemap.ws.service.VirtualDroneService;
+import org.dronemap.ws.service.VirtualDroneViews;
+import org.dronemap.ws.service.WarehouseService;
+import org.dronemap.ws.service.ZoneService;
+
+/** A server as {@link Dronemap} builds it, with the use cases that lead drones, and without faces and sockets. */
+public final class SteppedServer implements AutoCloseable {
+    private final Closing closing = new Closing();
+    private final HouseBuilder builder;
+    private final House house;
+    private final DroneService drones;
+    private final CommandService commands;
+    private final SteeringService steering;
+    private final PlanService plans;
+    private final RunService runs;
+    private final FollowService follows;
+    private final ZoneService zones;
+    private final VirtualDroneService virtuals;
+    private final WarehouseService warehouse;
+
+    /** It takes up what {@code stores} hold, and hears vehicles from now on. */
+    public SteppedServer(Path data, Time time, Stores stores) {
+        builder = new HouseBuilder(settings(data), closing, time);
+        house = builder.open(stores);
+        Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
+        DronePlaces places = new DronePlaces(point -> null);
+        drones = new DroneService(
+                house.cloud(),
+                new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed));
+        commands = new ServiceConfiguration().commandService(house, drones, budgets);
+        steering = new ServiceConfiguration().steeringService(house, drones, budgets);
+        zones = new ServiceConfiguration().zoneService(house, drones, time.clock());
+        PlanConfiguration planning = new PlanConfiguration();
+        PlanDesk desk = planning.planDesk(time);
+        closing.add("the plans", desk);
+        plans = planning.planService(house, desk, drones, commands, time);
+        RunConfiguration running = new RunConfiguration();
+        runs = running.runService(house, plans, drones, time);
+        closing.add("the zones of runs", running.runZoneRounds(house, time));
+        FollowConfiguration following = new FollowConfiguration();
+        follows = following.followService(house, time);
+        FollowReliefs reliefs = following.followReliefs(house, time);
+        closing.add("the reliefs of follows", reliefs);
+        VirtualConfiguration virtual = new VirtualConfiguration();
+        VirtualDroneViews views = virtual.virtualDroneViews(house);
+        virtuals = virtual.virtualDroneService(house, views, time);
+        warehouse = virtual.warehouseService(house, drones);
+        builder.hear();
+    }
+
+    private static Settings settings(Path data) {
+        return new Settings(
+                data,
+                "127.0.0.1",
+                0,
+                0,
+                List.of(),
+                OutletSettings.OFF,
+                RobotSettings.OFF,
+                Enrolment.LOOPBACK,
+                null,
+                false,
+                null,
+                null,
+                Watchdog.DEFAULT,
+                LeaseRules.DEFAULT,
+                RecordingPolicy.DEFAULT,
+                HistoryPolicy.DEFAULT,
+                null,
+                new Settings.Hidden("0123456789abcdef".repeat(4)),
+                new Settings.Hidden("fedcba9876543210".repeat(4)),
+                Registration.APPROVAL,
+                new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED),
+                null,
+                RunMachine.USUAL_SILENCE,
+                Apart.USUAL);
+    }
+
+    /** Where links bring their bytes. */
+    public PeerHandler.Factory links() {
+        return builder.vehicles();
+    }
+
+    public House house() {
+        return house;
+    }
+
+    public DroneService drones() {
+        return drones;
+    }
+
+    public CommandService commands() {
+        return commands;
+    }
+
+    public SteeringService steering() {
+        return steering;
+    }
+
+    public PlanService plans() {
+        return plans;
+    }
+
+    public RunService runs() {
+        return runs;
+    }
+
+    public FollowService follows() {
+        return follows;
+    }
+
+    public ZoneService zones() {
+        return zones;
+    }
+
+    public VirtualDroneService virtuals() {
+        return virtuals;
+    }
+
+    public WarehouseService warehouse() {
+        return warehouse;
+    }
+
+    @Override
+    public void close() {
+        closing.close();
+    }
+}
