@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
+import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.record.Replays;
 import org.dronemap.proxy.session.AskAllowance;
 import org.dronemap.proxy.session.Enrolment;
@@ -38,13 +40,13 @@ public final class Proxy implements AutoCloseable {
      */
     public record Policy(Keyrings keyrings, FrameTap.Factory taps, Doors doors, Enrolment enrolment) {}
 
-    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy) {
+    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy, Time time) {
         this.urls = List.copyOf(urls);
         this.keyrings = policy.keyrings();
         sessions = new SessionTable(new Surroundings(
-                cloud, lanes, System::nanoTime, keyrings, policy.taps(), policy.enrolment(), new AskAllowance()));
-        replays = new Replays(sessions);
-        links = new Links(sessions, policy.doors());
+                cloud, lanes, time::nanos, keyrings, policy.taps(), policy.enrolment(), new AskAllowance()));
+        replays = new Replays(sessions, time);
+        links = new Links(sessions, policy.doors(), time);
     }
 
     /**
@@ -90,7 +92,7 @@ public final class Proxy implements AutoCloseable {
     }
 
     /** Who takes in what new links bring. */
-    SessionTable sessions() {
+    public PeerHandler.Factory handlers() {
         return sessions;
     }
 

@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
-import java.time.InstantSource;
 import java.util.List;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
@@ -81,8 +80,8 @@ final class HouseBuilder {
         this.closing = closing;
         this.endpoints =
                 settings.endpoints().stream().map(HouseBuilder::endpoint).toList();
-        this.outlets = new OutletBuilder(settings.outlet());
-        this.robots = new RobotBuilder(settings.robots());
+        this.outlets = new OutletBuilder(settings.outlet(), time);
+        this.robots = new RobotBuilder(settings.robots(), time);
     }
 
     /** Everything but the links: nothing is heard and nothing sent yet. */
@@ -100,7 +99,7 @@ final class HouseBuilder {
         History history = history(database, cloud);
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(database.links(), new BoxSealing(box));
-        Recorder recorder = recorder(database, journal, cloud, clock);
+        Recorder recorder = recorder(database, journal, cloud);
         Outlet clients = outlet(control(cloud, audit), database, journal, box, grants, doors(dtlsKeys));
         Keyrings keyrings = keyrings(cloud, database, journal, box);
         Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), database.links());
@@ -140,7 +139,7 @@ final class HouseBuilder {
 
     private Proxy links(CloudManager cloud, Keyrings keyrings, FrameTap.Factory taps, Doors doors, LinkStore saved) {
         Proxy.Policy policy = new Proxy.Policy(keyrings, taps, doors, settings.enrolment());
-        Proxy links = new Proxy(cloud, lanes, endpoints, policy);
+        Proxy links = new Proxy(cloud, lanes, endpoints, policy, time);
         closing.add("the links", links);
         proxy = links;
         savedLinks = saved;
@@ -255,7 +254,7 @@ final class HouseBuilder {
                                 .map(state -> state.link().key().systemId())
                                 .orElse(-1),
                         (drone, sentence) -> cloud.say(drone, Severity.WARNING, sentence)),
-                InstantSource.system());
+                time);
         closing.add("the keys", keyrings);
         cloud.addListener(new ForgottenDrones(keyrings));
         return keyrings;
@@ -279,7 +278,7 @@ final class HouseBuilder {
         return store;
     }
 
-    private Recorder recorder(Database database, Journal journal, CloudManager cloud, Clock clock) {
+    private Recorder recorder(Database database, Journal journal, CloudManager cloud) {
         Path directory = settings.dataDirectory().resolve("recordings");
         Recorder recorder = new Recorder(
                 directory,
@@ -288,7 +287,7 @@ final class HouseBuilder {
                         database.recordings(),
                         journal,
                         id -> cloud.drone(id).map(DroneState::name).orElse(id.value())),
-                clock);
+                time);
         try {
             recorder.start();
         } catch (IOException e) {
