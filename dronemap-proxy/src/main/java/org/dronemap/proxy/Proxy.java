@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.EndpointUrl;
@@ -39,13 +40,13 @@ public final class Proxy implements AutoCloseable {
      */
     public record Policy(Keyrings keyrings, FrameTap.Factory taps, Doors doors, Enrolment enrolment) {}
 
-    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy) {
+    public Proxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy, Time time) {
         this.urls = List.copyOf(urls);
         this.keyrings = policy.keyrings();
         sessions = new SessionTable(new Surroundings(
-                cloud, lanes, System::nanoTime, keyrings, policy.taps(), policy.enrolment(), new AskAllowance()));
-        replays = new Replays(sessions);
-        links = new Links(sessions, policy.doors());
+                cloud, lanes, time::nanos, keyrings, policy.taps(), policy.enrolment(), new AskAllowance()));
+        replays = new Replays(sessions, time);
+        links = new Links(sessions, policy.doors(), time);
     }
 
     /**
@@ -91,7 +92,7 @@ public final class Proxy implements AutoCloseable {
     }
 
     /** Who takes in what new links bring. */
-    public PeerHandler.Factory sessions() {
+    public PeerHandler.Factory handlers() {
         return sessions;
     }
 

@@ -35,6 +35,7 @@ import org.dronemap.core.drone.KnownMission;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
 import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointCounters;
@@ -50,15 +51,10 @@ public final class TestCloud implements AutoCloseable {
     private static final CommandGate.Source PILOT =
             new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "rest");
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 2);
-    private final Journal journal = new Journal(new SystemTime());
+    private final Lanes lanes;
+    private final Journal journal;
     private final Commands commands = new Commands();
-    private final CloudManager cloud = new CloudManager(
-            lanes,
-            Watchdog.DEFAULT,
-            new SystemTime(),
-            new CloudManager.Keeping(new Drones(), commands, new Leases(), journal),
-            () -> new DroneId(UUID.randomUUID().toString()));
+    private final CloudManager cloud;
     private final Proxy proxy;
 
     public TestCloud(int udpPort) {
@@ -66,13 +62,34 @@ public final class TestCloud implements AutoCloseable {
     }
 
     public TestCloud(int udpPort, FrameTap.Factory taps) {
-        proxy = new Proxy(
-                cloud,
-                lanes,
+        this(
                 List.of(
                         EndpointUrl.parse("udpserver://127.0.0.1:" + udpPort),
                         EndpointUrl.parse("tcpserver://127.0.0.1:0")),
-                new Proxy.Policy(TestKeys.of(cloud, journal), taps, Doors.of(DtlsKeys.none()), Enrolment.LOOPBACK));
+                taps,
+                new SystemTime());
+    }
+
+    /** Without sockets, in stepped time too. */
+    public TestCloud(FrameTap.Factory taps, Time time) {
+        this(List.of(), taps, time);
+    }
+
+    private TestCloud(List<EndpointUrl> urls, FrameTap.Factory taps, Time time) {
+        lanes = new Lanes(time, 2);
+        journal = new Journal(time);
+        cloud = new CloudManager(
+                lanes,
+                Watchdog.DEFAULT,
+                time,
+                new CloudManager.Keeping(new Drones(), commands, new Leases(), journal),
+                () -> new DroneId(UUID.randomUUID().toString()));
+        proxy = new Proxy(
+                cloud,
+                lanes,
+                urls,
+                new Proxy.Policy(TestKeys.of(cloud, journal), taps, Doors.of(DtlsKeys.none()), Enrolment.LOOPBACK),
+                time);
         try {
             proxy.start();
         } catch (IOException e) {
@@ -91,7 +108,7 @@ public final class TestCloud implements AutoCloseable {
 
     /** A way in for the bytes of a peer that is no socket. */
     public PeerHandler opened(Peer peer) {
-        return proxy.sessions().opened(peer, new PeerCounters(new EndpointCounters()));
+        return proxy.handlers().opened(peer, new PeerCounters(new EndpointCounters()));
     }
 
     public CloudManager cloud() {

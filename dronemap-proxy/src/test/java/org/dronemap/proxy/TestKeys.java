@@ -1,6 +1,5 @@
 package org.dronemap.proxy;
 
-import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -10,6 +9,7 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.signing.Keyrings;
 
 /** Keyrings over a store in memory. */
@@ -26,7 +26,7 @@ public final class TestKeys implements LinkSecurityStore {
                                 .map(state -> state.link().key().systemId())
                                 .orElse(-1),
                         (drone, sentence) -> cloud.say(drone, Severity.WARNING, sentence)),
-                InstantSource.system());
+                new SystemTime());
     }
 
     @Override

@@ -3,9 +3,13 @@ package org.dronemap.proxy.endpoint;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedSelectorException;
+import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeoutException;
+import org.dronemap.core.time.Time;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -29,21 +33,21 @@ final class DialledEndpoint implements Endpoint {
     private final EndpointCounters counters = new EndpointCounters();
     private final PeerBook<String> peers;
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(16_384);
-    private final CountDownLatch closing = new CountDownLatch(1);
-    private final Thread thread;
+    private final CompletableFuture<Boolean> closing = new CompletableFuture<>();
+    private final Time time;
+    private @Nullable Thread thread;
     private volatile EndpointState state = new EndpointState(EndpointState.Phase.CONNECTING, "It is being connected.");
 
-    DialledEndpoint(EndpointUrl url, Line.Dialler dialler, PeerHandler.Factory handlers) {
+    DialledEndpoint(EndpointUrl url, Line.Dialler dialler, PeerHandler.Factory handlers, Time time) {
         this.url = url;
         this.dialler = dialler;
         this.handlers = handlers;
-        peers = new PeerBook<>(counters, handlers, new PeerBook.Limits(1, 1));
-        thread = new Thread(this::run, url.kind().scheme());
-        thread.setDaemon(true);
+        peers = new PeerBook<>(counters, handlers, new PeerBook.Limits(1, 1), time);
+        this.time = time;
     }
 
     DialledEndpoint start() {
-        thread.start();
+        thread = time.blocking(url.kind().scheme(), this::run);
         return this;
     }
 
@@ -70,12 +74,12 @@ final class DialledEndpoint implements Endpoint {
     private void run() {
         long pause = FIRST_PAUSE_MILLIS;
         while (!isClosed()) {
-            long began = System.nanoTime();
+            long began = time.nanos();
             try (Line dialled = dialler.dial(url)) {
                 state = EndpointState.OPEN;
                 serve(dialled);
             } catch (IOException | RuntimeException e) {
-                pause = System.nanoTime() - began > STEADY_NANOS ? FIRST_PAUSE_MILLIS : pause;
+                pause = time.nanos() - began > STEADY_NANOS ? FIRST_PAUSE_MILLIS : pause;
                 failed(e, pause);
             }
             peers.clear();
@@ -102,15 +106,15 @@ final class DialledEndpoint implements Endpoint {
         Seat seat = peers.add(
                 ONLY,
                 open.address().host(),
-                System.nanoTime(),
+                time.nanos(),
                 welcome -> new Seat(place, open.address(), open, welcome));
         if (seat == null) {
             throw new IOException("an earlier line is still held");
         }
-        long greetedNanos = System.nanoTime() - BETWEEN_GREETINGS_NANOS;
+        long greetedNanos = time.nanos() - BETWEEN_GREETINGS_NANOS;
         long heardNanos = greetedNanos - QUIET_NANOS;
         while (!isClosed()) {
-            long now = System.nanoTime();
+            long now = time.nanos();
             if (now - heardNanos > QUIET_NANOS && now - greetedNanos >= BETWEEN_GREETINGS_NANOS) {
                 greetedNanos = now;
                 greet(open);
@@ -118,7 +122,7 @@ final class DialledEndpoint implements Endpoint {
             buffer.clear();
             if (open.read(buffer, READ_MILLIS) > 0) {
                 buffer.flip();
-                heardNanos = System.nanoTime();
+                heardNanos = time.nanos();
                 seat.received(buffer, heardNanos);
             }
         }
@@ -133,25 +137,30 @@ final class DialledEndpoint implements Endpoint {
 
     private void pauseFor(long millis) {
         try {
-            if (closing.await(millis, TimeUnit.MILLISECONDS)) {
-                LOG.debug("{} is closed", url);
-            }
+            Boolean unused = time.await(closing, Duration.ofMillis(millis));
+            LOG.debug("{} is closed", url);
+        } catch (TimeoutException e) {
+            LOG.trace("{} is dialled again", url);
+        } catch (ExecutionException e) {
+            throw new IllegalStateException(e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            closing.countDown();
+            boolean unused = closing.complete(true);
         }
     }
 
     private boolean isClosed() {
-        return closing.getCount() == 0;
+        return closing.isDone();
     }
 
     @Override
     public void close() {
-        closing.countDown();
+        boolean unused = closing.complete(true);
         // The thread looks often, and closes its line itself: closing a device may take its time.
         try {
-            thread.join(1000);
+            if (thread != null) {
+                thread.join(1000);
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

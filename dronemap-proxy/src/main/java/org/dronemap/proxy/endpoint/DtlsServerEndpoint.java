@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
+import org.dronemap.core.time.Time;
 import org.eclipse.californium.elements.DtlsEndpointContext;
 import org.eclipse.californium.elements.EndpointContext;
 import org.eclipse.californium.elements.PrincipalEndpointContextMatcher;
@@ -42,22 +43,25 @@ final class DtlsServerEndpoint implements Endpoint {
     private final boolean local;
     private final EndpointCounters counters = new EndpointCounters();
     private final PeerBook<Handshake> peers;
+    private final Time time;
 
     /** What tells one link from another: a vehicle has a new one with each handshake. */
     private record Handshake(String identity, long atMillis) {}
 
     private DtlsServerEndpoint(
-            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, DtlsKeys keys) {
+            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, DtlsKeys keys, Time time) {
         this.url = url;
+        this.time = time;
         this.local = SocketAddresses.isLocal(address);
-        peers = new PeerBook<>(counters, handlers, LIMITS);
+        peers = new PeerBook<>(counters, handlers, LIMITS, time);
         connector = new DTLSConnector(config(address, keys));
         connector.setEndpointContextMatcher(new PrincipalEndpointContextMatcher());
         connector.setRawDataReceiver(this::received);
     }
 
-    static DtlsServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, DtlsKeys keys) throws IOException {
-        DtlsServerEndpoint endpoint = new DtlsServerEndpoint(url, SocketAddresses.resolve(url), handlers, keys);
+    static DtlsServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, DtlsKeys keys, Time time)
+            throws IOException {
+        DtlsServerEndpoint endpoint = new DtlsServerEndpoint(url, SocketAddresses.resolve(url), handlers, keys, time);
         try {
             endpoint.connector.start();
         } catch (IOException e) {
@@ -116,7 +120,7 @@ final class DtlsServerEndpoint implements Endpoint {
         if (!(data.getSenderIdentity() instanceof PreSharedKeyIdentity identity) || handshakeMillis == null) {
             return;
         }
-        long now = System.nanoTime();
+        long now = time.nanos();
         Handshake handshake = new Handshake(identity.getIdentity(), handshakeMillis);
         Seat seat = peers.find(handshake);
         if (seat == null) {

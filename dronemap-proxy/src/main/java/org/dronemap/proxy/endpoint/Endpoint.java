@@ -3,22 +3,23 @@ package org.dronemap.proxy.endpoint;
 import java.io.IOException;
 import java.util.List;
 import java.util.OptionalLong;
+import org.dronemap.core.time.Time;
 
 /** A door for vehicles: one socket or line and the one thread that reads it. */
 public interface Endpoint extends AutoCloseable {
     /**
      * Opens the door that the URL names; one that dials fails later, and tries again. The failure's message says what to do.
      */
-    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors) throws IOException {
+    static Endpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors, Time time) throws IOException {
         return switch (url.kind()) {
-            case UDPSERVER -> UdpServerEndpoint.open(url, handlers);
-            case TCPSERVER -> TcpServerEndpoint.open(url, handlers);
-            case UDPCLIENT -> new DialledEndpoint(url, UdpLine::dial, handlers).start();
-            case TCPCLIENT -> new DialledEndpoint(url, TcpLine::dial, handlers).start();
-            case SERIAL -> new DialledEndpoint(url, SerialLine::dial, handlers).start();
-            case WSSERVER, WSSSERVER -> WebSocketServerEndpoint.open(url, handlers, doors);
-            case WSCLIENT, WSSCLIENT -> new DialledEndpoint(url, WebSocketLine::dial, handlers).start();
-            case DTLSSERVER -> DtlsServerEndpoint.open(url, handlers, doors.keys());
+            case UDPSERVER -> UdpServerEndpoint.open(url, handlers, time);
+            case TCPSERVER -> TcpServerEndpoint.open(url, handlers, time);
+            case UDPCLIENT -> new DialledEndpoint(url, UdpLine::dial, handlers, time).start();
+            case TCPCLIENT -> new DialledEndpoint(url, TcpLine::dial, handlers, time).start();
+            case SERIAL -> new DialledEndpoint(url, at -> SerialLine.dial(at, time), handlers, time).start();
+            case WSSERVER, WSSSERVER -> WebSocketServerEndpoint.open(url, handlers, doors, time);
+            case WSCLIENT, WSSCLIENT -> new DialledEndpoint(url, WebSocketLine::dial, handlers, time).start();
+            case DTLSSERVER -> DtlsServerEndpoint.open(url, handlers, doors.keys(), time);
         };
     }
 

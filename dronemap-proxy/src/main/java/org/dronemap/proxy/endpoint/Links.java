@@ -1,15 +1,15 @@
 package org.dronemap.proxy.endpoint;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -18,14 +18,15 @@ import org.slf4j.LoggerFactory;
 public final class Links implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Links.class);
     private static final int MOST = 64;
-    private static final long RETRY_SECONDS = 5;
+    private static final Duration RETRY = Duration.ofSeconds(5);
     private static final EndpointCounters.Counts NOTHING = new EndpointCounters().counts();
 
     private final PeerHandler.Factory handlers;
     private final Doors doors;
+    private final Time time;
     // guarded by this
     private final Map<String, Link> links = new LinkedHashMap<>();
-    private @Nullable ScheduledExecutorService retries;
+    private @Nullable Worker retries;
 
     /** An endpoint that is wanted, open or not. */
     private static final class Link {
@@ -51,9 +52,10 @@ public final class Links implements AutoCloseable {
             OptionalLong kernelDrops,
             List<PeerStatus> peers) {}
 
-    public Links(PeerHandler.Factory handlers, Doors doors) {
+    public Links(PeerHandler.Factory handlers, Doors doors, Time time) {
         this.handlers = handlers;
         this.doors = doors;
+        this.time = time;
     }
 
     /**
@@ -63,7 +65,7 @@ public final class Links implements AutoCloseable {
      */
     public synchronized void open(String id, EndpointUrl url) throws IOException {
         Link link = room(id, url);
-        link.endpoint = Endpoint.open(url, handlers, doors);
+        link.endpoint = Endpoint.open(url, handlers, doors, time);
         links.put(id, link);
     }
 
@@ -77,13 +79,8 @@ public final class Links implements AutoCloseable {
         links.put(id, link);
         attempt(link);
         if (retries == null) {
-            retries = Executors.newSingleThreadScheduledExecutor(work -> {
-                Thread thread = new Thread(work, "links");
-                thread.setDaemon(true);
-                return thread;
-            });
-            ScheduledFuture<?> unused =
-                    retries.scheduleWithFixedDelay(this::retry, RETRY_SECONDS, RETRY_SECONDS, TimeUnit.SECONDS);
+            retries = time.worker("links", 1);
+            Repetition unused = retries.every(RETRY, RETRY, this::retry);
         }
     }
 
@@ -112,12 +109,12 @@ public final class Links implements AutoCloseable {
 
     private void attempt(Link link) {
         try {
-            link.endpoint = Endpoint.open(link.wanted, handlers, doors);
+            link.endpoint = Endpoint.open(link.wanted, handlers, doors, time);
             LOG.info("{} is open", link.endpoint.url());
         } catch (IOException | RuntimeException e) {
             String why = String.valueOf(e.getMessage());
             if (!why.equals(link.failure)) {
-                LOG.warn("{} It is tried again every {} s.", why, RETRY_SECONDS);
+                LOG.warn("{} It is tried again every {} s.", why, RETRY.toSeconds());
             }
             link.failure = why;
         }
@@ -178,7 +175,7 @@ public final class Links implements AutoCloseable {
     @Override
     public synchronized void close() {
         if (retries != null) {
-            retries.shutdownNow();
+            retries.close();
             retries = null;
         }
         links.values().forEach(link -> {

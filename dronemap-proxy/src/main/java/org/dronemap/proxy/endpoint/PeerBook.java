@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,10 +23,11 @@ final class PeerBook<K> {
     private final EndpointCounters counters;
     private final PeerHandler.Factory handlers;
     private final Limits limits;
+    private final Time time;
     // guarded by this
     private final LinkedHashMap<K, Seat> seats = new LinkedHashMap<>(64, 0.75f, true);
     private final Map<String, Host> hosts = new HashMap<>();
-    private volatile long sweptNanos = System.nanoTime();
+    private volatile long sweptNanos;
 
     /** How many peers there may be. */
     record Limits(int peers, int perHost) {}
@@ -44,10 +46,12 @@ final class PeerBook<K> {
         }
     }
 
-    PeerBook(EndpointCounters counters, PeerHandler.Factory handlers, Limits limits) {
+    PeerBook(EndpointCounters counters, PeerHandler.Factory handlers, Limits limits, Time time) {
         this.counters = counters;
         this.handlers = handlers;
         this.limits = limits;
+        this.time = time;
+        this.sweptNanos = time.nanos();
     }
 
     synchronized @Nullable Seat find(K key) {
@@ -181,7 +185,7 @@ final class PeerBook<K> {
 
     /** All, the longest silent first. */
     synchronized List<PeerStatus> status() {
-        long now = System.nanoTime();
+        long now = time.nanos();
         return seats.values().stream().map(seat -> PeerStatus.of(seat, now)).toList();
     }
 }

@@ -7,7 +7,8 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.TimeUnit;
+import org.dronemap.core.time.Loop;
+import org.dronemap.core.time.Time;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -20,7 +21,7 @@ final class SerialLine implements Line {
     private static final Logger LOG = LoggerFactory.getLogger(SerialLine.class);
     private static final int READ_MILLIS = 200;
     private static final int MOST_WAITING = 64;
-    private static final long WRITER_LOOKS_MILLIS = 200;
+    private static final long WRITER_LOOKS_NANOS = 200_000_000;
 
     static {
         // Not a name that others could foresee, in a directory that everybody can write to.
@@ -30,18 +31,17 @@ final class SerialLine implements Line {
     private final SerialPort port;
     private final String device;
     private final ArrayBlockingQueue<byte[]> waiting = new ArrayBlockingQueue<>(MOST_WAITING);
-    private final Thread writer;
+    private final Loop writer;
     private volatile boolean closed;
     private byte[] chunk = new byte[0];
 
-    private SerialLine(SerialPort port, String device) {
+    private SerialLine(SerialPort port, String device, Time time) {
         this.port = port;
         this.device = device;
-        writer = new Thread(this::write, "serial-out");
-        writer.setDaemon(true);
+        writer = time.loop("serial-out", this::write);
     }
 
-    static Line dial(EndpointUrl url) throws IOException {
+    static Line dial(EndpointUrl url, Time time) throws IOException {
         String device = url.path();
         if (!Files.exists(Path.of(device))) {
             throw new IOException("there is no device " + device + "; is it plugged in?");
@@ -59,7 +59,7 @@ final class SerialLine implements Line {
             throw new IOException(device + " cannot be opened (error " + port.getLastErrorCode()
                     + "); does another program hold it, and may this one use it (group dialout)?");
         }
-        SerialLine line = new SerialLine(port, device);
+        SerialLine line = new SerialLine(port, device, time);
         line.writer.start();
         return line;
     }
@@ -89,7 +89,11 @@ final class SerialLine implements Line {
 
     @Override
     public boolean send(byte[] frame) {
-        return !closed && waiting.offer(frame);
+        boolean taken = !closed && waiting.offer(frame);
+        if (taken) {
+            writer.wake();
+        }
+        return taken;
     }
 
     @Override
@@ -97,22 +101,20 @@ final class SerialLine implements Line {
         return waiting.size();
     }
 
-    private void write() {
-        try {
-            while (!closed) {
-                byte[] frame = waiting.poll(WRITER_LOOKS_MILLIS, TimeUnit.MILLISECONDS);
-                if (frame != null && port.writeBytes(frame, frame.length) < 0) {
-                    LOG.debug("{} took no bytes", device);
-                }
+    /** May wait for the device. */
+    private long write() {
+        for (byte[] frame = waiting.poll(); frame != null && !closed; frame = waiting.poll()) {
+            if (port.writeBytes(frame, frame.length) < 0) {
+                LOG.debug("{} took no bytes", device);
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         }
+        return WRITER_LOOKS_NANOS;
     }
 
     @Override
     public void close() {
         closed = true;
+        writer.close();
         waiting.clear();
         // What is not sent yet would hold the closing up, for ever when nobody takes it.
         port.flushIOBuffers();

@@ -11,6 +11,8 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.core.time.Time;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -33,22 +35,22 @@ final class TcpServerEndpoint implements Endpoint {
     private final PeerBook<SelectionKey> peers;
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BYTES_A_TURN);
     private final List<SelectionKey> heldBack = new ArrayList<>();
-    private final Thread thread;
+    private final Time time;
+    private @Nullable Thread thread;
 
     private TcpServerEndpoint(
-            EndpointUrl url, ServerSocketChannel server, Selector selector, PeerHandler.Factory handlers)
+            EndpointUrl url, ServerSocketChannel server, Selector selector, PeerHandler.Factory handlers, Time time)
             throws IOException {
         InetSocketAddress bound = (InetSocketAddress) server.getLocalAddress();
         this.url = url.withPort(bound.getPort());
         this.server = server;
         this.selector = selector;
         place = new Seat.Place(url, SocketAddresses.isLocal(bound), false);
-        peers = new PeerBook<>(counters, handlers, LIMITS);
-        thread = new Thread(this::run, "tcp-" + bound.getPort());
-        thread.setDaemon(true);
+        peers = new PeerBook<>(counters, handlers, LIMITS, time);
+        this.time = time;
     }
 
-    static TcpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
+    static TcpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, Time time) throws IOException {
         InetSocketAddress address = SocketAddresses.resolve(url);
         ServerSocketChannel server = ServerSocketChannel.open();
         try {
@@ -61,8 +63,8 @@ final class TcpServerEndpoint implements Endpoint {
         }
         Selector selector = Selector.open();
         server.register(selector, SelectionKey.OP_ACCEPT);
-        TcpServerEndpoint endpoint = new TcpServerEndpoint(url, server, selector, handlers);
-        endpoint.thread.start();
+        TcpServerEndpoint endpoint = new TcpServerEndpoint(url, server, selector, handlers, time);
+        endpoint.thread = time.blocking("tcp-" + endpoint.url.port(), endpoint::run);
         return endpoint;
     }
 
@@ -85,7 +87,7 @@ final class TcpServerEndpoint implements Endpoint {
         while (selector.isOpen()) {
             try {
                 selector.select(this::ready, heldBack.isEmpty() ? SELECT_MILLIS : HELD_BACK_MILLIS);
-                long now = System.nanoTime();
+                long now = time.nanos();
                 letGoOn(now);
                 peers.sweep(now);
             } catch (ClosedSelectorException e) {
@@ -137,7 +139,7 @@ final class TcpServerEndpoint implements Endpoint {
             PeerAddress address = PeerAddress.of((InetSocketAddress) channel.getRemoteAddress());
             TcpWire wire = new TcpWire(channel);
             Seat seat = peers.add(
-                    key, address.host(), System.nanoTime(), welcome -> new Seat(place, address, wire, welcome));
+                    key, address.host(), time.nanos(), welcome -> new Seat(place, address, wire, welcome));
             if (seat == null) {
                 channel.close();
             }
@@ -147,7 +149,7 @@ final class TcpServerEndpoint implements Endpoint {
     }
 
     private void read(SelectionKey key, SocketChannel channel, Seat seat) {
-        long now = System.nanoTime();
+        long now = time.nanos();
         if (!seat.mayBeRead(now)) {
             key.interestOps(0);
             heldBack.add(key);
@@ -181,7 +183,9 @@ final class TcpServerEndpoint implements Endpoint {
                 key.channel().close();
             }
             selector.close();
-            thread.join(1000);
+            if (thread != null) {
+                thread.join(1000);
+            }
         } catch (IOException e) {
             LOG.warn("{} did not close cleanly", url, e);
         } catch (InterruptedException e) {

@@ -2,7 +2,6 @@ package org.dronemap.proxy.endpoint;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.SocketAddress;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
@@ -11,6 +10,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.util.List;
 import java.util.OptionalLong;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.time.WakeRhythm;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -19,7 +19,6 @@ import org.slf4j.LoggerFactory;
 /** One UDP socket for many vehicles; answers leave from the socket that heard. */
 final class UdpServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(UdpServerEndpoint.class);
-    private static final PeerBook.Limits LIMITS = new PeerBook.Limits(10_000, 2_500);
     private static final int RECEIVE_BUFFER_BYTES = 4 * 1024 * 1024;
     private static final int INTAKE_BYTES = 4 * 1024 * 1024;
     private static final int INTAKE_DATAGRAMS = 65_536;
@@ -29,25 +28,24 @@ final class UdpServerEndpoint implements Endpoint {
     private final DatagramChannel channel;
     private final Selector selector;
     private final EndpointCounters counters = new EndpointCounters();
-    private final PeerBook<SocketAddress> peers;
-    private final Seat.Place place;
+    private final DatagramSeats<InetSocketAddress> peers;
     private final Intake intake;
-    private final Thread thread;
+    private @Nullable Thread thread;
 
-    private UdpServerEndpoint(EndpointUrl url, DatagramChannel channel, Selector selector, PeerHandler.Factory handlers)
+    private UdpServerEndpoint(
+            EndpointUrl url, DatagramChannel channel, Selector selector, PeerHandler.Factory handlers, Time time)
             throws IOException {
         InetSocketAddress bound = (InetSocketAddress) channel.getLocalAddress();
         this.url = url.withPort(bound.getPort());
         this.channel = channel;
         this.selector = selector;
-        peers = new PeerBook<>(counters, handlers, LIMITS);
         intake = new Intake(INTAKE_BYTES, INTAKE_DATAGRAMS, handlers.speech().longestDatagram());
-        place = new Seat.Place(this.url, SocketAddresses.isLocal(bound), true);
-        thread = new Thread(this::run, "udp-" + bound.getPort());
-        thread.setDaemon(true);
+        Seat.Place place = new Seat.Place(this.url, SocketAddresses.isLocal(bound), true);
+        peers = new DatagramSeats<>(
+                counters, handlers, new DatagramSeats.Way<>(place, PeerAddress::of, this::send), time);
     }
 
-    static UdpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers) throws IOException {
+    static UdpServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, Time time) throws IOException {
         InetSocketAddress address = SocketAddresses.resolve(url);
         DatagramChannel channel = DatagramChannel.open();
         UdpServerEndpoint endpoint;
@@ -55,7 +53,7 @@ final class UdpServerEndpoint implements Endpoint {
             channel.setOption(StandardSocketOptions.SO_RCVBUF, RECEIVE_BUFFER_BYTES);
             channel.bind(address);
             channel.configureBlocking(false);
-            endpoint = new UdpServerEndpoint(url, channel, Selector.open(), handlers);
+            endpoint = new UdpServerEndpoint(url, channel, Selector.open(), handlers, time);
         } catch (IOException e) {
             channel.close();
             throw SocketAddresses.cannotListen(url, e);
@@ -68,7 +66,7 @@ final class UdpServerEndpoint implements Endpoint {
                     endpoint.url,
                     granted / 1024);
         }
-        endpoint.thread.start();
+        endpoint.thread = time.blocking("udp-" + endpoint.url.port(), endpoint::run);
         return endpoint;
     }
 
@@ -133,27 +131,13 @@ final class UdpServerEndpoint implements Endpoint {
 
     private void deliver(InetSocketAddress from, ByteBuffer bytes) {
         try {
-            long now = System.nanoTime();
-            Seat seat = peers.find(from);
-            if (seat == null) {
-                seat = welcome(from, now);
-            }
-            if (seat != null) {
-                seat.received(bytes, now);
-            }
-            peers.sweep(now);
+            peers.deliver(from, bytes);
         } catch (RuntimeException e) {
             LOG.warn("{} could not work on a datagram of {}", url, from, e);
         }
     }
 
-    private @Nullable Seat welcome(InetSocketAddress from, long now) {
-        PeerAddress address = PeerAddress.of(from);
-        return peers.add(
-                from, address.host(), now, welcome -> new Seat(place, address, frame -> send(frame, from), welcome));
-    }
-
-    private boolean send(byte[] frame, InetSocketAddress to) {
+    private boolean send(InetSocketAddress to, byte[] frame) {
         try {
             return channel.send(ByteBuffer.wrap(frame), to) == frame.length;
         } catch (IOException e) {
@@ -167,7 +151,9 @@ final class UdpServerEndpoint implements Endpoint {
         try {
             channel.close();
             selector.wakeup();
-            thread.join(1000);
+            if (thread != null) {
+                thread.join(1000);
+            }
         } catch (IOException e) {
             LOG.warn("{} did not close cleanly", url, e);
         } catch (InterruptedException e) {

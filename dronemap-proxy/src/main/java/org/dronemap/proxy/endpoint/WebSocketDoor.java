@@ -13,14 +13,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.ThreadFactory;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.link.Host;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.java_websocket.WebSocketAdapter;
 import org.java_websocket.WebSocketImpl;
 import org.java_websocket.WebSocketServerFactory;
@@ -36,16 +35,21 @@ import org.jspecify.annotations.Nullable;
  * Any thread.
  */
 public final class WebSocketDoor implements WebSocketServerFactory {
-    private static final long BETWEEN_SWEEPS_MILLIS = 500;
+    private static final Duration BETWEEN_SWEEPS = Duration.ofMillis(500);
 
     private final Limits limits;
     private final Supplier<@Nullable SSLContext> tls;
     private final Runnable onRefusal;
     private final LongAdder refused = new LongAdder();
-    private final ExecutorService handshakes = Executors.newSingleThreadExecutor(daemon("websocket-tls"));
-    private final ScheduledExecutorService sweeps =
-            Executors.newSingleThreadScheduledExecutor(daemon("websocket-door"));
-    private final ScheduledFuture<?> sweeping;
+    /** The library wants an executor of this kind. */
+    private final ExecutorService handshakes = Executors.newSingleThreadExecutor(work -> {
+        Thread thread = new Thread(work, "websocket-tls");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private final Time time;
+    private final Worker sweeps;
 
     /** Guarded by this: who is there, by host. Closed ones go at the next sweep, or when a host has too many. */
     private final Map<Host, List<Guarded>> hosts = new HashMap<>();
@@ -69,25 +73,18 @@ public final class WebSocketDoor implements WebSocketServerFactory {
     }
 
     /** Counts by itself whom it turns away. */
-    public WebSocketDoor(Limits limits, Supplier<@Nullable SSLContext> tls) {
-        this(limits, tls, () -> {});
+    public WebSocketDoor(Limits limits, Supplier<@Nullable SSLContext> tls, Time time) {
+        this(limits, tls, () -> {}, time);
     }
 
     /** {@code tls} is asked for each new connection; null: without. {@code onRefusal} counts those turned away. */
-    public WebSocketDoor(Limits limits, Supplier<@Nullable SSLContext> tls, Runnable onRefusal) {
+    public WebSocketDoor(Limits limits, Supplier<@Nullable SSLContext> tls, Runnable onRefusal, Time time) {
         this.limits = limits;
         this.tls = tls;
         this.onRefusal = onRefusal;
-        this.sweeping = sweeps.scheduleWithFixedDelay(
-                this::sweep, BETWEEN_SWEEPS_MILLIS, BETWEEN_SWEEPS_MILLIS, TimeUnit.MILLISECONDS);
-    }
-
-    private static ThreadFactory daemon(String name) {
-        return work -> {
-            Thread thread = new Thread(work, name);
-            thread.setDaemon(true);
-            return thread;
-        };
+        this.time = time;
+        this.sweeps = time.worker("websocket-door", 1);
+        Repetition unused = sweeps.every(BETWEEN_SWEEPS, BETWEEN_SWEEPS, this::sweep);
     }
 
     @Override
@@ -140,7 +137,7 @@ public final class WebSocketDoor implements WebSocketServerFactory {
 
     /** Turns away who takes too long, and forgets who is gone. */
     private void sweep() {
-        long now = System.nanoTime();
+        long now = time.nanos();
         List<Guarded> late = new ArrayList<>();
         synchronized (this) {
             hosts.values().forEach(its -> its.removeIf(Guarded::isGone));
@@ -169,14 +166,13 @@ public final class WebSocketDoor implements WebSocketServerFactory {
 
     @Override
     public void close() {
-        sweeping.cancel(false);
-        sweeps.shutdown();
+        sweeps.close();
         handshakes.shutdown();
     }
 
     /** A connection whose handshake has a bound. */
     private final class Guarded extends WebSocketImpl {
-        private final long sinceNanos = System.nanoTime();
+        private final long sinceNanos = time.nanos();
         // owned by the worker that decodes
         private int said;
 

@@ -5,11 +5,12 @@ import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedSelectorException;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.dronemap.core.time.Time;
 import org.java_websocket.WebSocket;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
@@ -31,33 +32,36 @@ import org.slf4j.LoggerFactory;
 final class WebSocketServerEndpoint implements Endpoint {
     private static final Logger LOG = LoggerFactory.getLogger(WebSocketServerEndpoint.class);
     private static final PeerBook.Limits LIMITS = new PeerBook.Limits(2_000, 1_000);
-    private static final int OPEN_SECONDS = 10;
+    private static final Duration LONGEST_OPENING = Duration.ofSeconds(10);
 
     private final EndpointUrl url;
     private final EndpointCounters counters = new EndpointCounters();
     private final PeerBook<WebSocket> peers;
     private final PeerHandler.Factory handlers;
     private final Server server;
+    private final Time time;
     private int port;
 
     private WebSocketServerEndpoint(
-            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, Doors doors) {
+            EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, Doors doors, Time time) {
         this.url = url;
         this.handlers = handlers;
-        peers = new PeerBook<>(counters, handlers, LIMITS);
+        this.time = time;
+        peers = new PeerBook<>(counters, handlers, LIMITS, time);
         boolean encrypted = url.kind() == EndpointUrl.Kind.WSSSERVER;
         WebSocketDoor door =
-                new WebSocketDoor(doors.limits(), encrypted ? doors.tls() : () -> null, counters::refusedPeer);
+                new WebSocketDoor(doors.limits(), encrypted ? doors.tls() : () -> null, counters::refusedPeer, time);
         server = new Server(address, new Seat.Place(url, SocketAddresses.isLocal(address), false), door);
     }
 
-    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors) throws IOException {
+    static WebSocketServerEndpoint open(EndpointUrl url, PeerHandler.Factory handlers, Doors doors, Time time)
+            throws IOException {
         if (url.kind() == EndpointUrl.Kind.WSSSERVER && doors.tls().get() == null) {
             throw new IOException("Cannot listen on " + url
                     + ": the server has no certificate; give it one (DRONEMAP_TLS_CERT, DRONEMAP_TLS_KEY).");
         }
         WebSocketServerEndpoint endpoint =
-                new WebSocketServerEndpoint(url, SocketAddresses.resolve(url), handlers, doors);
+                new WebSocketServerEndpoint(url, SocketAddresses.resolve(url), handlers, doors, time);
         endpoint.start();
         return endpoint;
     }
@@ -65,13 +69,13 @@ final class WebSocketServerEndpoint implements Endpoint {
     private void start() throws IOException {
         server.start();
         try {
-            port = server.listening.get(OPEN_SECONDS, TimeUnit.SECONDS);
+            port = time.await(server.listening, LONGEST_OPENING);
         } catch (ExecutionException e) {
             Throwable cause = e.getCause();
             throw SocketAddresses.cannotListen(url, cause instanceof IOException io ? io : new IOException(cause));
         } catch (TimeoutException e) {
             close();
-            throw new IOException("Cannot listen on " + url + ": it took more than " + OPEN_SECONDS + " s.", e);
+            throw new IOException("Cannot listen on " + url + ": it took more than " + LONGEST_OPENING.toSeconds() + " s.", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IOException("Interrupted while opening " + url + ".", e);
@@ -153,7 +157,7 @@ final class WebSocketServerEndpoint implements Endpoint {
             WebSocketQueue queue = new WebSocketQueue(socket, handlers.speech().text());
             Seat.Place at = place.at(handshake.getResourceDescriptor());
             Seat seat = peers.add(
-                    socket, address.host(), System.nanoTime(), welcome -> new Seat(at, address, queue, welcome));
+                    socket, address.host(), time.nanos(), welcome -> new Seat(at, address, queue, welcome));
             if (seat == null) {
                 socket.close(CloseFrame.TRY_AGAIN_LATER, "there is no room for more vehicles");
             }
@@ -162,7 +166,7 @@ final class WebSocketServerEndpoint implements Endpoint {
         @Override
         public void onMessage(WebSocket socket, ByteBuffer bytes) {
             Seat seat = peers.find(socket);
-            long now = System.nanoTime();
+            long now = time.nanos();
             if (seat != null) {
                 seat.received(bytes, now);
             }

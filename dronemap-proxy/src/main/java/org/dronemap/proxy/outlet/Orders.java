@@ -2,11 +2,8 @@ package org.dronemap.proxy.outlet;
 
 import java.util.Map;
 import java.util.UUID;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudListener;
@@ -20,6 +17,8 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -37,7 +36,7 @@ final class Orders implements CloudListener, AutoCloseable {
     private final OutletControl control;
     private final Consumer<Runnable> answering;
     private final Map<CommandId, Answer> open = new ConcurrentHashMap<>();
-    private final ThreadPoolExecutor thread;
+    private final Worker thread;
 
     /** Hears what becomes of a command, where clients are answered. */
     interface Answer {
@@ -49,15 +48,11 @@ final class Orders implements CloudListener, AutoCloseable {
     }
 
     /** {@code answering} runs what is to be answered. */
-    Orders(CloudManager cloud, OutletControl control, Consumer<Runnable> answering) {
+    Orders(CloudManager cloud, OutletControl control, Consumer<Runnable> answering, Time time) {
         this.cloud = cloud;
         this.control = control;
         this.answering = answering;
-        thread = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(MOST_WAITING), task -> {
-            Thread created = new Thread(task, "outlet-orders");
-            created.setDaemon(true);
-            return created;
-        });
+        thread = time.worker("outlet-orders", MOST_WAITING);
         cloud.addListener(this);
     }
 
@@ -128,6 +123,6 @@ final class Orders implements CloudListener, AutoCloseable {
     @Override
     public void close() {
         cloud.removeListener(this);
-        thread.shutdownNow();
+        thread.close();
     }
 }

@@ -42,10 +42,10 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     /** {@code personal}: where users may open ports of their own. */
     public Outlet(List<EndpointUrl> urls, PortRange personal, OutletPolicy policy, Doors doors) {
         this.urls = List.copyOf(urls);
-        keys = new OutletKeys(policy.store(), policy.clock(), policy.nanoTime());
-        rights = new RightsWatch(policy.rights(), keys);
+        keys = new OutletKeys(policy.store(), policy.time());
+        rights = new RightsWatch(policy.rights(), keys, policy.time());
         room = new OutletRoom(policy, counts, vehicles, rights);
-        links = new Links(this, new Doors(keys::dtlsSecret, doors.tls(), doors.limits()));
+        links = new Links(this, new Doors(keys::dtlsSecret, doors.tls(), doors.limits()), policy.time());
         ports = new PersonalPorts(this, urls, personal, policy);
     }
 

@@ -1,14 +1,13 @@
 package org.dronemap.proxy.outlet;
 
-import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.function.LongSupplier;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.OutletKey;
 import org.dronemap.core.access.OutletStore;
+import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 
 /**
@@ -22,20 +21,18 @@ final class OutletKeys {
     private static final long SECOND_NANOS = 1_000_000_000L;
 
     private final OutletStore store;
-    private final InstantSource clock;
-    private final LongSupplier nanoTime;
+    private final Time time;
     private final Map<String, UserKey> keys = new ConcurrentHashMap<>();
     // guarded by this
     private long trials;
     private long filledNanos;
 
-    OutletKeys(OutletStore store, InstantSource clock, LongSupplier nanoTime) {
+    OutletKeys(OutletStore store, Time time) {
         this.store = store;
-        this.clock = clock;
-        this.nanoTime = nanoTime;
+        this.time = time;
         trials = TRIALS_PER_SECOND;
-        filledNanos = nanoTime.getAsLong();
-        store.keys().forEach(kept -> keys.put(kept.user(), UserKey.kept(kept, clock)));
+        filledNanos = time.nanos();
+        store.keys().forEach(kept -> keys.put(kept.user(), UserKey.kept(kept, time.clock())));
     }
 
     boolean has(String user) {
@@ -57,7 +54,7 @@ final class OutletKeys {
     }
 
     private synchronized boolean mayTry(int count) {
-        long now = nanoTime.getAsLong();
+        long now = time.nanos();
         long elapsedMicros = Math.min(now - filledNanos, SECOND_NANOS) / 1_000;
         long earned = elapsedMicros * TRIALS_PER_SECOND / 1_000_000;
         if (earned > 0) {
@@ -79,7 +76,7 @@ final class OutletKeys {
             return false;
         }
         store.saveKey(new OutletKey(user, key, 0));
-        UserKey before = keys.put(user, UserKey.fresh(new OutletKey(user, key, 0), clock));
+        UserKey before = keys.put(user, UserKey.fresh(new OutletKey(user, key, 0), time.clock()));
         if (before != null) {
             before.withdraw();
         }

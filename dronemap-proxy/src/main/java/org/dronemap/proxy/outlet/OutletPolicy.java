@@ -1,10 +1,9 @@
 package org.dronemap.proxy.outlet;
 
-import java.time.Clock;
-import java.util.function.LongSupplier;
 import org.dronemap.core.access.OutletStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.time.Time;
 
 /**
  * What the outlet goes by.
@@ -13,7 +12,7 @@ import org.dronemap.core.cloud.Journal;
  * @param journal writes to it in the background
  * @param rights what users may do now
  * @param control does and takes down what users want with the control of drones
- * @param nanoTime monotonic, in ns
+ * @param time what the outlet works in
  */
 public record OutletPolicy(
         CloudManager cloud,
@@ -21,5 +20,4 @@ public record OutletPolicy(
         Journal journal,
         OutletRights rights,
         OutletControl control,
-        Clock clock,
-        LongSupplier nanoTime) {}
+        Time time) {}

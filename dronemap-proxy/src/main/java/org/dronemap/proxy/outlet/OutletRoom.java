@@ -1,5 +1,6 @@
 package org.dronemap.proxy.outlet;
 
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -7,10 +8,11 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.locks.LockSupport;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.Loop;
+import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.proxy.endpoint.Peer;
 import org.jspecify.annotations.Nullable;
@@ -38,16 +40,16 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
     private static final long REFUSED_NANOS = 2 * SECOND_NANOS;
 
     private static final int MOST_OF_A_USER = 20;
+    private static final Duration LONGEST_CLOSE = Duration.ofSeconds(1);
 
-    private final OutletPolicy policy;
     private final OutletCounts counts;
     private final Map<DroneId, VehicleTap> vehicles;
     private final RightsWatch rights;
     private final Queue<Heard> fromClients = new ArrayBlockingQueue<>(MOST_FROM_CLIENTS);
     private final Queue<Said> fromVehicles = new ArrayBlockingQueue<>(MOST_FROM_VEHICLES);
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
-    private final Thread thread = new Thread(this::run, "outlet");
-    private volatile boolean closed;
+    private final Time time;
+    private final Loop loop;
     private volatile List<OutletClient> all = List.of();
     private volatile List<OutletStatus.Client> shown = List.of();
     // From here on owned by the thread.
@@ -70,7 +72,7 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
     /** {@code vehicles}: those that are heard now. */
     OutletRoom(OutletPolicy policy, OutletCounts counts, Map<DroneId, VehicleTap> vehicles, RightsWatch rights) {
         this.rights = rights;
-        this.policy = policy;
+        this.time = policy.time();
         this.counts = counts;
         this.vehicles = vehicles;
         numbers = new SystemNumbers(
@@ -80,26 +82,26 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
                                 "what " + number.user() + " calls a drone",
                                 () -> policy.store().saveNumber(number),
                                 () -> {}));
+        loop = time.loop("outlet", this::turn);
         uplink = new Uplink(policy, counts, vehicles, this);
-        thread.setDaemon(true);
     }
 
     /** On the clients' thread, soon. Any thread. */
     @Override
     public void later(Runnable task) {
         tasks.add(task);
-        LockSupport.unpark(thread);
+        loop.wake();
     }
 
     void start() {
-        secondNanos = policy.nanoTime().getAsLong();
-        thread.start();
+        secondNanos = time.nanos();
+        loop.start();
     }
 
     /** False when there was no room. Any thread. */
     boolean heard(Peer peer, Pass pass, Frame frame) {
         boolean taken = fromClients.offer(new Heard(peer, pass, frame));
-        LockSupport.unpark(thread);
+        loop.wake();
         return taken;
     }
 
@@ -141,10 +143,10 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
         }
         tasks.add(() -> {
             SentAway whom = new SentAway(found.user(), found.peer().address().host());
-            sentAwayUntil.put(whom, policy.nanoTime().getAsLong() + OUTSIDE_NANOS);
+            sentAwayUntil.put(whom, time.nanos() + OUTSIDE_NANOS);
             end(found.peer(), "somebody disconnected it");
         });
-        LockSupport.unpark(thread);
+        loop.wake();
         return true;
     }
 
@@ -159,24 +161,11 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
         return new OutletStatus(shown, ports, counts.refused(), counts.unreadFrames(), counts.notPassedFrames());
     }
 
-    private void run() {
-        while (!closed) {
-            try {
-                if (!turn()) {
-                    LockSupport.parkNanos(this, NAP_NANOS);
-                }
-            } catch (RuntimeException e) {
-                LOG.error("A turn of the outlet failed", e);
-            }
-        }
-    }
-
-    /** True when there may be more to do at once. */
-    private boolean turn() {
+    private long turn() {
         for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
             task.run();
         }
-        long now = policy.nanoTime().getAsLong();
+        long now = time.nanos();
         int count = 0;
         for (Heard heard = fromClients.poll(); heard != null; heard = count < AT_ONCE ? fromClients.poll() : null) {
             take(heard, now);
@@ -195,7 +184,7 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
             secondNanos = now;
             second(now);
         }
-        return count >= AT_ONCE;
+        return count >= AT_ONCE ? 0 : NAP_NANOS;
     }
 
     private void show(Said said) {
@@ -227,7 +216,9 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
             return;
         }
         outsideUntil.put(heard.peer(), now + REFUSED_NANOS);
-        rights.ask(heard.pass().user(), principal -> tasks.add(() -> welcome(heard, principal)));
+        if (!rights.ask(heard.pass().user(), principal -> tasks.add(() -> welcome(heard, principal)))) {
+            counts.turnedAway();
+        }
     }
 
     private static boolean isBefore(long now, @Nullable Long until) {
@@ -249,12 +240,12 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
         }
         end(heard.peer(), "another user's program speaks from there now");
         outsideUntil.remove(heard.peer());
-        long now = policy.nanoTime().getAsLong();
+        long now = time.nanos();
         OutletClient.Entry entry = new OutletClient.Entry(
                 "client-" + ++lastId,
                 pass,
                 heard.frame().systemId(),
-                policy.clock().instant(),
+                time.clock().instant(),
                 now);
         OutletClient client = new OutletClient(entry, heard.peer(), numbers, principal);
         clients.put(heard.peer(), client);
@@ -269,7 +260,7 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
     private void end(Peer peer, String why) {
         OutletClient client = clients.remove(peer);
         if (client != null) {
-            list(policy.nanoTime().getAsLong());
+            list(time.nanos());
             uplink.forget(client);
             LOG.info("{} of {} left the outlet: {}", client.id(), client.user(), why);
         }
@@ -304,13 +295,9 @@ final class OutletRoom implements ControlNews.Room, AutoCloseable {
 
     @Override
     public void close() {
-        closed = true;
         uplink.close();
-        LockSupport.unpark(thread);
-        try {
-            thread.join(1_000);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        if (!loop.finish(LONGEST_CLOSE)) {
+            LOG.warn("The outlet was still busy with its clients when it was closed");
         }
     }
 }

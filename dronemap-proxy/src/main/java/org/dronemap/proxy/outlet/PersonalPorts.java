@@ -1,7 +1,6 @@
 package org.dronemap.proxy.outlet;
 
 import java.io.IOException;
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -9,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.LongSupplier;
 import java.util.function.Predicate;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.Endpoint;
@@ -27,8 +26,7 @@ final class PersonalPorts implements AutoCloseable {
     private final Outlet outlet;
     private final PortRange range;
     private final Optional<String> host;
-    private final Clock clock;
-    private final LongSupplier nanoTime;
+    private final Time time;
     // guarded by this
     private final Map<String, Open> ports = new LinkedHashMap<>();
     private int lastId;
@@ -43,8 +41,7 @@ final class PersonalPorts implements AutoCloseable {
                 .filter(url -> url.kind() == EndpointUrl.Kind.UDPSERVER)
                 .map(EndpointUrl::host)
                 .findFirst();
-        clock = policy.clock();
-        nanoTime = policy.nanoTime();
+        time = policy.time();
     }
 
     /**
@@ -52,17 +49,17 @@ final class PersonalPorts implements AutoCloseable {
      *
      * @throws IllegalStateException with a sentence when there can be no more
      */
-    synchronized OutletStatus.Port open(String user, AddressRange allowed, Duration time) {
+    synchronized OutletStatus.Port open(String user, AddressRange allowed, Duration length) {
         long own = ports.values().stream()
                 .filter(open -> open.port().user().equals(user))
                 .count();
         if (own >= MOST_OF_A_USER) {
             throw new IllegalStateException("You have " + MOST_OF_A_USER + " personal ports already; close one first.");
         }
-        Instant now = clock.instant();
+        Instant now = time.clock().instant();
         PersonalPort.Terms terms = new PersonalPort.Terms(
-                "port-" + ++lastId, user, allowed, now, now.plus(time), nanoTime.getAsLong() + time.toNanos());
-        PersonalPort port = new PersonalPort(outlet, terms, nanoTime);
+                "port-" + ++lastId, user, allowed, now, now.plus(length), time.nanos() + length.toNanos());
+        PersonalPort port = new PersonalPort(outlet, terms, time::nanos);
         Open open = new Open(port, endpoint(port));
         ports.put(terms.id(), open);
         LOG.info("{} opened {} for {} until {}", user, open.endpoint().url(), allowed, terms.until());
@@ -73,7 +70,7 @@ final class PersonalPorts implements AutoCloseable {
         for (int number = range.first(); host.isPresent() && number <= range.last(); number++) {
             try {
                 EndpointUrl url = EndpointUrl.parse("udpserver://" + host.get() + ":" + number);
-                return Endpoint.open(url, port, Doors.of(DtlsKeys.none()));
+                return Endpoint.open(url, port, Doors.of(DtlsKeys.none()), time);
             } catch (IOException taken) {
                 LOG.debug("{} is no port to open", number, taken);
             }

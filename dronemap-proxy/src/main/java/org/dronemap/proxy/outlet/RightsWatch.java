@@ -1,11 +1,12 @@
 package org.dronemap.proxy.outlet;
 
-import java.util.concurrent.Executors;
+import java.time.Duration;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -16,36 +17,39 @@ import org.slf4j.LoggerFactory;
  */
 final class RightsWatch implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(RightsWatch.class);
-    private static final long RHYTHM_MILLIS = 250;
+    private static final Duration RHYTHM = Duration.ofMillis(250);
+    private static final Duration LONGEST_CLOSE = Duration.ofSeconds(2);
+    private static final int MOST_WAITING = 1_000;
     private static final int ROUNDS_BETWEEN_STAMPS = 240;
 
     private final OutletRights rights;
     private final OutletKeys keys;
-    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread created = new Thread(task, "outlet-rights");
-        created.setDaemon(true);
-        return created;
-    });
+    private final Worker thread;
     // Owned by its thread.
     private int rounds;
 
-    RightsWatch(OutletRights rights, OutletKeys keys) {
+    RightsWatch(OutletRights rights, OutletKeys keys, Time time) {
         this.rights = rights;
         this.keys = keys;
+        this.thread = time.worker("outlet-rights", MOST_WAITING);
     }
 
     /** Looks at the clients that there are from now on, and does {@code often} as often. */
     void start(OutletRoom room, Runnable often) {
-        var unused = thread.scheduleWithFixedDelay(
-                () -> look(room, often), RHYTHM_MILLIS, RHYTHM_MILLIS, TimeUnit.MILLISECONDS);
+        Repetition unused = thread.every(RHYTHM, RHYTHM, () -> look(room, often));
     }
 
-    /** Answers on its thread; null: the user is gone, may do nothing, or could not be looked up. */
-    void ask(String user, Consumer<@Nullable Principal> answer) {
+    /**
+     * Answers on its thread; null: the user is gone, may do nothing, or could not be looked up. False, without an answer,
+     * when too many are asked about already, or the outlet is being closed.
+     */
+    boolean ask(String user, Consumer<@Nullable Principal> answer) {
         try {
             thread.execute(() -> answer.accept(principal(user)));
+            return true;
         } catch (RejectedExecutionException e) {
-            LOG.debug("The outlet is being closed", e);
+            LOG.debug("It is not looked up now whether {} may attach to the outlet", user, e);
+            return false;
         }
     }
 
@@ -79,13 +83,12 @@ final class RightsWatch implements AutoCloseable {
 
     @Override
     public void close() {
-        thread.shutdown();
         try {
-            if (thread.awaitTermination(2, TimeUnit.SECONDS)) {
+            if (thread.finish(LONGEST_CLOSE)) {
                 keys.storeStamps();
+            } else {
+                LOG.warn("The time of the last signatures at the outlet was not kept, as the store takes too long");
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         } catch (RuntimeException e) {
             LOG.warn("The time of the last signatures at the outlet could not be kept", e);
         }

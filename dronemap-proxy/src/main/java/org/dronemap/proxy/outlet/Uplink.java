@@ -84,7 +84,7 @@ final class Uplink implements AutoCloseable {
         this.cloud = policy.cloud();
         this.counts = counts;
         this.vehicles = vehicles;
-        orders = new Orders(cloud, policy.control(), room::later);
+        orders = new Orders(cloud, policy.control(), room::later, policy.time());
         controls = new ControlCounter(cloud, orders);
         news = new ControlNews(cloud, vehicles, room);
         commands = new CommandCounter(cloud, orders, controls);

@@ -3,7 +3,7 @@ package org.dronemap.proxy.record;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Clock;
+import java.time.Duration;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
@@ -11,10 +11,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.Journal;
@@ -22,6 +21,9 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.recording.RecordingStore;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -34,7 +36,10 @@ import org.slf4j.LoggerFactory;
  */
 public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Recorder.class);
-    private static final long ROUND_MILLIS = 100;
+    private static final Duration ROUND = Duration.ofMillis(100);
+    private static final Duration LONGEST_FLUSH = Duration.ofSeconds(5);
+    private static final Duration LONGEST_CLOSE = Duration.ofSeconds(10);
+    private static final int MOST_WAITING = 256;
     private static final int ROUNDS_BETWEEN_LOOKS = 10;
     private static final long WAITING_BYTES = 48_000_000;
     private static final long LEAST_FREE_BYTES = 200_000_000;
@@ -46,17 +51,14 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     private final RecordingFiles files;
     private final RecordingPolicy policy;
     private final Keeping keeping;
-    private final Clock clock;
+    private final Time time;
     private final LongSupplier freeBytes;
     private final Room room = new Room(WAITING_BYTES);
     private final Collection<Tape> tapes = new CopyOnWriteArrayList<>();
     private final Map<String, FlightFile> unfinished = new ConcurrentHashMap<>();
     private final Shelf shelf;
-    private final ScheduledExecutorService writer = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread created = new Thread(task, "recorder");
-        created.setDaemon(true);
-        return created;
-    });
+    private final Worker writer;
+    private final AtomicBoolean closed = new AtomicBoolean();
     // Owned by the writer.
     private final Map<DroneId, FlightFile> open = new HashMap<>();
     private final Map<DroneId, Tape> newest = new HashMap<>();
@@ -66,17 +68,18 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     /** Where what is known of recordings is kept, the thread that writes it, and what drones are called. */
     public record Keeping(RecordingStore store, Journal journal, Function<DroneId, String> names) {}
 
-    public Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Clock clock) {
-        this(directory, policy, keeping, clock, () -> usable(directory));
+    public Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Time time) {
+        this(directory, policy, keeping, time, () -> usable(directory));
     }
 
-    Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Clock clock, LongSupplier freeBytes) {
+    Recorder(Path directory, RecordingPolicy policy, Keeping keeping, Time time, LongSupplier freeBytes) {
         this.files = new RecordingFiles(directory);
         this.policy = policy;
         this.keeping = keeping;
-        this.clock = clock;
+        this.time = time;
+        this.writer = time.worker("recorder", MOST_WAITING);
         this.freeBytes = freeBytes;
-        this.shelf = new Shelf(files, policy, keeping, clock, this);
+        this.shelf = new Shelf(files, policy, keeping, time, this);
     }
 
     /**
@@ -88,7 +91,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         Files.createDirectories(files.directory());
         new Aftermath(keeping.store(), files, keeping.names()).clear();
         shelf.measure();
-        var unused = writer.scheduleWithFixedDelay(this::round, ROUND_MILLIS, ROUND_MILLIS, TimeUnit.MILLISECONDS);
+        Repetition unused = writer.every(ROUND, ROUND, this::round);
     }
 
     /** What is recorded, for those who read it. */
@@ -101,7 +104,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (policy.when() == RecordingPolicy.When.NEVER) {
             return FrameTap.NONE;
         }
-        FrameTape tape = new FrameTape(clock, room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
+        FrameTape tape = new FrameTape(time.clock(), room, componentId, policy.when() == RecordingPolicy.When.ALWAYS);
         tapes.add(tape);
         return tape;
     }
@@ -111,7 +114,7 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
         if (policy.when() == RecordingPolicy.When.NEVER) {
             return LineTap.NONE;
         }
-        LineTape tape = new LineTape(clock, room, policy.when() == RecordingPolicy.When.ALWAYS);
+        LineTape tape = new LineTape(time.clock(), room, policy.when() == RecordingPolicy.When.ALWAYS);
         tapes.add(tape);
         return tape;
     }
@@ -130,13 +133,20 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     /** Puts all that waits into the files; returns when it is there. */
     void flush() throws IOException {
         try {
-            writer.submit(() -> writeAll(true)).get(5, TimeUnit.SECONDS);
+            Boolean unused = time.await(writer.submit(() -> done(() -> writeAll(true))), LONGEST_FLUSH);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IOException("Interrupted while a recording was written.", e);
         } catch (ExecutionException | TimeoutException e) {
             throw new IOException("The recording could not be written within 5 s.", e);
+        } catch (RejectedExecutionException e) {
+            throw new IOException("The recording cannot be written now, as too many others are.", e);
         }
+    }
+
+    private static Boolean done(Runnable work) {
+        work.run();
+        return true;
     }
 
     private void round() {
@@ -259,17 +269,17 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
     /** Ends what is being recorded; a second time does nothing. */
     @Override
     public void close() {
-        if (writer.isShutdown()) {
+        if (!closed.compareAndSet(false, true)) {
             return;
         }
         try {
-            writer.submit(this::endAll).get(10, TimeUnit.SECONDS);
+            Boolean unused = time.await(writer.submit(() -> done(this::endAll)), LONGEST_CLOSE);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        } catch (ExecutionException | TimeoutException e) {
+        } catch (ExecutionException | TimeoutException | RejectedExecutionException e) {
             LOG.error("The recordings could not be ended; the next start mends them", e);
         }
-        writer.shutdownNow();
+        writer.close();
     }
 
     private void endAll() {

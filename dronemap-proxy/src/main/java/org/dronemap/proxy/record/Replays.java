@@ -1,15 +1,15 @@
 package org.dronemap.proxy.record;
 
 import java.io.InputStream;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
-import java.util.concurrent.TimeUnit;
+import org.dronemap.core.time.Repetition;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 import org.dronemap.proxy.session.SessionTable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,18 +19,16 @@ public final class Replays implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Replays.class);
     private static final int MOST_AT_ONCE = 8;
     private static final int MOST_KEPT = 100;
-    private static final long STEP_MILLIS = 20;
+    private static final Duration STEP = Duration.ofMillis(20);
+    private static final Duration LONGEST_CLOSE = Duration.ofSeconds(1);
     private static final double SLOWEST = 0.1;
     private static final double FASTEST = 100;
 
     private final SessionTable sessions;
     private final Map<String, Replay> all = new LinkedHashMap<>();
-    private final ScheduledExecutorService thread = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread created = new Thread(task, "replays");
-        created.setDaemon(true);
-        return created;
-    });
-    private final ScheduledFuture<?> steps;
+    private final Time time;
+    private final Worker thread;
+    private final Repetition steps;
     private int numbers;
 
     /** What is to be played; {@code in} is closed at its end, {@code lengthBytes} 0 when not known. */
@@ -43,9 +41,11 @@ public final class Replays implements AutoCloseable {
         }
     }
 
-    public Replays(SessionTable sessions) {
+    public Replays(SessionTable sessions, Time time) {
         this.sessions = sessions;
-        steps = thread.scheduleWithFixedDelay(this::step, STEP_MILLIS, STEP_MILLIS, TimeUnit.MILLISECONDS);
+        this.time = time;
+        thread = time.worker("replays", 1);
+        steps = thread.every(STEP, STEP, this::step);
     }
 
     /**
@@ -98,7 +98,7 @@ public final class Replays implements AutoCloseable {
         for (Replay replay : all()) {
             if (replay.isRunning()) {
                 try {
-                    replay.step(System.nanoTime());
+                    replay.step(time.nanos());
                 } catch (RuntimeException e) {
                     LOG.error("The recording {} stopped", replay.status().name(), e);
                     replay.cancel();
@@ -110,14 +110,9 @@ public final class Replays implements AutoCloseable {
     @Override
     public void close() {
         all().forEach(Replay::cancel);
-        steps.cancel(false);
-        thread.shutdown();
-        try {
-            if (!thread.awaitTermination(1, TimeUnit.SECONDS)) {
-                LOG.warn("A recording did not stop in time");
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        steps.callOff();
+        if (!thread.finish(LONGEST_CLOSE)) {
+            LOG.warn("A recording did not stop in time");
         }
     }
 }

@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -19,7 +18,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
@@ -27,6 +25,7 @@ import java.util.function.Function;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.tlog.TlogReader;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -39,14 +38,14 @@ import org.slf4j.LoggerFactory;
 public final class Shelf implements RecordingArchive {
     private static final Logger LOG = LoggerFactory.getLogger(Shelf.class);
     private static final Duration BETWEEN_LOOKS_AT_AGE = Duration.ofMinutes(10);
-    private static final int PATIENCE_SECONDS = 30;
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
     /** The time, and a frame of 280 bytes at most. */
     private static final int LONGEST_RECORD = 512;
 
     private final RecordingFiles files;
     private final RecordingPolicy policy;
     private final Recorder.Keeping keeping;
-    private final Clock clock;
+    private final Time time;
     private final Recorder recorder;
     private final AtomicLong usedBytes = new AtomicLong();
     private final AtomicLong removed = new AtomicLong();
@@ -54,11 +53,11 @@ public final class Shelf implements RecordingArchive {
     private volatile @Nullable String notice;
     private volatile Instant nextLookAtAge = Instant.MIN;
 
-    Shelf(RecordingFiles files, RecordingPolicy policy, Recorder.Keeping keeping, Clock clock, Recorder recorder) {
+    Shelf(RecordingFiles files, RecordingPolicy policy, Recorder.Keeping keeping, Time time, Recorder recorder) {
         this.files = files;
         this.policy = policy;
         this.keeping = keeping;
-        this.clock = clock;
+        this.time = time;
         this.recorder = recorder;
     }
 
@@ -148,7 +147,7 @@ public final class Shelf implements RecordingArchive {
                         },
                         () -> gone.completeExceptionally(new IOException("The recording could not be deleted.")));
         try {
-            gone.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            Void unused = time.await(gone, PATIENCE);
             return Optional.empty();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -175,7 +174,7 @@ public final class Shelf implements RecordingArchive {
 
     /** Makes room when there is too much, the oldest first; returns at once. */
     void keepWithin() {
-        Instant now = clock.instant();
+        Instant now = time.clock().instant();
         boolean ageIsDue = policy.keepDays() > 0 && !now.isBefore(nextLookAtAge);
         boolean tooMuch = usedBytes.get() > policy.mostBytes();
         if ((ageIsDue || tooMuch) && tidying.compareAndSet(false, true)) {

@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Links;
+import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.VehicleTraffic;
@@ -28,10 +30,10 @@ public final class RoslinkProxy implements AutoCloseable {
      */
     public record Policy(RobotKeys keys, Supplier<LineTap> taps, Doors doors, Enrolment enrolment) {}
 
-    public RoslinkProxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy) {
+    public RoslinkProxy(CloudManager cloud, Lanes lanes, List<EndpointUrl> urls, Policy policy, Time time) {
         this.urls = List.copyOf(urls);
-        table = new RobotTable(cloud, lanes, policy, System::nanoTime);
-        links = new Links(table, policy.doors());
+        table = new RobotTable(cloud, lanes, policy, time::nanos);
+        links = new Links(table, policy.doors(), time);
     }
 
     /**
@@ -59,6 +61,11 @@ public final class RoslinkProxy implements AutoCloseable {
 
     private static String id(int number) {
         return "robots-" + (number + 1);
+    }
+
+    /** Who takes in what new links bring. */
+    public PeerHandler.Factory handlers() {
+        return table;
     }
 
     public List<Links.LinkStatus> endpoints() {

@@ -71,7 +71,7 @@ final class Conversation {
         Heartbeat heartbeat = Heartbeat.decode(first);
         target = new Target(first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandLedger());
         autopilot = Autopilot.of(heartbeat);
-        status = new VehicleStatus(heartbeat.type());
+        status = new VehicleStatus(heartbeat.type(), anyNumber(nanoTime.getAsLong()));
         telemetry = new Telemetry(autopilot, status, this::tell);
         parameters = new ParameterTable(autopilot, this::tell);
         rates = new MessageRates(target);
@@ -80,6 +80,10 @@ final class Conversation {
         time = new TimeAnswers(target);
         gimbal = new Gimbal(target, links::send);
         lastHeartbeatNanos = nanoTime.getAsLong() - HEARTBEAT_NANOS;
+    }
+
+    private static int anyNumber(long nanos) {
+        return (int) (nanos / 1_000_000_000L % 1_000_000);
     }
 
     Target target() {

@@ -1,13 +1,12 @@
 package org.dronemap.proxy.signing;
 
-import java.time.InstantSource;
+import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.ToIntFunction;
 import org.dronemap.core.access.LinkKey;
@@ -16,6 +15,7 @@ import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -25,10 +25,10 @@ import org.slf4j.LoggerFactory;
 public final class Keyrings implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Keyrings.class);
 
-    private static final int LONGEST_WRITE_SECONDS = 10;
+    private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
 
     private final Keeping keeping;
-    private final InstantSource wall;
+    private final Time time;
     private final ConcurrentHashMap<DroneId, Keyring> rings = new ConcurrentHashMap<>();
     private final ConcurrentHashMap<DroneId, Set<LinkGuard>> links = new ConcurrentHashMap<>();
 
@@ -46,9 +46,9 @@ public final class Keyrings implements AutoCloseable {
         void warn(DroneId drone, String sentence);
     }
 
-    public Keyrings(Keeping keeping, InstantSource wall) {
+    public Keyrings(Keeping keeping, Time time) {
         this.keeping = keeping;
-        this.wall = wall;
+        this.time = time;
         keeping.store().all().forEach(security -> rings.put(security.drone(), ring(security)));
     }
 
@@ -57,7 +57,7 @@ public final class Keyrings implements AutoCloseable {
         return new Keyring(
                 security,
                 keeping.systemIdOf().applyAsInt(drone),
-                wall,
+                time.clock(),
                 new Keyring.Keeper(
                         (now, after) -> keeping.journal()
                                 .write(
@@ -145,7 +145,7 @@ public final class Keyrings implements AutoCloseable {
                         },
                         () -> kept.completeExceptionally(
                                 new IllegalStateException("The link security could not be written.")));
-        kept.orTimeout(LONGEST_WRITE_SECONDS, TimeUnit.SECONDS).join();
+        Void unused = time.join(kept, LONGEST_WRITE);
     }
 
     /** False when the vehicle uses a key already. The key is durable when this returns. */

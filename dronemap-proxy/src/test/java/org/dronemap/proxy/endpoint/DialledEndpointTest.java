@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.time.Duration;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.Test;
 
@@ -20,7 +21,7 @@ class DialledEndpointTest {
     private final Gathering gathering = new Gathering();
 
     private Endpoint open(String url) throws IOException {
-        return Endpoint.open(EndpointUrl.parse(url), gathering, Doors.of(DtlsKeys.none()));
+        return Endpoint.open(EndpointUrl.parse(url), gathering, Doors.of(DtlsKeys.none()), new SystemTime());
     }
 
     @Test

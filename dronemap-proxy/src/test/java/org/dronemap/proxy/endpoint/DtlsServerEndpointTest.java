@@ -22,6 +22,7 @@ import org.eclipse.californium.scandium.config.DtlsConfig;
 import org.eclipse.californium.scandium.config.DtlsConnectorConfig;
 import org.eclipse.californium.scandium.dtls.SingleNodeConnectionIdGenerator;
 import org.eclipse.californium.scandium.dtls.pskstore.AdvancedSinglePskStore;
+import org.dronemap.core.time.SystemTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -40,7 +41,8 @@ class DtlsServerEndpointTest {
         endpoint = Endpoint.open(
                 EndpointUrl.parse("dtlsserver://127.0.0.1:0"),
                 gathering,
-                Doors.of(identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone)));
+                Doors.of(identity -> Optional.ofNullable(keys.get(identity)).map(byte[]::clone)),
+                new SystemTime());
     }
 
     @AfterEach

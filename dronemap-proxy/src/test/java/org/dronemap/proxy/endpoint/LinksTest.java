@@ -9,6 +9,7 @@ import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -16,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Endpoints that come and go at run time. */
 class LinksTest {
-    private final Links links = new Links(new Gathering(), Doors.of(DtlsKeys.none()));
+    private final Links links = new Links(new Gathering(), Doors.of(DtlsKeys.none()), new SystemTime());
 
     @AfterEach
     void close() {

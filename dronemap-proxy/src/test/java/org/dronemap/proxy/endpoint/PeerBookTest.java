@@ -3,6 +3,7 @@ package org.dronemap.proxy.endpoint;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.ByteBuffer;
+import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.jspecify.annotations.Nullable;
@@ -20,10 +22,11 @@ class PeerBookTest {
     private static final long SECOND = 1_000_000_000L;
     private static final Seat.Place PLACE = new Seat.Place("udp", true, true, Optional.empty());
 
+    private final SteppedTime time = new SteppedTime(Instant.EPOCH);
     private final EndpointCounters counters = new EndpointCounters();
     private final Gathering gathering = new Gathering();
-    private final PeerBook<String> book = new PeerBook<>(counters, gathering, new PeerBook.Limits(6, 4));
-    private final long start = System.nanoTime() + 100 * SECOND;
+    private final PeerBook<String> book = new PeerBook<>(counters, gathering, new PeerBook.Limits(6, 4), time);
+    private final long start = time.nanos() + 100 * SECOND;
     private final FrameWriter writer = new FrameWriter(1, 1, 2);
 
     private @Nullable Seat add(String host, int port, long now) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.time.Duration;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.Test;
 
@@ -45,7 +46,7 @@ class SerialLineTest {
         Process cable = cable();
         String device = line(cable);
         try (Endpoint endpoint = Endpoint.open(
-                EndpointUrl.parse("serial://" + device + "?baud=115200"), gathering, Doors.of(DtlsKeys.none()))) {
+                EndpointUrl.parse("serial://" + device + "?baud=115200"), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
             byte[] greeting = cable.getInputStream().readNBytes(Gathering.GREETING.length);
             cable.getOutputStream().write(new byte[] {1, 2, 3});
             cable.getOutputStream().flush();
@@ -67,7 +68,7 @@ class SerialLineTest {
         Process cable = cable();
         String device = line(cable);
         try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()))) {
+                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
             TestCloud.await(PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "not open");
             cable.destroy();
             TestCloud.await(
@@ -85,7 +86,7 @@ class SerialLineTest {
         Process cable = cable();
         String device = line(cable);
         try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()))) {
+                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
             TestCloud.await(PATIENCE, () -> !gathering.guests().isEmpty(), () -> "not open");
             Peer peer = gathering.guests().get(0).peer();
             // Nobody reads the other end's output: its pipe fills, then the terminal, then the queue.
@@ -103,7 +104,7 @@ class SerialLineTest {
     @Test
     void saysThatThereIsNoDevice() throws IOException {
         try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial:///dev/ttyNONE9"), gathering, Doors.of(DtlsKeys.none()))) {
+                Endpoint.open(EndpointUrl.parse("serial:///dev/ttyNONE9"), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
             TestCloud.await(
                     PATIENCE,
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,

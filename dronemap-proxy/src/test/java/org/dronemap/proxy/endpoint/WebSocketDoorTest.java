@@ -21,6 +21,7 @@ import java.util.concurrent.TimeUnit;
 import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,7 +34,7 @@ class WebSocketDoorTest {
 
     private Endpoint open(WebSocketDoor.Limits limits) throws IOException {
         return Endpoint.open(
-                EndpointUrl.parse("wsserver://127.0.0.1:0"), gathering, new Doors(DtlsKeys.none(), () -> null, limits));
+                EndpointUrl.parse("wsserver://127.0.0.1:0"), gathering, new Doors(DtlsKeys.none(), () -> null, limits), new SystemTime());
     }
 
     private static WebSocket connect(Endpoint endpoint) throws Exception {
@@ -118,7 +119,7 @@ class WebSocketDoorTest {
     void carriesBytesOverTlsWithTheCertificateOfTheMoment(@TempDir Path directory) throws Exception {
         SSLContext certificate = certificate(directory);
         Doors doors = new Doors(DtlsKeys.none(), () -> certificate, WebSocketDoor.Limits.DEFAULT);
-        try (Endpoint endpoint = Endpoint.open(EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, doors)) {
+        try (Endpoint endpoint = Endpoint.open(EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, doors, new SystemTime())) {
             WebSocket vehicle = HttpClient.newBuilder()
                     .sslContext(certificate)
                     .build()
@@ -182,7 +183,7 @@ class WebSocketDoorTest {
     @Test
     void doesNotOpenAnEncryptedPortWithoutACertificate() {
         assertThatThrownBy(() -> Endpoint.open(
-                        EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, Doors.of(DtlsKeys.none())))
+                        EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, Doors.of(DtlsKeys.none()), new SystemTime()))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("no certificate");
     }

@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.Test;
 
@@ -41,7 +42,7 @@ class WebSocketEndpointTest {
     }
 
     private Endpoint open(String url) throws IOException {
-        return Endpoint.open(EndpointUrl.parse(url), gathering, Doors.of(DtlsKeys.none()));
+        return Endpoint.open(EndpointUrl.parse(url), gathering, Doors.of(DtlsKeys.none()), new SystemTime());
     }
 
     private static CompletableFuture<WebSocket> connect(Endpoint endpoint, Vehicle vehicle, String... headers) {
@@ -113,7 +114,7 @@ class WebSocketEndpointTest {
     void dialsAWebSocketAndComesBackWhenItBreaks() throws Exception {
         Gathering far = new Gathering();
         EndpointUrl url = EndpointUrl.parse("wsserver://127.0.0.1:" + QuietPorts.free());
-        Endpoint vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()));
+        Endpoint vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()), new SystemTime());
         try (Endpoint endpoint = open("wsclient://127.0.0.1:" + url.port() + "/vehicle")) {
             TestCloud.await(PATIENCE, () -> far.bytes() >= 3, () -> "not greeted");
             TestCloud.await(PATIENCE, () -> gathering.bytes() >= 1, () -> "not answered");
@@ -124,7 +125,7 @@ class WebSocketEndpointTest {
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,
                     () -> "it is " + endpoint.state());
 
-            vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()));
+            vehicles = Endpoint.open(url, far, Doors.of(DtlsKeys.none()), new SystemTime());
             TestCloud.await(
                     PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "it is " + endpoint.state());
         } finally {

@@ -135,7 +135,7 @@ final class ProcedureFuzz {
             return;
         }
         AtomicLong sent = new AtomicLong();
-        VehicleStatus status = new VehicleStatus(type);
+        VehicleStatus status = new VehicleStatus(type, 0);
         Telemetry telemetry = new Telemetry(autopilot, status, event -> {});
         Target target = new Target(1, 1, message -> sent.incrementAndGet());
         Cockpit cockpit = new Cockpit(

@@ -48,7 +48,7 @@ final class SigningFuzz {
         TestKeys kept = new TestKeys();
         kept.save(new LinkSecurity(drone, LinkPolicy.REQUIRED, new LinkKey(secret), null, true, 0));
         Keyrings keyrings = new Keyrings(
-                new Keyrings.Keeping(kept, journal, known -> 1, (known, sentence) -> {}), InstantSource.system());
+                new Keyrings.Keeping(kept, journal, known -> 1, (known, sentence) -> {}), new SystemTime());
         guard = keyrings.guard(0, () -> true);
         guard.bound(drone, 1);
     }

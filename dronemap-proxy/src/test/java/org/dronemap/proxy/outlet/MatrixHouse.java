@@ -1,7 +1,6 @@
 package org.dronemap.proxy.outlet;
 
 import java.io.IOException;
-import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -12,7 +11,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.Principal;
@@ -48,7 +46,7 @@ final class MatrixHouse implements AutoCloseable {
     private static final long LOOK_NANOS = 100_000;
     private static final int SECOND_NANOS = 1_100_000_000;
 
-    private final AtomicLong jumped = new AtomicLong();
+    private final JumpingTime time = new JumpingTime();
     private final Journal journal = new Journal(new SystemTime());
     private final LateTaps taps = new LateTaps();
     private final TestCloud cloud = new TestCloud(0, taps);
@@ -77,8 +75,7 @@ final class MatrixHouse implements AutoCloseable {
                 journal,
                 user -> Optional.ofNullable(users.get(user)),
                 (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
-                Clock.systemUTC(),
-                () -> System.nanoTime() + jumped.get());
+                time);
         outlet = new Outlet(List.of(), policy, Doors.of(DtlsKeys.none()));
         taps.outlet = outlet;
         users.keySet().forEach(user -> outlet.putKey(user, MatrixClient.key(user)));
@@ -122,7 +119,7 @@ final class MatrixHouse implements AutoCloseable {
 
     /** What comes in at the vehicle's socket because of what is said meanwhile: each kind once. */
     Set<String> reached(List<Message> words) {
-        jumped.addAndGet(SECOND_NANOS);
+        time.jump(Duration.ofNanos(SECOND_NANOS));
         int before = vehicle.heard().size();
         long holds = cloud.holdsBeyondSticks();
         words.forEach(client::says);

@@ -77,8 +77,7 @@ class OutletTest {
                         journal,
                         user -> Optional.ofNullable(users.get(user)),
                         (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
-                        Clock.fixed(NOW, ZoneOffset.UTC),
-                        System::nanoTime),
+                        new SystemTime(Clock.fixed(NOW, ZoneOffset.UTC))),
                 Doors.of(DtlsKeys.none()));
     }
 

@@ -11,14 +11,12 @@ import java.net.InetSocketAddress;
 import java.net.SocketTimeoutException;
 import java.net.URI;
 import java.nio.ByteBuffer;
-import java.time.Clock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Journal;
@@ -47,7 +45,7 @@ class PersonalPortTest {
     private static final AddressRange HERE = AddressRange.parse("127.0.0.1");
 
     private final Map<String, Principal> users = new ConcurrentHashMap<>();
-    private final AtomicLong jumped = new AtomicLong();
+    private final JumpingTime time = new JumpingTime();
     private final TestCloud cloud = new TestCloud(0);
     private final Journal journal = new Journal(new SystemTime());
     private final List<DatagramSocket> sockets = new ArrayList<>();
@@ -65,8 +63,7 @@ class PersonalPortTest {
                 journal,
                 user -> Optional.ofNullable(users.get(user)),
                 (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
-                Clock.systemUTC(),
-                () -> System.nanoTime() + jumped.get());
+                time);
         int first = freePort();
         outlet = new Outlet(
                 List.of(EndpointUrl.parse("udpserver://127.0.0.1:0")),
@@ -148,7 +145,7 @@ class PersonalPortTest {
         OutletStatus.Port over = outlet.openPort("ann", HERE, HOUR);
         say(socket("127.0.0.1"), over);
         attached(1);
-        jumped.addAndGet(HOUR.toNanos());
+        time.jump(HOUR);
         TestCloud.await(PATIENCE, () -> outlet.status().ports().isEmpty(), () -> "it is open for ever");
         attached(0);
 
@@ -182,8 +179,7 @@ class PersonalPortTest {
                 journal,
                 user -> Optional.empty(),
                 (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
-                Clock.systemUTC(),
-                System::nanoTime);
+                time);
     }
 
     private void attached(int count) {

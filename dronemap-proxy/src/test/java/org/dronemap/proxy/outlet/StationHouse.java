@@ -1,7 +1,6 @@
 package org.dronemap.proxy.outlet;
 
 import java.io.IOException;
-import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -46,8 +45,7 @@ final class StationHouse implements AutoCloseable {
                     journal,
                     user -> Optional.ofNullable(USERS.get(user)),
                     (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
-                    Clock.systemUTC(),
-                    System::nanoTime),
+                    new SystemTime()),
             Doors.of(DtlsKeys.none()));
     private final MatrixVehicle vehicle;
     private final DroneId drone;

@@ -66,7 +66,11 @@ class RecorderTest {
 
     private Recorder recorder(RecordingPolicy policy, ListedRecordings kept) {
         return new Recorder(
-                directory, policy, new Recorder.Keeping(kept, journal, drone -> "Copter 1"), clock, freeBytes::get);
+                directory,
+                policy,
+                new Recorder.Keeping(kept, journal, drone -> "Copter 1"),
+                new SystemTime(clock),
+                freeBytes::get);
     }
 
     @AfterEach

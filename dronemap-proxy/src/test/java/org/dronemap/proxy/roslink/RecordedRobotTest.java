@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.util.List;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.command.Setpoint.Facing;
@@ -40,7 +39,7 @@ class RecordedRobotTest extends RobotTrial {
                 directory,
                 RecordingPolicy.DEFAULT,
                 new Recorder.Keeping(new ListedRecordings(), journal, drone -> "Burger"),
-                Clock.systemUTC());
+                new SystemTime());
         made.start();
         recorder = made;
     }

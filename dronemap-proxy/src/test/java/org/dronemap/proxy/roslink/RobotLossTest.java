@@ -98,6 +98,8 @@ class RobotLossTest extends RobotTrial {
             return house.cloud().drones().size() == 1
                     && drone(7).link().others().size() == 1;
         });
+        // None is on its way any more: what is awaited from here on would else be done before its own turn.
+        await(() -> on("websocket").received() + on("udp").received() == robot.numbered());
         return robot;
     }
 

@@ -15,6 +15,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
@@ -56,7 +57,8 @@ abstract class RobotTrial {
                 house.cloud(),
                 house.lanes(),
                 List.of(EndpointUrl.parse("udpserver://127.0.0.1:0"), EndpointUrl.parse("wsserver://127.0.0.1:0")),
-                new RoslinkProxy.Policy(keys, this::tap, Doors.of(DtlsKeys.none()), enrolment));
+                new RoslinkProxy.Policy(keys, this::tap, Doors.of(DtlsKeys.none()), enrolment),
+                new SystemTime());
     }
 
     /** What hears the next session. */

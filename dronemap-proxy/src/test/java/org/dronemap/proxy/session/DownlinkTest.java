@@ -2,7 +2,6 @@ package org.dronemap.proxy.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.LongStream;
@@ -39,7 +38,7 @@ class DownlinkTest {
         TestKeys kept = new TestKeys();
         kept.save(new LinkSecurity(DRONE, LinkPolicy.REQUIRED, key(1), null, true, 0));
         Keyrings keyrings = new Keyrings(
-                new Keyrings.Keeping(kept, journal, drone -> 1, (drone, sentence) -> {}), InstantSource.system());
+                new Keyrings.Keeping(kept, journal, drone -> 1, (drone, sentence) -> {}), new SystemTime());
         LinkGuard guard = keyrings.guard(0, () -> true);
         guard.bound(DRONE, 1);
         downlink.guardedBy(guard);

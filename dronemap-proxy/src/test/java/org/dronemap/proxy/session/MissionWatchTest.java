@@ -29,7 +29,7 @@ class MissionWatchTest {
     private final List<DroneEvent> told = new ArrayList<>();
     private final List<List<MissionItemInt>> onWire = new ArrayList<>();
     private final MissionWatch watch =
-            new MissionWatch(wire.target(), Autopilot.of(PX4), new VehicleStatus(2), told::add, onWire::add);
+            new MissionWatch(wire.target(), Autopilot.of(PX4), new VehicleStatus(2, 0), told::add, onWire::add);
 
     /** The watch as something that is under way for ever. */
     private final Exchange watching = new Exchange() {

@@ -2,6 +2,7 @@ package org.dronemap.proxy.signing;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +13,7 @@ import org.dronemap.core.access.LinkSecurity;
 import org.dronemap.core.access.LinkSecurityStore;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.SetupSigning;
@@ -28,11 +29,11 @@ class LinkGuardTest {
     private static final Heartbeat BEAT = new Heartbeat(6, 8, 0, 0, 4, 3);
     private static final Timesync NO_BEAT = new Timesync(0, 1, 0, 0);
 
-    private Instant wall = Instant.parse("2026-03-01T12:00:00Z");
+    private final SteppedTime time = new SteppedTime(Instant.parse("2026-03-01T12:00:00Z"));
     private long now = 1_000_000_000_000L;
-    private final Journal journal = new Journal(new SystemTime());
+    private final Journal journal = new Journal(time);
     private final Kept kept = new Kept();
-    private final SigningVehicle vehicle = new SigningVehicle(() -> wall);
+    private final SigningVehicle vehicle = new SigningVehicle(time.clock());
 
     @AfterEach
     void close() {
@@ -43,7 +44,7 @@ class LinkGuardTest {
         kept.all.add(new LinkSecurity(DRONE, policy, KEY, null, true, 0));
         Keyrings.Keeping keeping =
                 new Keyrings.Keeping(kept, journal, drone -> SigningVehicle.SYSTEM_ID, (drone, sentence) -> {});
-        return new Keyrings(keeping, () -> wall).guard(0, () -> true);
+        return new Keyrings(keeping, time).guard(0, () -> true);
     }
 
     @Test
@@ -60,7 +61,7 @@ class LinkGuardTest {
     void aRecordedFrameProvesNothing() {
         LinkGuard guard = guard(LinkPolicy.REQUIRED);
         Frame old = vehicle.signed(KEY);
-        wall = wall.plusSeconds(3_600);
+        time.advance(Duration.ofHours(1));
 
         assertThat(guard.judge(old, now)).isEqualTo(Admission.REFUSED);
         assertThat(guard.signer()).isEmpty();
@@ -92,7 +93,7 @@ class LinkGuardTest {
     void whoBringsOnlyCopiesOfSignedMessagesIsNoStranger() {
         LinkGuard guard = guard(LinkPolicy.OPTIONAL);
         Frame old = vehicle.signed(KEY);
-        wall = wall.plusSeconds(3_600);
+        time.advance(Duration.ofHours(1));
 
         assertThat(guard.judge(old, now)).isEqualTo(Admission.REFUSED);
         assertThat(guard.mayBind(Optional.empty())).isFalse();
@@ -105,7 +106,7 @@ class LinkGuardTest {
         LinkGuard guard = guard(LinkPolicy.REQUIRED);
         assertThat(guard.signer(BEAT)).isNull();
         Frame old = vehicle.signed(KEY);
-        wall = wall.plusSeconds(3_600);
+        time.advance(Duration.ofHours(1));
         guard.judge(old, now);
 
         assertThat(guard.signer(BEAT)).isNotNull();

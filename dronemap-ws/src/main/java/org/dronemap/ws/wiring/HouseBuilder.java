@@ -5,7 +5,6 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
-import java.time.InstantSource;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
@@ -80,8 +79,8 @@ final class HouseBuilder {
         this.closing = closing;
         this.endpoints =
                 settings.endpoints().stream().map(HouseBuilder::endpoint).toList();
-        this.outlets = new OutletBuilder(settings.outlet());
-        this.robots = new RobotBuilder(settings.robots());
+        this.outlets = new OutletBuilder(settings.outlet(), time);
+        this.robots = new RobotBuilder(settings.robots(), time);
     }
 
     /** Everything but the links: nothing is heard and nothing sent yet. */
@@ -97,7 +96,7 @@ final class HouseBuilder {
         History history = history(stores, cloud);
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(stores.links(), new BoxSealing(box));
-        Recorder recorder = recorder(stores, journal, cloud, clock);
+        Recorder recorder = recorder(stores, journal, cloud);
         Outlet clients = outlet(control(cloud, audit), stores, journal, box, grants, doors(dtlsKeys));
         Keyrings keyrings = keyrings(cloud, stores, journal, box);
         Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), stores.links());
@@ -136,7 +135,7 @@ final class HouseBuilder {
 
     private Proxy links(CloudManager cloud, Keyrings keyrings, FrameTap.Factory taps, Doors doors, LinkStore saved) {
         Proxy.Policy policy = new Proxy.Policy(keyrings, taps, doors, settings.enrolment());
-        Proxy links = new Proxy(cloud, lanes, endpoints, policy);
+        Proxy links = new Proxy(cloud, lanes, endpoints, policy, time);
         closing.add("the links", links);
         proxy = links;
         savedLinks = saved;
@@ -250,7 +249,7 @@ final class HouseBuilder {
                                 .map(state -> state.link().key().systemId())
                                 .orElse(-1),
                         (drone, sentence) -> cloud.say(drone, Severity.WARNING, sentence)),
-                InstantSource.system());
+                time);
         closing.add("the keys", keyrings);
         cloud.addListener(new ForgottenDrones(keyrings));
         return keyrings;
@@ -274,7 +273,7 @@ final class HouseBuilder {
         return store;
     }
 
-    private Recorder recorder(Stores stores, Journal journal, CloudManager cloud, Clock clock) {
+    private Recorder recorder(Stores stores, Journal journal, CloudManager cloud) {
         Path directory = settings.dataDirectory().resolve("recordings");
         Recorder recorder = new Recorder(
                 directory,
@@ -283,7 +282,7 @@ final class HouseBuilder {
                         stores.recordings(),
                         journal,
                         id -> cloud.drone(id).map(DroneState::name).orElse(id.value())),
-                clock);
+                time);
         try {
             recorder.start();
         } catch (IOException e) {
@@ -323,7 +322,7 @@ final class HouseBuilder {
 
     /** Who takes in what links to vehicles bring, once the house is open. */
     PeerHandler.Factory vehicles() {
-        return Objects.requireNonNull(proxy, "the house is not open yet").sessions();
+        return Objects.requireNonNull(proxy, "the house is not open yet").handlers();
     }
 
     /** Lets ground stations of other makers in. */

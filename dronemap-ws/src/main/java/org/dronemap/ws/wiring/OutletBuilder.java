@@ -1,7 +1,6 @@
 package org.dronemap.ws.wiring;
 
 import java.io.IOException;
-import java.time.Clock;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.AccessStore;
@@ -14,6 +13,7 @@ import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.outlet.Outlet;
@@ -23,10 +23,12 @@ import org.dronemap.proxy.outlet.OutletRights;
 /** Builds where ground stations of other makers attach. */
 final class OutletBuilder {
     private final OutletSettings settings;
+    private final Time time;
     private final List<EndpointUrl> urls;
 
-    OutletBuilder(OutletSettings settings) {
+    OutletBuilder(OutletSettings settings, Time time) {
         this.settings = settings;
+        this.time = time;
         urls = settings.urls().stream().map(OutletBuilder::url).toList();
     }
 
@@ -47,8 +49,7 @@ final class OutletBuilder {
     Outlet build(
             AuditedOutletControl control, OutletStore store, Journal journal, AccountOutletRights rights, Doors doors) {
         CloudManager cloud = control.cloud();
-        OutletPolicy policy =
-                new OutletPolicy(cloud, store, journal, rights, control, Clock.systemUTC(), System::nanoTime);
+        OutletPolicy policy = new OutletPolicy(cloud, store, journal, rights, control, time);
         Outlet outlet = new Outlet(urls, settings.personal(), policy, doors);
         cloud.addListener(new ForgottenDrones(outlet));
         return outlet;

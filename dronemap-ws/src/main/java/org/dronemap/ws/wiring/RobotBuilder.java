@@ -4,16 +4,19 @@ import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Lanes;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.roslink.RoslinkProxy;
 
 /** Builds where robots call in. */
 final class RobotBuilder {
     private final RobotSettings settings;
+    private final Time time;
     private final List<EndpointUrl> urls;
 
-    RobotBuilder(RobotSettings settings) {
+    RobotBuilder(RobotSettings settings, Time time) {
         this.settings = settings;
+        this.time = time;
         urls = settings.urls().stream().map(RobotBuilder::url).toList();
     }
 
@@ -34,7 +37,7 @@ final class RobotBuilder {
     }
 
     RoslinkProxy build(CloudManager cloud, Lanes lanes, RoslinkProxy.Policy policy) {
-        return new RoslinkProxy(cloud, lanes, urls, policy);
+        return new RoslinkProxy(cloud, lanes, urls, policy, time);
     }
 
     /** Lets robots in. A port of a setting must be free; the usual ones may be another server's for now. */

@@ -6,6 +6,7 @@ import java.time.Clock;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.audit.AuditDesk;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.security.Authentication;
@@ -87,12 +88,12 @@ public class StreamConfiguration {
     }
 
     @Bean
-    WebSocketDoor streamDoor(Settings settings) {
+    WebSocketDoor streamDoor(Settings settings, Time time) {
         ClientLimits limits = settings.protection().clients();
         Settings.Tls tls = settings.tls();
         Supplier<@Nullable SSLContext> certificate = tls == null ? () -> null : Certificate.of(tls)::current;
         return new WebSocketDoor(
-                WebSocketDoor.Limits.DEFAULT.with(limits.connectionsPerHost(), limits.patience()), certificate);
+                WebSocketDoor.Limits.DEFAULT.with(limits.connectionsPerHost(), limits.patience()), certificate, time);
     }
 
     @Bean

@@ -160,7 +160,7 @@ public final class TestHouse implements AutoCloseable {
                 data.resolve("recordings"),
                 RecordingPolicy.DEFAULT,
                 new Recorder.Keeping(new MemoryRecordingStore(), journal, DroneId::value),
-                Clock.systemUTC());
+                time);
         startRecorder();
         history = history();
         virtuals = virtuals();

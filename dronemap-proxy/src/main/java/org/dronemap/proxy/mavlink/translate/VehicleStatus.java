@@ -28,12 +28,16 @@ public final class VehicleStatus {
     private int currentSeq = -1;
     private int lastSeqReached = -1;
     private @Nullable List<MissionItemInt> mission;
-    /** Begins anywhere, so that a camera never takes a new picture for the repetition of an old one. */
-    private int pictures = (int) (System.nanoTime() / 1_000_000_000L % 1_000_000);
+    private int pictures;
 
-    /** {@code type} is the MAV_TYPE, which makes the session. */
-    public VehicleStatus(int type) {
+    /**
+     * @param type the MAV_TYPE, which makes the session
+     * @param pictures where their numbers begin: anywhere, so that a camera never takes a new picture for the repetition of
+     *     an old one
+     */
+    public VehicleStatus(int type, int pictures) {
         this.type = type;
+        this.pictures = pictures;
     }
 
     public int type() {

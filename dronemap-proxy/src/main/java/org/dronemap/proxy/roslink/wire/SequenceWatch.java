@@ -34,8 +34,9 @@ public final class SequenceWatch {
         private long lost;
         private int copies;
 
-        boolean continues(long number) {
-            return begun && number == newest + 1;
+        /** It is the neighbour of one that came, on whichever side: one of two links may always be ahead. */
+        boolean fits(long number) {
+            return !has(number) && (has(number - 1) || has(number + 1));
         }
 
         boolean has(long number) {
@@ -90,8 +91,8 @@ public final class SequenceWatch {
             doubled++;
             return false;
         }
-        boolean fitsAll = all.continues(number);
-        boolean fitsOwn = own != null && own.continues(number);
+        boolean fitsAll = all.fits(number);
+        boolean fitsOwn = own != null && own.fits(number);
         if (fitsAll != fitsOwn) {
             inOneRow = fitsAll ? Math.min(inOneRow + 1, SURE) : Math.max(0, inOneRow - 1);
             inRowsOfTheirOwn = fitsOwn ? Math.min(inRowsOfTheirOwn + 1, SURE) : Math.max(0, inRowsOfTheirOwn - 1);

@@ -54,7 +54,7 @@ class ModeNamesTest {
         assertThat(autopilot.modeName(known.heartbeat())).isEqualTo(known.name());
         assertThat(autopilot.modes()).contains(known.name());
 
-        VehicleStatus status = new VehicleStatus(known.type());
+        VehicleStatus status = new VehicleStatus(known.type(), 0);
         Wire wire = new Wire();
         wire.peer((w, message) -> {
             CommandLong command = (CommandLong) message;

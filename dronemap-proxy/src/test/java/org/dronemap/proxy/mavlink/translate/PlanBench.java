@@ -26,7 +26,7 @@ final class PlanBench {
 
     PlanBench(Heartbeat heartbeat) {
         autopilot = Autopilot.of(heartbeat);
-        status = new VehicleStatus(heartbeat.type());
+        status = new VehicleStatus(heartbeat.type(), 0);
         status.heartbeat(heartbeat, autopilot.modeName(heartbeat));
         Observer observer = new Observer() {
             @Override

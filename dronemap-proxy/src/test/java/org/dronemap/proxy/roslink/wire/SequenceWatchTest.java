@@ -20,6 +20,30 @@ class SequenceWatchTest {
         assertThat(watch.lost()).isEqualTo(2);
     }
 
+    /** Two messages by one link and one by another that is faster, and one by none. */
+    @Test
+    void findsGapsInOneRowWhereOneOfTwoLinksIsAlwaysAhead() {
+        heard(0, 1);
+        for (int number = 2; number < 120; number += 4) {
+            heard(0, number + 3);
+            heard(0, number);
+            heard(2, number + 1);
+        }
+
+        assertThat(watch.lost()).isEqualTo(30);
+    }
+
+    @Test
+    void findsGapsWhereRowsOfTheirOwnRunSideBySide() {
+        for (int number = 1; number <= 10; number++) {
+            heard(0, number);
+            heard(2, number);
+        }
+        heard(2, 13);
+
+        assertThat(watch.lost()).isEqualTo(2);
+    }
+
     @Test
     void findsGapsWhereEachKindHasItsOwnRow() {
         for (int number = 1; number <= 10; number++) {

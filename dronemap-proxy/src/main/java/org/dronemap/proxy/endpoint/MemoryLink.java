@@ -1,0 +1,70 @@
+package org.dronemap.proxy.endpoint;
+
+import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.function.Consumer;
+import org.dronemap.core.time.Time;
+
+/**
+ * One peer without a socket, treated as at a door for datagrams of its own: for what plays vehicles, robots or clients in
+ * this process, in stepped time too. Its datagrams come in on one thread at a time; the rest any thread.
+ */
+public final class MemoryLink implements AutoCloseable {
+    private final PeerAddress address;
+    private final EndpointCounters counters = new EndpointCounters();
+    private final DatagramSeats<PeerAddress> seats;
+    private volatile boolean closed;
+
+    /**
+     * Nobody hears of it before its first datagram.
+     *
+     * @param handlers who takes in what it sends
+     * @param address where it seems to be
+     * @param toPeer gets each frame for it, on the thread that sends
+     */
+    public MemoryLink(PeerHandler.Factory handlers, PeerAddress address, Consumer<byte[]> toPeer, Time time) {
+        this.address = address;
+        Seat.Place place = new Seat.Place(EndpointUrl.parse("udpserver://127.0.0.1:0"), true, true);
+        seats = new DatagramSeats<>(
+                counters,
+                handlers,
+                new DatagramSeats.Way<>(place, peer -> peer, (peer, frame) -> sent(toPeer, frame)),
+                time);
+    }
+
+    private boolean sent(Consumer<byte[]> toPeer, byte[] frame) {
+        if (closed) {
+            return false;
+        }
+        toPeer.accept(frame);
+        return true;
+    }
+
+    /** It sends a datagram, which is lost after the close. The buffer may be used again. */
+    public void received(ByteBuffer datagram) {
+        if (!closed) {
+            seats.deliver(address, datagram);
+        }
+    }
+
+    /** It sends a datagram, which is lost after the close. */
+    public void received(byte[] datagram) {
+        received(ByteBuffer.wrap(datagram));
+    }
+
+    /** What went over it. */
+    public EndpointCounters.Counts counts() {
+        return counters.counts();
+    }
+
+    /** The peer, from its first datagram on. */
+    public List<PeerStatus> peers() {
+        return seats.status();
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        seats.clear();
+    }
+}
