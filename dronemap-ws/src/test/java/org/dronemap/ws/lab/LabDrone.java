@@ -29,6 +29,7 @@ public final class LabDrone {
     private final int systemId;
     /** It says only when it is not ready. */
     private final boolean isPx4;
+
     private final Wire wire;
     private final SimulatedVehicle vehicle;
     private final LocalFrame start;
@@ -39,12 +40,16 @@ public final class LabDrone {
         this.isPx4 = kit.kind().name().equals("px4");
         this.name = kit.kind().name() + " " + number;
         this.start = FIELD.shifted(new Position(0, (number - 1) * SPACING_METERS, 0));
-        this.wire = new Wire(name, FIRST_PORT + number, lab.time(), seed, record, frame -> this.vehicle().receive(frame));
-        Craft craft = new Craft(
-                start,
-                new Battery(MILLIAMP_HOURS),
-                new Wind(kit.windSpeed(), 0, seed),
-                new Navigation((long) (kit.readySeconds() * MILLIS)));
+        this.wire = new Wire(
+                name,
+                FIRST_PORT + number,
+                lab.time(),
+                seed,
+                record,
+                frame -> this.vehicle().receive(frame));
+        Craft craft =
+                new Craft(start, new Battery(MILLIAMP_HOURS), new Wind(kit.windSpeed(), 0, seed), new Navigation((long)
+                        (kit.readySeconds() * MILLIS)));
         this.vehicle = new SimulatedVehicle(
                 kit.settings(systemId, systemId, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, wire::up);
     }
@@ -96,7 +101,9 @@ public final class LabDrone {
 
     /** Metres between it and a place on the ground, in truth. */
     public double distanceTo(Geodetic place) {
-        return craft().body().position().horizontalDistanceTo(start.locate(place.latitudeDegrees(), place.longitudeDegrees(), 0));
+        return craft().body()
+                .position()
+                .horizontalDistanceTo(start.locate(place.latitudeDegrees(), place.longitudeDegrees(), 0));
     }
 
     /** As the server has it; empty: it knows no such drone. */
@@ -123,15 +130,18 @@ public final class LabDrone {
                         && state.position() != null
                         && state.home() != null
                         && state.capabilities().known()
-                        && (isPx4 ? !Boolean.FALSE.equals(state.readyToArm()) : Boolean.TRUE.equals(state.readyToArm())))
+                        && (isPx4
+                                ? !Boolean.FALSE.equals(state.readyToArm())
+                                : Boolean.TRUE.equals(state.readyToArm())))
                 .isPresent();
     }
 
     String words() {
-        return name + ": truly " + (craft().armed() ? "armed" : "disarmed") + String.format(", %.1f m up, %.1f m away; ", height(), away())
+        return name + ": truly " + (craft().armed() ? "armed" : "disarmed")
+                + String.format(", %.1f m up, %.1f m away; ", height(), away())
                 + "for the server "
-                + known().map(state -> state.mode() + ", armed " + state.armed() + ", " + state.link().state() + ", "
-                                + state.messages())
+                + known().map(state -> state.mode() + ", armed " + state.armed() + ", "
+                                + state.link().state() + ", " + state.messages())
                         .orElse("unknown");
     }
 }

@@ -156,7 +156,9 @@ public final class Laboratory implements AutoCloseable {
 
     private void requireSound() {
         if (!time.failures().isEmpty()) {
-            throw new AssertionError("Something failed in the server or a vehicle", time.failures().get(0));
+            throw new AssertionError(
+                    "Something failed in the server or a vehicle",
+                    time.failures().get(0));
         }
     }
 
@@ -201,7 +203,8 @@ public final class Laboratory implements AutoCloseable {
                 }
 
                 @Override
-                public FileVisitResult postVisitDirectory(Path folder, @Nullable IOException failure) throws IOException {
+                public FileVisitResult postVisitDirectory(Path folder, @Nullable IOException failure)
+                        throws IOException {
                     Files.delete(folder);
                     return FileVisitResult.CONTINUE;
                 }

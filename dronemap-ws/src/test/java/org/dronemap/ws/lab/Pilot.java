@@ -46,8 +46,10 @@ public final class Pilot {
 
     /** Waits for the end of what was given. */
     public CommandView end(CommandView given) {
-        return lab.until(given.summary() + " has ended", LONGEST_COMMAND, () -> Optional.of(now(given))
-                .filter(command -> command.outcome() != null));
+        return lab.until(
+                given.summary() + " has ended",
+                LONGEST_COMMAND,
+                () -> Optional.of(now(given)).filter(command -> command.outcome() != null));
     }
 
     private CommandView now(CommandView given) {

@@ -14,7 +14,12 @@ import org.dronemap.sim.personality.px4.Px4;
  * @param presets parameters that are not as its autopilot has them
  */
 public record VehicleKit(
-        AutopilotKind kind, int mavlinkVersion, double windSpeed, double readySeconds, int parameters, Map<String, Double> presets) {
+        AutopilotKind kind,
+        int mavlinkVersion,
+        double windSpeed,
+        double readySeconds,
+        int parameters,
+        Map<String, Double> presets) {
     private static final double BY_ITSELF = -1;
     private static final int MIDDLE = 1_500;
 
@@ -25,8 +30,7 @@ public record VehicleKit(
             1,
             0,
             Map.of());
-    public static final VehicleKit PX4 =
-            new VehicleKit(new AutopilotKind("px4", "", Px4::new), 2, 0, 1, 0, Map.of());
+    public static final VehicleKit PX4 = new VehicleKit(new AutopilotKind("px4", "", Px4::new), 2, 0, 1, 0, Map.of());
 
     public VehicleKit inWind(double speed) {
         return new VehicleKit(kind, mavlinkVersion, speed, readySeconds, parameters, presets);

@@ -6,8 +6,8 @@ import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
-import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.FrameReader;
 import org.dronemap.proxy.endpoint.EndpointCounters;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerAddress;
@@ -98,7 +98,8 @@ public final class Wire {
 
     private @Nullable PeerHandler handler() {
         if (handler == null && server != null) {
-            handler = server.opened(new Far(new PeerAddress("127.0.0.1", port)), new PeerCounters(new EndpointCounters()));
+            handler = server.opened(
+                    new Far(new PeerAddress("127.0.0.1", port)), new PeerCounters(new EndpointCounters()));
         }
         return handler;
     }

@@ -53,8 +53,7 @@ public final class SteppedServer implements AutoCloseable {
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);
         drones = new DroneService(
-                house.cloud(),
-                new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed));
+                house.cloud(), new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed));
         commands = new ServiceConfiguration().commandService(house, drones, budgets);
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);
         zones = new ServiceConfiguration().zoneService(house, drones, time.clock());

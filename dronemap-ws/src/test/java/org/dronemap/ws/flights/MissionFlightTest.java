@@ -1,13 +1,16 @@
-package org.dronemap.ws.lab;
+package org.dronemap.ws.flights;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.service.CommandRequest;
 import org.junit.jupiter.api.Test;
 
-class FirstFlightTest {
+class MissionFlightTest {
     @Test
     void aCopterFliesAMissionAndComesHome() {
         try (Laboratory lab = new Laboratory(1)) {
@@ -18,7 +21,10 @@ class FirstFlightTest {
                     .does(copter, CommandRequest.simple("arm"))
                     .does(copter, CommandRequest.startMission(null));
 
-            lab.until("it is at the far corner", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(60, 40)) < 2);
+            lab.until(
+                    "it is at the far corner",
+                    Duration.ofMinutes(1),
+                    () -> copter.distanceTo(copter.place(60, 40)) < 2);
             assertThat(copter.height()).isBetween(18.0, 22.0);
             lab.until("it is down again", Duration.ofMinutes(2), copter::isDown);
             assertThat(copter.away()).isLessThan(2);
