@@ -75,7 +75,7 @@ class JavaClass:
     package: str
     name: str
     abstract: bool
-    parent: str | None
+    parents: list[str]
     soak: bool
     tests: dict[str, bool]
     rules: set[str]
@@ -100,16 +100,10 @@ def java_class(path: Path) -> JavaClass | None:
             tests[method[1]] = SOAK in text[start : method.start()]
     rules = {rule[1] for rule in JAVA_RULE.finditer(text)}
     soak = SOAK in text[: found.end()]
-    return JavaClass(
-        path,
-        package[1],
-        path.stem,
-        "abstract" in found[1],
-        found[3],
-        soak,
-        tests | dict.fromkeys(rules, False),
-        rules,
-    )
+    imported = re.findall(rf"^import ([\w.]+\.{found[3]});", text, re.M)
+    parents = [*imported, f"{package[1]}.{found[3]}"]
+    all_tests = tests | dict.fromkeys(rules, False)
+    return JavaClass(path, package[1], path.stem, "abstract" in found[1], parents, soak, all_tests, rules)
 
 
 def java_lines(root: Path, pattern: Pattern, soak: bool) -> Match:
@@ -119,7 +113,7 @@ def java_lines(root: Path, pattern: Pattern, soak: bool) -> Match:
         if soak or path.parts[-4] != SOAK_MODULE
     ]
     found = [java_class(path) for folder in folders for path in sorted(folder.rglob("*.java"))]
-    classes = {one.name: one for one in found if one is not None}
+    classes = {one.full_name: one for one in found if one is not None}
     count, lines = 0, []
     for one in classes.values():
         if one.abstract or not one.name.endswith("Test"):
@@ -138,7 +132,7 @@ def java_lines(root: Path, pattern: Pattern, soak: bool) -> Match:
 def inherited(one: JavaClass, classes: dict[str, JavaClass]) -> tuple[dict[str, bool], set[str]]:
     """All tests of a class, and which of them are rules that cannot be run singly."""
     line = [one]
-    while (parent := classes.get(line[-1].parent or "")) is not None and parent not in line:
+    while (parent := next((classes[name] for name in line[-1].parents if name in classes), None)) is not None:
         line.append(parent)
     soak = any(ancestor.soak for ancestor in line)
     tests = {name: long or soak for ancestor in reversed(line) for name, long in ancestor.tests.items()}
