@@ -174,6 +174,7 @@ def test_a_trial_that_was_ended_in_the_middle_goes_on_with_the_unit_that_it_was_
     unit = (field.root / "waits").read_text().strip()
     until(lambda: not alive(unit))
     assert len(field.state("seeds").read_text().splitlines()) == 1
+    assert field.results("seeds")[2] == "# 1 of 3 units done, 0 failed", "shown at once, not at the end"
 
     (field.root / "resumed").touch()
     resumed = field.run("seeds")
