@@ -10,12 +10,12 @@ from requests import Session
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import Server
 from dronemap_e2e.soap import soap
-from dronemap_e2e.tap import Tap
+from dronemap_e2e.tap import Hears, Wire
 
 WAYPOINT = {"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20}
 
 
-def sent(tap: Tap) -> list[Any]:
+def sent(tap: Hears) -> list[Any]:
     """Commands and mission items that went down to the vehicle, message requests aside."""
     return [
         h.message
@@ -46,7 +46,7 @@ def sent(tap: Tap) -> list[Any]:
     ids=str,
 )
 def test_bad_values_name_the_field_and_the_range(
-    api: Api, tap: Tap, copter: Json, body: Json, field: str, words: str
+    api: Api, wire: Wire, copter: Json, body: Json, field: str, words: str
 ) -> None:
     answer = api.call("POST", f"/drones/{copter['id']}/commands", body)
 
@@ -55,7 +55,7 @@ def test_bad_values_name_the_field_and_the_range(
     problem = answer.json()
     assert re.fullmatch(field, problem["field"]), problem
     assert words in problem["detail"] + str(problem.get("allowed")), problem
-    assert not sent(tap)
+    assert not sent(wire)
 
 
 def test_an_unknown_drone_is_not_found(api: Api) -> None:
@@ -72,7 +72,7 @@ def test_a_wrong_key_is_told_so(server: Server) -> None:
     assert "key" in answer.json()["detail"]
 
 
-def test_a_viewer_may_look_but_not_arm(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+def test_a_viewer_may_look_but_not_arm(server: Server, api: Api, wire: Wire, copter: Json) -> None:
     viewer = Api(server.address, api.new_key("a viewer", "viewer"))
     assert viewer.drones()
 
@@ -80,7 +80,7 @@ def test_a_viewer_may_look_but_not_arm(server: Server, api: Api, tap: Tap, copte
 
     assert answer.status_code == 403
     assert "operator" in answer.json()["detail"]
-    assert not sent(tap)
+    assert not sent(wire)
 
 
 def test_broken_json_is_told_where_it_breaks(server: Server, copter: Json) -> None:
@@ -98,7 +98,7 @@ def test_broken_json_is_told_where_it_breaks(server: Server, copter: Json) -> No
     assert "Exception" not in answer.text
 
 
-def test_soap_says_the_same_sentences(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+def test_soap_says_the_same_sentences(server: Server, api: Api, wire: Wire, copter: Json) -> None:
     service = soap(server, server.local_key())
     rest = api.call(
         "POST",
@@ -114,13 +114,13 @@ def test_soap_says_the_same_sentences(server: Server, api: Api, tap: Tap, copter
     assert latitude.value.message == rest
     assert latitude.value.code.endswith(":Client")
     assert "nosuchdrone" in unknown.value.message
-    assert not sent(tap)
+    assert not sent(wire)
 
 
-def test_soap_refuses_a_wrong_key_and_a_viewer(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+def test_soap_refuses_a_wrong_key_and_a_viewer(server: Server, api: Api, wire: Wire, copter: Json) -> None:
     for key, words in (("wrong", "key"), (api.new_key("soap viewer", "viewer"), "operator")):
         service = soap(server, key)
         with pytest.raises(zeep.exceptions.Fault) as fault:
             service.arm(copter["id"])
         assert words in fault.value.message
-    assert not sent(tap)
+    assert not sent(wire)

@@ -4,22 +4,14 @@ import secrets
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Pointer, Station, launch
-from dronemap_e2e.tap import Tap
+from dronemap_e2e.station import Pointer, Station
+from dronemap_e2e.tap import Wire
 
 from .test_errors import sent
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        started = launch(playwright)
-        yield started
-        started.close()
 
 
 @pytest.fixture
@@ -46,7 +38,7 @@ def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
 
 
 def test_a_viewer_reads_why_arming_is_not_for_viewers(
-    server: Server, api: Api, tap: Tap, copter: Json, page: Page
+    server: Server, api: Api, wire: Wire, copter: Json, page: Page
 ) -> None:
     station = Station(page, Pointer())
     station.sign_in(server.address, *user(api, "viewer"), secrets.token_hex(10))
@@ -55,10 +47,12 @@ def test_a_viewer_reads_why_arming_is_not_for_viewers(
     expect(station.button("Arm")).to_have_attribute("aria-disabled", "true")
     station.shows("Viewers watch only")
     station.hands.hold(page, station.button("Arm"))
-    assert not sent(tap)
+    assert not sent(wire)
 
 
-def test_bad_waypoints_stay_on_the_page(server: Server, api: Api, tap: Tap, copter: Json, page: Page) -> None:
+def test_bad_waypoints_stay_on_the_page(
+    server: Server, api: Api, wire: Wire, copter: Json, page: Page
+) -> None:
     station = Station(page, Pointer())
     station.sign_in(server.address, *user(api, "operator"), secrets.token_hex(10))
     station.choose(copter["name"])
@@ -72,4 +66,4 @@ def test_bad_waypoints_stay_on_the_page(server: Server, api: Api, tap: Tap, copt
 
     expect(station.button("Upload mission")).to_have_attribute("aria-disabled", "true")
     station.shows("must be -500 to 10000 m")
-    assert not sent(tap)
+    assert not sent(wire)
