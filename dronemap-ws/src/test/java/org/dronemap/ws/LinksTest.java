@@ -3,35 +3,25 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.HexFormat;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ListedLinks;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Endpoints, keys of vehicles and metrics over HTTP. */
 class LinksTest {
-    @TempDir
-    static Path data;
-
     private static TestHouse house;
     private static Http administrator;
 
     @BeforeAll
     static void open() {
-        house = new TestHouse(data, false);
+        house = SharedServer.get();
         administrator = new Http(house, house.key(Role.ADMINISTRATOR));
-    }
-
-    @AfterAll
-    static void close() {
-        house.close();
     }
 
     private static Http.Answer delete(Http http, String path) {
@@ -133,7 +123,8 @@ class LinksTest {
 
     @Test
     void makesTheKeyOfAKnownDroneUnderItsOwnId() {
-        String drone = ScriptedVehicle.connect(house.cloud(), 14699).id();
+        String drone =
+                ScriptedVehicle.connect(house.cloud(), 20_000 + house.number()).id();
 
         Http.Answer made = administrator.post("/api/v1/dtls-keys", "{\"drone\":\"" + drone + "\"}");
 

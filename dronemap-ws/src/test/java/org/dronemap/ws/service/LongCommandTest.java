@@ -2,7 +2,6 @@ package org.dronemap.ws.service;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -12,36 +11,29 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Commands that take longer than anybody waits without news. */
 class LongCommandTest {
     private static final Duration SILENCE = Duration.ofSeconds(1);
 
-    private TestHouse house;
+    private final TestHouse house = SharedServer.get();
     private CompletableFuture<CommandView> end;
     private VehicleChannel.Report report;
 
     @BeforeEach
-    void give(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), 15_682);
+    void give() {
+        ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         vehicle.takesItsTime();
         CommandService commands = house.bean(CommandService.class);
         CommandView given = commands.submit(
                 new Principal("ann", Role.OPERATOR), "rest", vehicle.id(), CommandRequest.simple("arm"));
         end = commands.awaitEndOrSilence(given, SILENCE);
         report = Waiting.until("it is under way", () -> Optional.ofNullable(vehicle.underWay()));
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
     }
 
     @Test
