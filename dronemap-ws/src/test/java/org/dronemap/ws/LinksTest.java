@@ -140,6 +140,9 @@ class LinksTest {
     void givesMetricsToAnyKeyButToNobodyWithoutOne() {
         Http viewer = new Http(house, house.key(Role.VIEWER));
 
+        int attached =
+                administrator.get("/api/v1/outlet").json().path("clients").size();
+
         Http.Answer metrics = viewer.get("/metrics");
 
         assertThat(metrics.status()).isEqualTo(200);
@@ -151,7 +154,7 @@ class LinksTest {
                 .contains("dronemap_endpoint_kernel_drops_total")
                 .contains("dronemap_vehicle_received_total{drone=\"drone-1\",session=\"127.0.0.1:14601:1\"")
                 .contains("dronemap_drones{state=\"live\"}")
-                .contains("dronemap_outlet_clients 0.0")
+                .contains("dronemap_outlet_clients " + attached + ".0")
                 .contains("dronemap_robot_refused_total{why=\"notBelieved\"} 4.0")
                 .contains("dronemap_outlet_refused_total{why=\"badSignature\"} ")
                 .contains("jvm_memory_heap_used_bytes");

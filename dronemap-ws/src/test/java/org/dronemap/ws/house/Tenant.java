@@ -76,11 +76,7 @@ public final class Tenant implements AutoCloseable {
 
     /** A copter that does what it is told, and stands there. */
     public WillingCopter copter(String name, Geodetic stand) {
-        return copter(new DroneKey("10.9.8.7", FIRST_PORT + server.number(), 1), name, stand);
-    }
-
-    /** The same behind that address, which no other test has. */
-    public WillingCopter copter(DroneKey key, String name, Geodetic stand) {
+        DroneKey key = new DroneKey("10.9.8.7", FIRST_PORT + server.number(), 1);
         WillingCopter copter = new WillingCopter(server.cloud(), key, name, stand);
         copters.add(copter);
         own(copter.id());
