@@ -13,6 +13,7 @@ import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.VirtualRights;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.time.Time;
 import org.dronemap.ws.service.FollowReliefs;
 import org.jspecify.annotations.Nullable;
 
@@ -25,14 +26,16 @@ public final class AccountRights implements VirtualRights, OperationRights, Foll
 
     private final AccessStore store;
     private final GrantBook grants;
+    private final Time time;
     private final ConcurrentHashMap<String, Known> known = new ConcurrentHashMap<>();
 
     /** Null: there is no such user who may do anything now. */
     private record Known(@Nullable Principal principal, long nanos) {}
 
-    public AccountRights(AccessStore store, GrantBook grants) {
+    public AccountRights(AccessStore store, GrantBook grants, Time time) {
         this.store = store;
         this.grants = grants;
+        this.time = time;
     }
 
     @Override
@@ -55,7 +58,7 @@ public final class AccountRights implements VirtualRights, OperationRights, Foll
     }
 
     private @Nullable Principal principal(String owner) {
-        long now = System.nanoTime();
+        long now = time.nanos();
         Known last = known.get(owner);
         if (last == null || now - last.nanos() > FRESH_NANOS) {
             Principal principal = store.user(owner)

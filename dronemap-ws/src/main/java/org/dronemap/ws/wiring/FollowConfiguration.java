@@ -23,7 +23,7 @@ public class FollowConfiguration {
         FollowReliefs reliefs = new FollowReliefs(
                 conduct(house),
                 house.virtuals()::warehouse,
-                new AccountRights(house.access(), house.grantBook()),
+                new AccountRights(house.access(), house.grantBook(), house.time()),
                 time);
         reliefs.start();
         return reliefs;

@@ -205,7 +205,7 @@ final class HouseBuilder {
                 cloud,
                 database.virtualDrones(),
                 new RunMachine(settings.virtualSilence()),
-                new AccountRights(database.access(), grants),
+                new AccountRights(database.access(), grants, time),
                 time);
         virtuals.addListener(new AuditedBindings(audit.store(), time.clock(), virtuals.all()));
         virtuals.start();
@@ -216,7 +216,7 @@ final class HouseBuilder {
     /** As for virtual drones. */
     private RunSide runs(CloudManager cloud, Database database, GrantBook grants) {
         RunSide runs = RunSide.of(
-                cloud, database.operations(), new AccountRights(database.access(), grants), settings.apart(), time);
+                cloud, database.operations(), new AccountRights(database.access(), grants, time), settings.apart(), time);
         runs.operations().takeUp();
         operations = runs.operations();
         closing.add("the operations", runs.operations());

@@ -150,7 +150,7 @@ public class ServiceConfiguration {
             Settings settings) {
         OidcSettings oidc = settings.oidc();
         ExternalUsers users = new ExternalUsers(house.access(), accounts, passwords, new Secrets());
-        return oidc == null ? null : new OidcSignIn(oidc, authentication, users, Clock.systemUTC());
+        return oidc == null ? null : new OidcSignIn(oidc, authentication, users, house.time().clock());
     }
 
     @Bean
@@ -234,7 +234,7 @@ public class ServiceConfiguration {
 
     @Bean
     FenceService fenceService(House house, DroneService drones, CommandService commands) {
-        return new FenceService(house.cloud(), drones, commands, Clock.systemUTC());
+        return new FenceService(house.cloud(), drones, commands, house.time().clock());
     }
 
     @Bean

@@ -164,7 +164,7 @@ public final class TestHouse implements AutoCloseable {
         startRecorder();
         history = history();
         virtuals = virtuals();
-        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants), Apart.USUAL, time);
+        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants, time), Apart.USUAL, time);
         runs.operations().takeUp();
         runs.operations().goOn();
         House house = new House(
@@ -194,7 +194,7 @@ public final class TestHouse implements AutoCloseable {
                 cloud,
                 new MemoryVirtualDroneStore(),
                 new RunMachine(RunMachine.USUAL_SILENCE),
-                new AccountRights(access, grants),
+                new AccountRights(access, grants, time),
                 time);
         made.addListener(new AuditedBindings(audit.store(), Clock.systemUTC(), made.all()));
         made.start();
