@@ -37,7 +37,11 @@ final class TimeRules {
             "org.dronemap.proxy.endpoint.WebSocketLine",
             "It waits for messages that the library's thread brings, and holds that one back.",
             "org.dronemap.proxy.endpoint.WebSocketDoor",
-            "The library wants an executor for TLS handshakes.");
+            "The library wants an executor for TLS handshakes.",
+            "org.dronemap.proxy.endpoint.PatientReader",
+            "It waits at most so long for a socket, as whoever dialled it greets meanwhile.",
+            "org.dronemap.cognitive.allocate.Neighbours",
+            "Arithmetic that comes to the same on as many threads as there are, and waits for nothing else.");
 
     /** Classes of ws that decide about flights, or build what does. */
     static final Set<String> OF_WS = Set.of(

@@ -159,13 +159,13 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    Budgets budgets(Settings settings) {
-        return new Budgets(settings.protection().rates(), System::nanoTime);
+    Budgets budgets(Settings settings, Time time) {
+        return new Budgets(settings.protection().rates(), time::nanos);
     }
 
     @Bean
-    AuditDesk auditDesk(House house, Clock clock) {
-        return new AuditDesk(house.audit().store(), clock, System::nanoTime);
+    AuditDesk auditDesk(House house, Time time) {
+        return new AuditDesk(house.audit().store(), time.clock(), time::nanos);
     }
 
     @Bean
