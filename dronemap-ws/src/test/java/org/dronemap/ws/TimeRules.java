@@ -152,8 +152,7 @@ final class TimeRules {
                                 || owner.isAssignableTo(Timer.class)
                                 || (owner.isAssignableTo(Executor.class) && isIn(owner, "java.util.concurrent"))))
                 || owner.isEquivalentTo(Executors.class)
-                || (owner.isEquivalentTo(ForkJoinPool.class)
-                        && target.getName().equals("commonPool"))
+                || (owner.isEquivalentTo(ForkJoinPool.class) && target.getName().equals("commonPool"))
                 || isOnACommonPool(target);
     }
 

@@ -36,8 +36,8 @@ import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.MemoryLink;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.endpoint.PeerHandler;
-import org.dronemap.proxy.record.ListedRecordings;
 import org.dronemap.proxy.record.LineTap;
+import org.dronemap.proxy.record.ListedRecordings;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.record.Replay;
 import org.dronemap.proxy.record.ReplayStatus;
@@ -168,8 +168,8 @@ class SteppedProxyTest {
         OutgoingSigner signer = new OutgoingSigner(
                 new SigningKey(MatrixClient.key("ann").secret()), new SigningClock(time.clock(), 0), 1);
         FrameWriter writer = new FrameWriter(254, 190, 2);
-        Repetition unused = everyBeat(
-                "client", () -> client.received(writer.frame(new Heartbeat(6, 8, 0, 0, 4, 3), signer)));
+        Repetition unused =
+                everyBeat("client", () -> client.received(writer.frame(new Heartbeat(6, 8, 0, 0, 4, 3), signer)));
 
         assertThat(time.advanceUntil(
                         () -> heard.stream()

@@ -216,7 +216,11 @@ final class HouseBuilder {
     /** As for virtual drones. */
     private RunSide runs(CloudManager cloud, Database database, GrantBook grants) {
         RunSide runs = RunSide.of(
-                cloud, database.operations(), new AccountRights(database.access(), grants, time), settings.apart(), time);
+                cloud,
+                database.operations(),
+                new AccountRights(database.access(), grants, time),
+                settings.apart(),
+                time);
         runs.operations().takeUp();
         operations = runs.operations();
         closing.add("the operations", runs.operations());

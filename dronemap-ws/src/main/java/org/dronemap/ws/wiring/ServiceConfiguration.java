@@ -150,7 +150,9 @@ public class ServiceConfiguration {
             Settings settings) {
         OidcSettings oidc = settings.oidc();
         ExternalUsers users = new ExternalUsers(house.access(), accounts, passwords, new Secrets());
-        return oidc == null ? null : new OidcSignIn(oidc, authentication, users, house.time().clock());
+        return oidc == null
+                ? null
+                : new OidcSignIn(oidc, authentication, users, house.time().clock());
     }
 
     @Bean
