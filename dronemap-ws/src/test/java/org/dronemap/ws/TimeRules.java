@@ -97,7 +97,7 @@ final class TimeRules {
                     @Override
                     public boolean test(JavaAccess<?> access) {
                         return access.getTarget() instanceof AccessTarget.CodeUnitAccessTarget target
-                                && (isAClock(target) || isAThread(target) || isAWait(target));
+                                && (isAClock(target) || isAThread(target) || isARest(target) || isATimedWait(target));
                     }
                 })
                 .as("what decides about flights has its time and its threads from core.time");
@@ -137,11 +137,13 @@ final class TimeRules {
     private static boolean isAClock(AccessTarget.CodeUnitAccessTarget target) {
         JavaClass owner = target.getOwner();
         String name = target.getName();
-        return (owner.isEquivalentTo(System.class) && (name.equals("nanoTime") || name.equals("currentTimeMillis")))
-                || (isIn(owner, "java.time") && name.equals("now") && !takes(target, Clock.class))
-                || (owner.isEquivalentTo(InstantSource.class) && name.equals("system"))
-                || (owner.isEquivalentTo(Clock.class)
-                        && (name.startsWith("system") || (name.startsWith("tick") && !takes(target, Clock.class))));
+        boolean ofAnother = takes(target, Clock.class);
+        return is(target, System.class, "nanoTime", "currentTimeMillis")
+                || is(target, InstantSource.class, "system")
+                || (!ofAnother && isIn(owner, "java.time") && name.equals("now"))
+                || (!ofAnother
+                        && owner.isEquivalentTo(Clock.class)
+                        && (name.startsWith("system") || name.startsWith("tick")));
     }
 
     private static boolean isAThread(AccessTarget.CodeUnitAccessTarget target) {
@@ -166,18 +168,26 @@ final class TimeRules {
                 || (owner.isAssignableTo(BaseStream.class) && name.equals("parallel"));
     }
 
-    private static boolean isAWait(AccessTarget.CodeUnitAccessTarget target) {
+    private static boolean isARest(AccessTarget.CodeUnitAccessTarget target) {
+        return is(target, Thread.class, "sleep")
+                || is(target, TimeUnit.class, "sleep", "timedWait", "timedJoin")
+                || is(target, LockSupport.class, "parkNanos", "parkUntil")
+                || is(target, WakeRhythm.class, "pause");
+    }
+
+    private static boolean isATimedWait(AccessTarget.CodeUnitAccessTarget target) {
         JavaClass owner = target.getOwner();
-        String name = target.getName();
-        boolean some = takes(target, long.class);
-        return (owner.isEquivalentTo(Thread.class) && name.equals("sleep"))
-                || (owner.isEquivalentTo(Object.class) && name.equals("wait") && some)
-                || (owner.isEquivalentTo(LockSupport.class) && (name.equals("parkNanos") || name.equals("parkUntil")))
-                || (owner.isAssignableTo(Selector.class) && name.equals("select") && some)
-                || (owner.isEquivalentTo(WakeRhythm.class) && name.equals("pause"))
-                || (owner.isEquivalentTo(TimeUnit.class) && (name.equals("sleep") || name.startsWith("timed")))
-                // poll, offer, take, get, await, tryAcquire, tryLock, schedule, waitFor and whatever else.
+        boolean timed = takes(target, long.class);
+        return (timed && is(target, Object.class, "wait"))
+                || (timed
+                        && owner.isAssignableTo(Selector.class)
+                        && target.getName().equals("select"))
+                // poll, offer, get, await, tryAcquire, tryLock, schedule, waitFor and whatever else.
                 || (isIn(owner, "java") && !owner.isAssignableTo(TimeUnit.class) && takes(target, TimeUnit.class));
+    }
+
+    private static boolean is(AccessTarget.CodeUnitAccessTarget target, Class<?> owner, String... names) {
+        return target.getOwner().isEquivalentTo(owner) && List.of(names).contains(target.getName());
     }
 
     private static boolean takes(AccessTarget.CodeUnitAccessTarget target, Class<?> type) {
