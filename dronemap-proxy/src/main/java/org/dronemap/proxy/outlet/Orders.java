@@ -1,7 +1,6 @@
 package org.dronemap.proxy.outlet;
 
 import java.util.Map;
-import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
@@ -37,6 +36,7 @@ final class Orders implements CloudListener, AutoCloseable {
     private final Consumer<Runnable> answering;
     private final Map<CommandId, Answer> open = new ConcurrentHashMap<>();
     private final Worker thread;
+    private final Time time;
 
     /** Hears what becomes of a command, where clients are answered. */
     interface Answer {
@@ -52,13 +52,14 @@ final class Orders implements CloudListener, AutoCloseable {
         this.cloud = cloud;
         this.control = control;
         this.answering = answering;
+        this.time = time;
         thread = time.worker("outlet-orders", MOST_WAITING);
         cloud.addListener(this);
     }
 
     /** Gives a command; whatever becomes of it is answered. */
     void give(Principal principal, DroneId drone, Command command, Answer answer) {
-        CommandId id = new CommandId("outlet-" + UUID.randomUUID());
+        CommandId id = new CommandId("outlet-" + time.newId());
         open.put(id, answer);
         try {
             thread.execute(() -> submit(principal, drone, id, command));
