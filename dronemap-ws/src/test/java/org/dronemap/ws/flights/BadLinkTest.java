@@ -9,6 +9,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.SplittableRandom;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
@@ -18,12 +19,13 @@ import org.dronemap.ws.lab.ScriptedPeer;
 import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 
 /** Commands over a link that delays by 500 ± 200 ms, loses a tenth each way, doubles and reorders. */
 class BadLinkTest {
+    private static final Duration LONGEST = Duration.ofMinutes(2);
     private static final List<String> MODES = List.of("LOITER", "BRAKE");
     private static final List<Double> MODE_NUMBERS = List.of(5.0, 17.0);
 
@@ -67,7 +69,7 @@ class BadLinkTest {
         private final Deque<CommandRequest> left;
         private final List<Given> given = new ArrayList<>();
         private @Nullable CommandRequest body;
-        private @Nullable CommandView underWay;
+        private @Nullable CompletableFuture<CommandView> end;
         private long began;
 
         Giver(Laboratory lab, Pilot pilot, CountingCopter copter, List<CommandRequest> commands) {
@@ -79,20 +81,20 @@ class BadLinkTest {
 
         /** Gives the next one when the one before has ended; true when all have. */
         boolean goOn() {
-            if (underWay != null) {
-                CommandView.OutcomeView outcome = pilot.now(underWay).outcome();
-                if (outcome == null) {
+            if (end != null) {
+                if (!end.isDone()) {
                     return false;
                 }
+                CommandView.OutcomeView outcome = Objects.requireNonNull(end.join().outcome());
                 given.add(new Given(began, Objects.requireNonNull(body), outcome.result()));
-                underWay = null;
+                end = null;
             }
             body = left.poll();
             if (body == null) {
                 return true;
             }
             began = lab.time().nanos();
-            underWay = pilot.give(copter.peer(), body);
+            end = lab.server().commands().awaitEnd(pilot.give(copter.peer(), body), LONGEST);
             return false;
         }
 
@@ -132,9 +134,18 @@ class BadLinkTest {
                 .toList();
     }
 
-    @ParameterizedTest
-    @CsvSource({"10, 10", "20, 50"})
-    void outcomesAgreeWithWhatTheVehiclesDid(int drones, int each) {
+    @Test
+    void outcomesOfAHundredCommandsAgreeWithWhatTheVehiclesDid() {
+        fly(10, 10);
+    }
+
+    @Test
+    @Tag("soak")
+    void outcomesOfAThousandCommandsAgreeWithWhatTheVehiclesDid() {
+        fly(20, 50);
+    }
+
+    private static void fly(int drones, int each) {
         try (Laboratory lab = new Laboratory(1)) {
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
             List<CountingCopter> copters = IntStream.range(0, drones)

@@ -40,7 +40,7 @@ class ModesTest {
     @CsvSource({"ArduCopter,3,2", "ArduPlane,3,1", "ArduRover,3,10", "ArduSub,3,12", "PX4,12,2"})
     void everyModeHasPymavlinksNameAndIsSetByIt(String vehicle, int autopilot, int type) throws IOException {
         Map<Long, String> modes = modes(autopilot, type);
-        assertThat(modes).hasSizeGreaterThan(9);
+        assertThat(modes).hasSizeGreaterThan(8);
         try (Laboratory lab = new Laboratory(1)) {
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
             ScriptedPeer peer =

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
@@ -76,7 +77,7 @@ class OtherAutopilotsTest {
     }
 
     private static double saidAway(LabDrone drone, Geodetic place) {
-        return drone.state().position().point().distanceMeters(place);
+        return Geodesy.distanceMeters(drone.state().position().point(), place);
     }
 
     @Test

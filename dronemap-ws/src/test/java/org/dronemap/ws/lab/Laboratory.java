@@ -160,8 +160,12 @@ public final class Laboratory implements AutoCloseable {
 
     /** The same for what appears. */
     public <T> T until(String what, Duration longest, Supplier<Optional<T>> appears) {
-        until(what, longest, () -> appears.get().isPresent());
-        return appears.get().orElseThrow();
+        List<T> found = new ArrayList<>(1);
+        until(what, longest, () -> {
+            appears.get().ifPresent(found::add);
+            return !found.isEmpty();
+        });
+        return found.get(0);
     }
 
     /** Lets time go by, and holds this all along. */
