@@ -32,6 +32,7 @@ import org.dronemap.ws.service.FenceView;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.MissionItemView;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -137,13 +138,26 @@ class MissionTransferTest {
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
     void aMissionGoesUpABadLink(VehicleKit kit) {
+        goesUpABadLink(kit, 6, Duration.ofMinutes(2));
+    }
+
+    @ParameterizedTest
+    @MethodSource(AUTOPILOTS)
+    @Tag("soak")
+    void aLongMissionGoesUpABadLink(VehicleKit kit) {
+        goesUpABadLink(kit, 200, Duration.ofMinutes(30));
+    }
+
+    private void goesUpABadLink(VehicleKit kit, int count, Duration longest) {
         LabDrone drone = drone(kit);
-        List<MissionItemView> items = waypoints(6, 0);
+        List<MissionItemView> items = waypoints(count, 0);
         drone.wire().is(Wire.Quality.BAD);
         drone.wire().doubles(0.02);
 
-        ann.succeeds(begin(drone, items));
+        CommandView upload = begin(drone, items);
+        lab.until("it has ended", longest, () -> done(upload) == ENDED);
 
+        ann.succeeds(upload);
         assertHolds(drone, items);
     }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
@@ -27,6 +28,8 @@ import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.ParametersView;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -167,6 +170,32 @@ class OnBoardParametersTest {
         ann.succeeds(loading);
         assertThat(held(drone)).isEqualTo(before);
         assertThat(parameters.file(ann.principal(), id, form)).isEqualTo(saved);
+    }
+
+    @Test
+    @Tag("soak")
+    void aThousandParametersGoUpABadLink() {
+        LabDrone drone = drone(VehicleKit.COPTER);
+        String id = drone.id().value();
+        read(drone);
+        List<String> names = shown(drone, "SPARE").parameters().stream()
+                .map(ParametersView.ParameterView::name)
+                .toList();
+        Map<String, Double> wanted = new TreeMap<>();
+        IntStream.range(0, names.size()).forEach(number -> wanted.put(names.get(number), number % 120.0));
+        String file = wanted.entrySet().stream()
+                .map(line -> line.getKey() + "," + line.getValue())
+                .collect(Collectors.joining("\n"));
+        drone.wire().is(Wire.Quality.BAD);
+        drone.wire().doubles(0.02);
+
+        CommandView loading = Objects.requireNonNull(
+                parameters.load(ann.caller(), id, file).command());
+        lab.until("all is loaded", Duration.ofMinutes(10), () -> ann.now(loading).outcome() != null);
+
+        ann.succeeds(loading);
+        assertThat(names).hasSizeGreaterThan(900);
+        assertThat(held(drone)).containsAllEntriesOf(wanted);
     }
 
     private boolean isUnderWay(CommandView loading) {
