@@ -53,7 +53,7 @@ class FleetCommandTest {
         return drones.stream().map(drone -> drone.id().value()).toList();
     }
 
-    private BroadcastView begin(@Nullable List<String> drones, @Nullable CommandRequest command, String id) {
+    private BroadcastView begin(@Nullable List<String> drones, @Nullable CommandRequest command, @Nullable String id) {
         return lab.server()
                 .broadcasts()
                 .submit(ann.principal(), "laboratory", new BroadcastRequest(drones, command, id));
@@ -125,6 +125,23 @@ class FleetCommandTest {
 
     private List<CommandView> given(String drone) {
         return lab.server().commands().commandsOf(ann.principal(), drone);
+    }
+
+    @Test
+    void anIdThatNobodyGaveIsTheSameInTheSameFlight() {
+        BroadcastRequest land = new BroadcastRequest(ALL, simple("land"), null);
+        try (Laboratory same = new Laboratory(1)) {
+            Pilot ben = same.pilot("ben", Role.OPERATOR);
+
+            String id = begin(ALL, simple("land"), null).id();
+
+            assertThat(id).startsWith("all-").hasSize(22);
+            assertThat(same.server()
+                            .broadcasts()
+                            .submit(ben.principal(), "laboratory", land)
+                            .id())
+                    .isEqualTo(id);
+        }
     }
 
     static Stream<Arguments> badInput() {

@@ -40,6 +40,7 @@ class OtherAutopilotsTest {
                 "it is where it was told to go",
                 Duration.ofSeconds(60),
                 () -> drone.distanceTo(corners.get(0)) < 2 && saidAway(drone, corners.get(0)) < 2);
+        assertThat(drone.height()).isBetween(HEIGHT - 1, HEIGHT + 1);
         List<MissionItem> items = new ArrayList<>();
         corners.forEach(corner -> items.add(new MissionItem.Waypoint(corner, Altitude.aboveHome(HEIGHT), 0)));
         ann.does(drone, CommandRequest.uploadMission(MissionItemView.of(items)))
@@ -47,6 +48,7 @@ class OtherAutopilotsTest {
         int last = drone.state().mission().items().size() - 1;
         for (Geodetic corner : corners) {
             lab.until("it is at the next corner", Duration.ofSeconds(60), () -> drone.distanceTo(corner) < 2);
+            assertThat(drone.height()).isBetween(HEIGHT - 1, HEIGHT + 1);
         }
         lab.until("the last item is reached", Duration.ofSeconds(60), () -> reached(drone, last));
         // Not every vehicle says it: MAVLink 1 has no field for it.
