@@ -132,14 +132,24 @@ class OnBoardFacesTest {
     void aLogIsListedFetchedSavedAndTakenAway() {
         assertThat(operator.get(path + "/logs").raw().body()).isEqualTo("{\"logs\":null}");
         succeeds(operator.post(path + "/logs/refresh", ""));
-        assertThat(operator.get(path + "/logs").json().path("logs").path(0).path("sizeBytes").asLong())
+        assertThat(operator.get(path + "/logs")
+                        .json()
+                        .path("logs")
+                        .path(0)
+                        .path("sizeBytes")
+                        .asLong())
                 .isEqualTo(LOG.length());
         assertThat(operator.get(path + "/logs/2/file").status()).isEqualTo(409);
 
         succeeds(operator.post(path + "/logs/2/download", ""));
         await().until(() -> operator.get(path + "/logs/2/file").status() == 200);
         assertThat(operator.get(path + "/logs/2/file").raw().body()).isEqualTo(LOG);
-        assertThat(operator.get(path + "/logs").json().path("logs").path(0).path("here").asBoolean())
+        assertThat(operator.get(path + "/logs")
+                        .json()
+                        .path("logs")
+                        .path(0)
+                        .path("here")
+                        .asBoolean())
                 .isTrue();
         assertThat(operator.post(path + "/logs/2/download", "").status()).isEqualTo(409);
 
@@ -153,7 +163,8 @@ class OnBoardFacesTest {
         vehicle.says(new DroneEvent.ParametersRead(List.of(
                 new Parameter("RTL_ALT", ParameterType.INT16, 1500),
                 new Parameter("RATE_P", ParameterType.REAL32, 0.1f))));
-        await().until(() -> operator.get(path + "/parameters").json().path("total").asInt() == 2);
+        await().until(() ->
+                operator.get(path + "/parameters").json().path("total").asInt() == 2);
 
         Http.Answer saved = operator.get(path + "/parameters/file?form=" + form);
         Http.Answer compared = operator.send(

@@ -60,8 +60,7 @@ class BadCommandTest {
     static Stream<Arguments> badValues() {
         return Stream.of(
                 Arguments.of(
-                        CommandRequest.uploadMission(
-                                List.of(waypoint(47.4, 8.5, 20.0), waypoint(47, 8, null))),
+                        CommandRequest.uploadMission(List.of(waypoint(47.4, 8.5, 20.0), waypoint(47, 8, null))),
                         "items[1].altitude",
                         "altitude"),
                 Arguments.of(CommandRequest.goTo(95.0, 8.0, 20.0), "latitude", "-90 to 90"),

@@ -85,7 +85,8 @@ class BadLinkTest {
                 if (!end.isDone()) {
                     return false;
                 }
-                CommandView.OutcomeView outcome = Objects.requireNonNull(end.join().outcome());
+                CommandView.OutcomeView outcome =
+                        Objects.requireNonNull(end.join().outcome());
                 given.add(new Given(began, Objects.requireNonNull(body), outcome.result()));
                 end = null;
             }
@@ -103,7 +104,8 @@ class BadLinkTest {
             int[] executions = new int[given.size()];
             for (CountingCopter.Act act : copter.log()) {
                 int likely = IntStream.range(0, given.size())
-                        .filter(n -> given.get(n).nanos() <= act.nanos() && given.get(n).showsIn(act))
+                        .filter(n -> given.get(n).nanos() <= act.nanos()
+                                && given.get(n).showsIn(act))
                         .max()
                         .orElse(-1);
                 if (likely >= 0) {
@@ -157,11 +159,14 @@ class BadLinkTest {
             List<CountingCopter> copters = IntStream.range(0, drones)
                     .mapToObj(number -> new CountingCopter(lab, 150 + number))
                     .toList();
-            lab.until("the copters are listed in the air", Duration.ofSeconds(30), () -> copters.stream()
-                    .allMatch(copter -> isInTheAir(copter.peer())));
+            lab.until(
+                    "the copters are listed in the air",
+                    Duration.ofSeconds(30),
+                    () -> copters.stream().allMatch(copter -> isInTheAir(copter.peer())));
             copters.forEach(copter -> spoil(copter.peer().wire()));
             List<Giver> givers = copters.stream()
-                    .map(copter -> new Giver(lab, ann, copter, mixed(each, copter.peer().port())))
+                    .map(copter -> new Giver(
+                            lab, ann, copter, mixed(each, copter.peer().port())))
                     .toList();
             lab.until("all has ended", Duration.ofMinutes(20), () -> allGoOn(givers));
             // Whatever was on its way when the last outcome came has arrived by then, and may act.

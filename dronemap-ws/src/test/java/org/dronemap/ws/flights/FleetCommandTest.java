@@ -39,8 +39,9 @@ class FleetCommandTest {
     }
 
     private List<LabDrone> fleet(int count) {
-        List<LabDrone> fleet =
-                IntStream.range(0, count).mapToObj(number -> lab.add(VehicleKit.COPTER)).toList();
+        List<LabDrone> fleet = IntStream.range(0, count)
+                .mapToObj(number -> lab.add(VehicleKit.COPTER))
+                .toList();
         fleet.forEach(lab::ready);
         return fleet;
     }
@@ -79,7 +80,8 @@ class FleetCommandTest {
         assertThat(armed.results())
                 .extracting(BroadcastView.Result::drone)
                 .containsExactlyInAnyOrderElementsOf(ids(fleet));
-        assertThat(armed.results()).allSatisfy(result -> assertThat(outcome(result).result()).isEqualTo("succeeded"));
+        assertThat(armed.results())
+                .allSatisfy(result -> assertThat(outcome(result).result()).isEqualTo("succeeded"));
         assertThat(armed.results().stream()
                         .map(result -> Objects.requireNonNull(result.command()).id())
                         .distinct())

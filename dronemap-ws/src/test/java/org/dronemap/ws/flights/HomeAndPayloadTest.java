@@ -69,8 +69,11 @@ class HomeAndPayloadTest {
         drone.wire().is(new Wire.Quality(0.1, Duration.ofMillis(100), Duration.ofMillis(200)));
         ann.does(drone, CommandRequest.setHome(47.4012, 8.5501, 501.0));
         assertThat(homeOf(drone)).containsExactly(474_012_000L, 85_501_000L, 501_000L);
-        lab.until("it is shown", Duration.ofSeconds(30), () -> new Home(new Geodetic(47.4012, 8.5501), 501)
-                .equals(drone.state().home()));
+        lab.until(
+                "it is shown",
+                Duration.ofSeconds(30),
+                () -> new Home(new Geodetic(47.4012, 8.5501), 501)
+                        .equals(drone.state().home()));
 
         ann.does(drone, CommandRequest.setHome(47.4013, 8.5502, 502.0));
         assertThat(homeOf(drone)).containsExactly(474_013_000L, 85_502_000L, 502_000L);

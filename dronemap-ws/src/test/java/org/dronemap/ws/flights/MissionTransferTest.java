@@ -180,8 +180,7 @@ class MissionTransferTest {
         tap.said(MissionRequestInt.ID, MissionRequestInt::decode).forEach(request -> asked.add(request.seq()));
         // Home stands before the items of an ArduPilot mission, and the cloud puts a take-off in front.
         assertThat(asked)
-                .isEqualTo(
-                        kit.isPx4() ? IntStream.range(0, 31).boxed().collect(Collectors.toSet()) : Set.of(9));
+                .isEqualTo(kit.isPx4() ? IntStream.range(0, 31).boxed().collect(Collectors.toSet()) : Set.of(9));
         assertHolds(drone, items);
         assertThat(drone.state().mission().hash()).isNotNull().isNotEqualTo(firstHash);
     }
@@ -199,8 +198,10 @@ class MissionTransferTest {
 
         new PluggedStation(lab, drone).raiseItem(4, 7);
 
-        String notice = lab.until("the change is told", Duration.ofSeconds(120), () -> Optional.ofNullable(
-                drone.state().mission().notice()));
+        String notice = lab.until(
+                "the change is told",
+                Duration.ofSeconds(120),
+                () -> Optional.ofNullable(drone.state().mission().notice()));
         assertThat(notice).contains("differs");
         assertThat(drone.state().messages()).anyMatch(message -> message.text().contains("differs"));
     }
@@ -221,8 +222,7 @@ class MissionTransferTest {
                         null,
                         null),
                 new FenceView.ZoneView("circle", false, null, corner, 50.0)));
-        FenceView.RallyView rally =
-                new FenceView.RallyView(List.of(new FenceView.RallyPointView(47.395, 8.545, 25.0)));
+        FenceView.RallyView rally = new FenceView.RallyView(List.of(new FenceView.RallyPointView(47.395, 8.545, 25.0)));
         assertThat(fences.fence(ann.principal(), id).zones()).isNull();
 
         ann.succeeds(fences.setFence(ann.caller(), id, fence));

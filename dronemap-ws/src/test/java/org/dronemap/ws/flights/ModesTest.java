@@ -43,11 +43,13 @@ class ModesTest {
         assertThat(modes).hasSizeGreaterThan(8);
         try (Laboratory lab = new Laboratory(1)) {
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
-            ScriptedPeer peer =
-                    lab.peer(1, ScriptedPeer.Kind.vehicle(type, autopilot), ScriptedPeer.OBEDIENT);
-            lab.until("the peer is listed as " + vehicle, Duration.ofSeconds(30), () -> peer.known()
-                    .filter(state -> state.identification().vehicle().startsWith(vehicle))
-                    .isPresent());
+            ScriptedPeer peer = lab.peer(1, ScriptedPeer.Kind.vehicle(type, autopilot), ScriptedPeer.OBEDIENT);
+            lab.until(
+                    "the peer is listed as " + vehicle,
+                    Duration.ofSeconds(30),
+                    () -> peer.known()
+                            .filter(state -> state.identification().vehicle().startsWith(vehicle))
+                            .isPresent());
 
             modes.forEach((number, name) -> {
                 peer.isIn(number);

@@ -64,8 +64,7 @@ class OnBoardParametersTest {
     }
 
     private CommandView put(LabDrone drone, String name, double value) {
-        return parameters.set(
-                ann.caller(), drone.id().value(), name, new ParameterService.ValueRequest(value, null));
+        return parameters.set(ann.caller(), drone.id().value(), name, new ParameterService.ValueRequest(value, null));
     }
 
     /** What the vehicle truly has. */
@@ -81,7 +80,9 @@ class OnBoardParametersTest {
     @MethodSource(AUTOPILOTS)
     void readsSearchesChangesAndProvesIt(VehicleKit kit) {
         LabDrone drone = drone(kit);
-        assertThat(parameters.parameters(ann.principal(), drone.id().value(), null).readAt())
+        assertThat(parameters
+                        .parameters(ann.principal(), drone.id().value(), null)
+                        .readAt())
                 .isNull();
         read(drone);
 
@@ -108,8 +109,7 @@ class OnBoardParametersTest {
         CommandView ended = ann.end(put(drone, "SPARE_0003", 20));
 
         assertThat(ended.outcome())
-                .isEqualTo(
-                        new CommandView.OutcomeView("failed", null, "The vehicle holds SPARE_0003 = 21, not 20."));
+                .isEqualTo(new CommandView.OutcomeView("failed", null, "The vehicle holds SPARE_0003 = 21, not 20."));
         assertThat(shown(drone, "SPARE_0003").parameters())
                 .extracting(ParametersView.ParameterView::value)
                 .containsExactly(21.0);
@@ -136,8 +136,7 @@ class OnBoardParametersTest {
     }
 
     static Stream<Arguments> autopilotsAndForms() {
-        return VehicleKit.autopilots()
-                .flatMap(kit -> Stream.of(Arguments.of(kit, "list"), Arguments.of(kit, "table")));
+        return VehicleKit.autopilots().flatMap(kit -> Stream.of(Arguments.of(kit, "list"), Arguments.of(kit, "table")));
     }
 
     @ParameterizedTest
@@ -158,12 +157,15 @@ class OnBoardParametersTest {
         assertThat(compared.command()).isNull();
 
         drone.wire().is(Wire.Quality.late(200));
-        CommandView loading = Objects.requireNonNull(
-                parameters.load(ann.caller(), id, saved).command());
+        CommandView loading =
+                Objects.requireNonNull(parameters.load(ann.caller(), id, saved).command());
         lab.until("some are written", Duration.ofSeconds(30), () -> isUnderWay(loading));
         assertThat(held(drone)).isNotEqualTo(before);
         drone.wire().cut();
-        lab.until("the cut is felt", Duration.ofSeconds(10), () -> drone.state().link().state() != LinkState.LIVE);
+        lab.until(
+                "the cut is felt",
+                Duration.ofSeconds(10),
+                () -> drone.state().link().state() != LinkState.LIVE);
         drone.wire().mend();
         drone.wire().is(Wire.Quality.GOOD);
 
@@ -189,9 +191,10 @@ class OnBoardParametersTest {
         drone.wire().is(Wire.Quality.BAD);
         drone.wire().doubles(0.02);
 
-        CommandView loading = Objects.requireNonNull(
-                parameters.load(ann.caller(), id, file).command());
-        lab.until("all is loaded", Duration.ofMinutes(10), () -> ann.now(loading).outcome() != null);
+        CommandView loading =
+                Objects.requireNonNull(parameters.load(ann.caller(), id, file).command());
+        lab.until(
+                "all is loaded", Duration.ofMinutes(10), () -> ann.now(loading).outcome() != null);
 
         ann.succeeds(loading);
         assertThat(names).hasSizeGreaterThan(900);
@@ -209,8 +212,23 @@ class OnBoardParametersTest {
                 .mapToObj(number -> new CommandRequest.ParameterRequest(String.format("SPARE_%04d", number), 50.0))
                 .toList();
         return new CommandRequest(
-                "setParameters", null, null, null, null, null, null, null, null, null, null, null, null, null, null,
-                values, null);
+                "setParameters",
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                values,
+                null);
     }
 
     @ParameterizedTest

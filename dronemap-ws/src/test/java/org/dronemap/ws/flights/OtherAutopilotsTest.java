@@ -92,7 +92,8 @@ class OtherAutopilotsTest {
             fly(lab, px4);
 
             List<Integer> orders = Stream.concat(
-                            tap.told(CommandLong.ID, CommandLong::decode).stream().map(CommandLong::command),
+                            tap.told(CommandLong.ID, CommandLong::decode).stream()
+                                    .map(CommandLong::command),
                             tap.told(CommandInt.ID, CommandInt::decode).stream().map(CommandInt::command))
                     .toList();
             assertThat(orders).contains(NAV_TAKEOFF, DO_REPOSITION);

@@ -61,8 +61,7 @@ class PeerAnswersTest {
     }
 
     private static boolean isArm(Frame frame) {
-        return frame.messageId() == CommandLong.ID
-                && CommandLong.decode(frame).command() == ScriptedPeer.ARM_DISARM;
+        return frame.messageId() == CommandLong.ID && CommandLong.decode(frame).command() == ScriptedPeer.ARM_DISARM;
     }
 
     private CommandView.OutcomeView outcome(LabVehicle vehicle, CommandRequest what) {
@@ -126,8 +125,23 @@ class PeerAnswersTest {
     void theSameCommandIdActsOnce() {
         ScriptedPeer peer = copter(ScriptedPeer.OBEDIENT);
         CommandRequest once = new CommandRequest(
-                "arm", "once-8251", null, null, null, null, null, null, null, null, null, null, null, null, null,
-                null, null);
+                "arm",
+                "once-8251",
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null,
+                null);
 
         CommandView first = ann.outcome(peer, once);
         CommandView second = ann.outcome(peer, once);
@@ -164,8 +178,7 @@ class PeerAnswersTest {
         "a companion computer, 18, 191"
     })
     void otherComponentsMakeNoDrone(String what, int type, int component) {
-        ScriptedPeer stranger =
-                lab.peer(99, new ScriptedPeer.Kind(type, 8, component, 2), ScriptedPeer.OBEDIENT);
+        ScriptedPeer stranger = lab.peer(99, new ScriptedPeer.Kind(type, 8, component, 2), ScriptedPeer.OBEDIENT);
         WireTap tap = stranger.wire().tap();
         ScriptedPeer copter = peer(98, ScriptedPeer.Kind.COPTER, ScriptedPeer.OBEDIENT);
 

@@ -70,7 +70,8 @@ public final class PluggedStation {
         say(new MissionCount(vehicle, AUTOPILOT, items.size(), 0));
         int acknowledged = lab.until("the vehicle takes a mission of the station that is plugged in", PATIENCE, () -> {
             for (Frame frame : news()) {
-                if (frame.messageId() == MissionAck.ID && MissionAck.decode(frame).targetSystem() == SYSTEM) {
+                if (frame.messageId() == MissionAck.ID
+                        && MissionAck.decode(frame).targetSystem() == SYSTEM) {
                     return Optional.of(MissionAck.decode(frame).type());
                 }
                 asked(frame).ifPresent(seq -> say(copy(items.get(seq), seq == number ? meters : 0)));

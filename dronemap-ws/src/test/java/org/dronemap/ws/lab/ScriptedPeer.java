@@ -114,12 +114,7 @@ public final class ScriptedPeer implements LabVehicle {
     /** Says that it is there. */
     public void beat() {
         says(new Heartbeat(
-                kind.type(),
-                kind.autopilot(),
-                CUSTOM_MODE_ENABLED | (armed ? ARMED : 0),
-                customMode,
-                status,
-                3));
+                kind.type(), kind.autopilot(), CUSTOM_MODE_ENABLED | (armed ? ARMED : 0), customMode, status, 3));
     }
 
     public void says(Message message) {
