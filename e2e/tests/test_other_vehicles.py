@@ -1,5 +1,6 @@
 """The same flight with a PX4 made of pymavlink, over TCP, and with a real autopilot where one is given."""
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,7 @@ import pytest
 from dronemap_e2e import sitl
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.peer import OBEDIENT, Kind, Peer
 from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
@@ -72,6 +74,25 @@ def test_a_px4_of_our_own_that_takes_only_px4s_ways_flies(server: Server, api: A
         assert not {NAV_TAKEOFF, DO_REPOSITION} & set(px4.refused)
     finally:
         px4.close()
+
+
+def test_a_peer_may_come_by_tcp_and_by_mavlink_1(server: Server, api: Api) -> None:
+    """End to end because pymavlink makes the frames of MAVLink 1, and another program's socket the pieces."""
+    for tcp, version in ((True, 2), (False, 1)):
+        port = server.tcp_port if tcp else server.udp_port
+        peer = Peer(port, system_id=155, kind=Kind(version=version), handlers=OBEDIENT, tcp=tcp)
+        try:
+            drone = wait_for("the peer is listed", partial(listed, api, peer))
+            api.do(drone["id"], type="arm")
+            assert peer.state.armed
+            assert drone["link"]["transport"] == ("tcp" if tcp else "udp")
+        finally:
+            peer.close()
+
+
+def listed(api: Api, peer: Peer) -> Json | None:
+    found = (d for d in api.drones() if d["link"]["port"] == peer.port and d["link"]["state"] == "live")
+    return next(found, None)
 
 
 def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:

@@ -38,7 +38,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Missions over links that are bad, or break: what the vehicle holds is what was sent, or it is said. */
-class MissionTransferTest {
+class OnBoardMissionsTest {
     private static final String AUTOPILOTS = "org.dronemap.ws.lab.VehicleKit#autopilots";
     private static final Duration FELT = Duration.ofSeconds(10);
     private static final int ENDED = 10_000;
