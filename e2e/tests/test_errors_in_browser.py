@@ -2,6 +2,7 @@
 
 import secrets
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -11,7 +12,14 @@ from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
 from dronemap_e2e.tap import Wire
 
-from .test_errors import sent
+
+def sent(wire: Wire) -> list[Any]:
+    """Commands and mission items that went down to the vehicle, message requests aside."""
+    return [
+        h.message
+        for h in wire.heard("COMMAND_LONG", "COMMAND_INT", "MISSION_COUNT", "MISSION_ITEM_INT", up=False)
+        if getattr(h.message, "command", None) not in (511, 512, 519, 520)
+    ]
 
 
 @pytest.fixture

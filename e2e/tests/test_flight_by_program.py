@@ -36,6 +36,7 @@ def _altitude(api: Api, drone: str) -> float:
 
 
 def test_flies_by_rest(api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because requests speaks HTTP to the server's own port, and the judge sees only the wire."""
     points = triangle(copter["home"])
 
     def act(kind: str, **body: Any) -> Json:
@@ -47,6 +48,7 @@ def test_flies_by_rest(api: Api, wire: Wire, copter: Json) -> None:
 
 
 def test_flies_by_curl(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because curl is the program that the handbook tells people to use."""
     points = triangle(copter["home"], altitude=12)
 
     def act(kind: str, **body: Any) -> Json:
@@ -70,6 +72,7 @@ def test_flies_by_curl(server: Server, api: Api, wire: Wire, copter: Json) -> No
 
 
 def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because zeep makes its calls of the service's own WSDL."""
     points = triangle(copter["home"], altitude=18)
     service = soap(server, server.local_key())
     listed = [d.id for d in service.getDronesList()]
@@ -96,6 +99,7 @@ def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> No
 
 
 def test_flies_by_websocket(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because another maker's WebSocket client carries the whole flight."""
     points = triangle(copter["home"], altitude=14)
     headers = {"Authorization": f"Bearer {server.local_key()}"}
     with connect(server.stream_address, additional_headers=headers) as stream:

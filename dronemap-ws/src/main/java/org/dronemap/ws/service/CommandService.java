@@ -157,9 +157,13 @@ public final class CommandService {
         return drones.find(principal, droneId).map(DroneState::name).orElse(null);
     }
 
+    String newId() {
+        return time.newId();
+    }
+
     private CommandId id(@Nullable String given) {
         if (given == null) {
-            return new CommandId(time.newId());
+            return new CommandId(newId());
         }
         if (!isId(given)) {
             throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");

@@ -240,8 +240,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    LogShelf logShelf(Settings settings) {
-        return new LogShelf(settings.dataDirectory().resolve("vehicle-logs"));
+    LogShelf logShelf(House house, Settings settings) {
+        return new LogShelf(settings.dataDirectory().resolve("vehicle-logs"), house.time());
     }
 
     @Bean

@@ -2,7 +2,6 @@ package org.dronemap.ws.lab;
 
 import java.time.Duration;
 import java.util.Optional;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.geo.Geodetic;
@@ -15,7 +14,7 @@ import org.dronemap.sim.physics.Position;
 import org.dronemap.sim.physics.Wind;
 
 /** One vehicle of the laboratory: what it truly does, its wire, and the drone that the server takes it for. */
-public final class LabDrone {
+public final class LabDrone implements LabVehicle {
     /** Where the first one stands; altitude in m AMSL. */
     public static final LocalFrame FIELD = new LocalFrame(47.3977, 8.5456, 488);
 
@@ -65,6 +64,7 @@ public final class LabDrone {
         return name;
     }
 
+    @Override
     public Wire wire() {
         return wire;
     }
@@ -106,19 +106,11 @@ public final class LabDrone {
                 .horizontalDistanceTo(start.locate(place.latitudeDegrees(), place.longitudeDegrees(), 0));
     }
 
-    /** As the server has it; empty: it knows no such drone. */
+    @Override
     public Optional<DroneState> known() {
         return lab.server().house().cloud().drones().stream()
                 .filter(state -> state.link().key().systemId() == systemId)
                 .findFirst();
-    }
-
-    public DroneState state() {
-        return known().orElseThrow(() -> new AssertionError("The server does not know " + name));
-    }
-
-    public DroneId id() {
-        return state().id();
     }
 
     public boolean isLost() {
@@ -136,7 +128,8 @@ public final class LabDrone {
                 .isPresent();
     }
 
-    String words() {
+    @Override
+    public String words() {
         return name + ": truly " + (craft().armed() ? "armed" : "disarmed")
                 + String.format(", %.1f m up, %.1f m away; ", height(), away())
                 + "for the server "

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.KeyScope;
@@ -22,6 +23,7 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.SteppedTime;
+import org.dronemap.mavlink.Frame;
 import org.dronemap.store.memory.MemoryStores;
 import org.dronemap.ws.wiring.SteppedServer;
 import org.jspecify.annotations.Nullable;
@@ -35,6 +37,7 @@ public final class Laboratory implements AutoCloseable {
     private static final Instant BEGAN = Instant.parse("2026-05-01T10:00:00Z");
     private static final int MOST_OPERATIONS = 1_000;
     private static final int MOST_ENTRIES = 1_000_000;
+    private static final int FIRST_PORT_OF_PEERS = 40_000;
     private static final Duration BEAT = Duration.ofMillis(20);
     private static final Duration LONGEST_PREPARATION = Duration.ofSeconds(60);
 
@@ -44,6 +47,7 @@ public final class Laboratory implements AutoCloseable {
     private final MemoryStores stores = new MemoryStores();
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
+    private final List<ScriptedPeer> peers = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
 
@@ -65,6 +69,7 @@ public final class Laboratory implements AutoCloseable {
         process = time.killable();
         server = new SteppedServer(data, process, stores);
         drones.forEach(drone -> drone.wire().attach(server().links()));
+        peers.forEach(peer -> peer.wire().attach(server().links()));
     }
 
     /** As by kill -9: nothing more is done, written or said. */
@@ -73,6 +78,7 @@ public final class Laboratory implements AutoCloseable {
             process.kill();
         }
         drones.forEach(drone -> drone.wire().attach(null));
+        peers.forEach(peer -> peer.wire().attach(null));
         server = null;
     }
 
@@ -104,6 +110,18 @@ public final class Laboratory implements AutoCloseable {
         drones.add(drone);
         drone.wire().attach(server().links());
         return drone;
+    }
+
+    /** Somebody of whom the test says what they answer. */
+    public ScriptedPeer peer(int systemId, ScriptedPeer.Kind kind, ScriptedPeer.Answers answers) {
+        ScriptedPeer peer = new ScriptedPeer(this, FIRST_PORT_OF_PEERS + peers.size(), systemId, kind, answers);
+        peers.add(peer);
+        peer.wire().attach(server().links());
+        return peer;
+    }
+
+    Wire wire(String name, int port, Consumer<Frame> vehicle) {
+        return new Wire(name, port, time, seed * 1_000_003 + port, record, vehicle);
     }
 
     /** Waits until the server knows it with its home, and it says that it may be armed. */
@@ -142,8 +160,12 @@ public final class Laboratory implements AutoCloseable {
 
     /** The same for what appears. */
     public <T> T until(String what, Duration longest, Supplier<Optional<T>> appears) {
-        until(what, longest, () -> appears.get().isPresent());
-        return appears.get().orElseThrow();
+        List<T> found = new ArrayList<>(1);
+        until(what, longest, () -> {
+            appears.get().ifPresent(found::add);
+            return !found.isEmpty();
+        });
+        return found.get(0);
     }
 
     /** Lets time go by, and holds this all along. */
@@ -162,11 +184,10 @@ public final class Laboratory implements AutoCloseable {
         }
     }
 
-    private String picture() {
+    String picture() {
         StringBuilder text = new StringBuilder("at " + now());
-        for (LabDrone drone : drones) {
-            text.append('\n').append(drone.words());
-        }
+        drones.forEach(drone -> text.append('\n').append(drone.words()));
+        peers.forEach(peer -> text.append('\n').append(peer.words()));
         return text.toString();
     }
 

@@ -1,6 +1,7 @@
 package org.dronemap.ws.lab;
 
 import java.util.Map;
+import java.util.stream.Stream;
 import org.dronemap.sim.personality.AutopilotKind;
 import org.dronemap.sim.personality.VehicleSettings;
 import org.dronemap.sim.personality.arducopter.ArduCopter;
@@ -32,12 +33,36 @@ public record VehicleKit(
             Map.of());
     public static final VehicleKit PX4 = new VehicleKit(new AutopilotKind("px4", "", Px4::new), 2, 0, 1, 0, Map.of());
 
+    /** One of each. */
+    public static Stream<VehicleKit> autopilots() {
+        return Stream.of(COPTER, PX4);
+    }
+
+    public boolean isPx4() {
+        return kind.name().equals("px4");
+    }
+
     public VehicleKit inWind(double speed) {
         return new VehicleKit(kind, mavlinkVersion, speed, readySeconds, parameters, presets);
     }
 
     public VehicleKit with(Map<String, Double> values) {
         return new VehicleKit(kind, mavlinkVersion, windSpeed, readySeconds, parameters, values);
+    }
+
+    /** With so many parameters as real ones have. */
+    public VehicleKit withParameters(int count) {
+        return new VehicleKit(kind, mavlinkVersion, windSpeed, readySeconds, count, presets);
+    }
+
+    /** It speaks MAVLink 1. */
+    public VehicleKit ofMavlink1() {
+        return new VehicleKit(kind, 1, windSpeed, readySeconds, parameters, presets);
+    }
+
+    @Override
+    public String toString() {
+        return kind.name();
     }
 
     VehicleSettings settings(int systemId, int hardware, long epochMicros) {

@@ -2,6 +2,8 @@ package org.dronemap.ws.lab;
 
 import java.nio.ByteBuffer;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import org.dronemap.core.time.Time;
@@ -31,6 +33,8 @@ public final class Wire {
     private final FrameReader reader = new FrameReader();
     private final String name;
     private Quality quality = Quality.GOOD;
+    private final List<WireTap> taps = new ArrayList<>();
+    private double doubled;
     private boolean cut;
     private int port;
     private @Nullable PeerHandler handler;
@@ -46,6 +50,14 @@ public final class Wire {
     public record Quality(double loss, Duration delay, Duration scatter) {
         /** Nothing gets lost. */
         public static final Quality GOOD = new Quality(0, USUAL_DELAY, Duration.ZERO);
+
+        /** A tenth gets lost each way, and what arrives is late by 0.3 to 0.7 s. */
+        public static final Quality BAD = new Quality(0.1, Duration.ofMillis(300), Duration.ofMillis(400));
+
+        /** Nothing gets lost, and all is late. */
+        public static Quality late(long millis) {
+            return new Quality(0, Duration.ofMillis(millis), Duration.ZERO);
+        }
     }
 
     Wire(String name, int port, Time time, long seed, FlightRecord record, Consumer<Frame> vehicle) {
@@ -69,6 +81,18 @@ public final class Wire {
         quality = other;
     }
 
+    /** So large a share of datagrams arrives twice from now on, 0 to 1. */
+    public void doubles(double share) {
+        doubled = share;
+    }
+
+    /** Hears what is said at both ends from now on. */
+    public WireTap tap() {
+        WireTap tap = new WireTap(time::nanos);
+        taps.add(tap);
+        return tap;
+    }
+
     /** Nothing goes through from now on. */
     public void cut() {
         cut = true;
@@ -88,6 +112,7 @@ public final class Wire {
     /** What the vehicle says. */
     void up(byte[] bytes) {
         record.said(name, bytes);
+        taps.forEach(tap -> tap.said(bytes));
         carry(() -> {
             PeerHandler there = handler();
             if (there != null) {
@@ -106,6 +131,7 @@ public final class Wire {
 
     private void down(byte[] bytes) {
         record.told(name, bytes);
+        taps.forEach(tap -> tap.told(bytes));
         carry(() -> reader.read(ByteBuffer.wrap(bytes), frame -> {
             if (frame.verified()) {
                 vehicle.accept(frame);
@@ -117,6 +143,13 @@ public final class Wire {
         if (cut || chance.nextDouble() < quality.loss()) {
             return;
         }
+        deliver(delivery);
+        if (doubled > 0 && chance.nextDouble() < doubled) {
+            deliver(delivery);
+        }
+    }
+
+    private void deliver(Runnable delivery) {
         long scatter = quality.scatter().toNanos();
         Duration delay = quality.delay().plusNanos(scatter == 0 ? 0 : chance.nextLong(scatter));
         var unused = transit.after(delay, () -> {

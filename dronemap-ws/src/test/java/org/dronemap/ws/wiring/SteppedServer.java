@@ -13,13 +13,18 @@ import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
 import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FollowReliefs;
 import org.dronemap.ws.service.FollowService;
+import org.dronemap.ws.service.LogService;
+import org.dronemap.ws.service.LogShelf;
+import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.service.Rates;
@@ -45,6 +50,10 @@ public final class SteppedServer implements AutoCloseable {
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
+    private final BroadcastService broadcasts;
+    private final ParameterService parameters;
+    private final FenceService fences;
+    private final LogService logs;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
@@ -72,6 +81,12 @@ public final class SteppedServer implements AutoCloseable {
         VirtualDroneViews views = virtual.virtualDroneViews(house);
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
+        broadcasts = new ServiceConfiguration().broadcastService(house, commands);
+        parameters = new ServiceConfiguration().parameterService(house, drones, commands);
+        fences = new ServiceConfiguration().fenceService(house, drones, commands);
+        LogShelf shelf = new LogShelf(data.resolve("vehicle-logs"), time);
+        closing.add("the logs of vehicles", shelf);
+        logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
         builder.hear();
     }
 
@@ -146,6 +161,22 @@ public final class SteppedServer implements AutoCloseable {
 
     public WarehouseService warehouse() {
         return warehouse;
+    }
+
+    public BroadcastService broadcasts() {
+        return broadcasts;
+    }
+
+    public ParameterService parameters() {
+        return parameters;
+    }
+
+    public FenceService fences() {
+        return fences;
+    }
+
+    public LogService logs() {
+        return logs;
     }
 
     @Override
