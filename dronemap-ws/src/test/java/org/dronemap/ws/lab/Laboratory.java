@@ -19,6 +19,7 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.SteppedTime;
@@ -35,6 +36,7 @@ public final class Laboratory implements AutoCloseable {
     private static final Instant BEGAN = Instant.parse("2026-05-01T10:00:00Z");
     private static final int MOST_OPERATIONS = 1_000;
     private static final int MOST_ENTRIES = 1_000_000;
+    private static final int FIRST_PEER_PORT = 40_500;
     private static final Duration BEAT = Duration.ofMillis(20);
     private static final Duration LONGEST_PREPARATION = Duration.ofSeconds(60);
 
@@ -44,6 +46,7 @@ public final class Laboratory implements AutoCloseable {
     private final MemoryStores stores = new MemoryStores();
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
+    private final List<ScriptedPeer> peers = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
 
@@ -64,7 +67,8 @@ public final class Laboratory implements AutoCloseable {
     public void startServer() {
         process = time.killable();
         server = new SteppedServer(data, process, stores);
-        drones.forEach(drone -> drone.wire().attach(server().links()));
+        drones.forEach(drone -> drone.attach(server().links()));
+        peers.forEach(peer -> peer.wire().attach(server().links()));
     }
 
     /** As by kill -9: nothing more is done, written or said. */
@@ -72,8 +76,16 @@ public final class Laboratory implements AutoCloseable {
         if (process != null) {
             process.kill();
         }
-        drones.forEach(drone -> drone.wire().attach(null));
+        drones.forEach(drone -> drone.attach(null));
+        peers.forEach(peer -> peer.wire().attach(null));
         server = null;
+    }
+
+    /** In the place of a server that has crashed, until there is one again. */
+    public OtherStation otherStation(LabDrone drone, List<Geodetic> places, double meters) {
+        OtherStation station = new OtherStation(places, meters);
+        drone.attach(station);
+        return station;
     }
 
     public SteppedServer server() {
@@ -102,8 +114,27 @@ public final class Laboratory implements AutoCloseable {
         int number = drones.size() + 1;
         LabDrone drone = new LabDrone(this, kit, number, seed * 1_000_003 + number, record);
         drones.add(drone);
-        drone.wire().attach(server().links());
+        drone.attach(server().links());
         return drone;
+    }
+
+    /** What the test speaks for, over such a wire; it says nothing before {@link ScriptedPeer#begin}. */
+    public ScriptedPeer peer(int systemId, Wire.Kind kind) {
+        int number = peers.size() + 1;
+        long chance = seed * 1_000_003 + FIRST_PEER_PORT + number;
+        ScriptedPeer peer = new ScriptedPeer(
+                this,
+                systemId,
+                hear -> new Wire("peer " + number, FIRST_PEER_PORT + number, time, chance, record, hear));
+        peer.wire().is(kind);
+        peer.wire().attach(server().links());
+        peers.add(peer);
+        return peer;
+    }
+
+    /** The same over datagrams of this machine. */
+    public ScriptedPeer peer(int systemId) {
+        return peer(systemId, Wire.Kind.UDP);
     }
 
     /** Waits until the server knows it with its home, and it says that it may be armed. */

@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
@@ -36,7 +37,11 @@ public final class Pilot {
 
     /** Gives a command and does not wait; refusals are thrown. */
     public CommandView give(LabDrone drone, CommandRequest what) {
-        return lab.server().commands().submit(principal(), FACE, drone.id().value(), what);
+        return give(drone.id(), what);
+    }
+
+    public CommandView give(DroneId drone, CommandRequest what) {
+        return lab.server().commands().submit(principal(), FACE, drone.value(), what);
     }
 
     /** Gives a command, and waits for its end whatever that is. */
@@ -52,7 +57,8 @@ public final class Pilot {
                 () -> Optional.of(now(given)).filter(command -> command.outcome() != null));
     }
 
-    private CommandView now(CommandView given) {
+    /** As it is now. */
+    public CommandView now(CommandView given) {
         return lab.server().commands().command(principal(), given.id());
     }
 
@@ -62,6 +68,16 @@ public final class Pilot {
         CommandView.OutcomeView outcome = Objects.requireNonNull(ended.outcome());
         if (!outcome.result().equals("succeeded")) {
             throw new AssertionError(ended.summary() + ": " + outcome + "; " + drone.words());
+        }
+        return this;
+    }
+
+    /** The same for any drone that the server knows. */
+    public Pilot does(DroneId drone, CommandRequest what) {
+        CommandView ended = end(give(drone, what));
+        CommandView.OutcomeView outcome = Objects.requireNonNull(ended.outcome());
+        if (!outcome.result().equals("succeeded")) {
+            throw new AssertionError(ended.summary() + ": " + outcome);
         }
         return this;
     }

@@ -45,15 +45,17 @@ public final class SteppedServer implements AutoCloseable {
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
+    private final SteppedOffice office;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
-        builder = new HouseBuilder(settings(data), closing, time);
+        Settings settings = settings(data);
+        builder = new HouseBuilder(settings, closing, time);
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);
-        drones = new DroneService(
-                house.cloud(), new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed));
+        DroneViews shown = new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed);
+        drones = new DroneService(house.cloud(), shown);
         commands = new ServiceConfiguration().commandService(house, drones, budgets);
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);
         zones = new ServiceConfiguration().zoneService(house, drones, time.clock());
@@ -72,6 +74,7 @@ public final class SteppedServer implements AutoCloseable {
         VirtualDroneViews views = virtual.virtualDroneViews(house);
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
+        office = SteppedOffice.of(house, settings, drones, shown, zones);
         builder.hear();
     }
 
@@ -146,6 +149,10 @@ public final class SteppedServer implements AutoCloseable {
 
     public WarehouseService warehouse() {
         return warehouse;
+    }
+
+    public SteppedOffice office() {
+        return office;
     }
 
     @Override
