@@ -84,6 +84,10 @@ public final class Pilot {
 
     /** The sentence that it is refused with before anything is sent. */
     public String refusal(LabDrone drone, CommandRequest what) {
+        return refusal(drone.id(), what);
+    }
+
+    public String refusal(DroneId drone, CommandRequest what) {
         try {
             CommandView given = give(drone, what);
             throw new AssertionError("Not refused: " + given);

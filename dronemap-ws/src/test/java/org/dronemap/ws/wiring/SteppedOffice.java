@@ -3,6 +3,7 @@ package org.dronemap.ws.wiring;
 import org.dronemap.store.parquet.ParquetTrack;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.DtlsKeyService;
 import org.dronemap.ws.service.FlightService;
 import org.dronemap.ws.service.GrantChanges;
 import org.dronemap.ws.service.LinkSecurityService;
@@ -23,7 +24,8 @@ public record SteppedOffice(
         ReplayService replays,
         FlightService flights,
         TelemetryService telemetry,
-        TelemetryFiles files) {
+        TelemetryFiles files,
+        DtlsKeyService dtlsKeys) {
 
     static SteppedOffice of(House house, Settings settings, DroneService drones, DroneViews views, ZoneService zones) {
         ServiceConfiguration services = new ServiceConfiguration();
@@ -44,6 +46,7 @@ public record SteppedOffice(
                         house.history().telemetry(),
                         new TlogCut(house.archive()),
                         new ParquetTrack(),
-                        settings.dataDirectory()));
+                        settings.dataDirectory()),
+                services.dtlsKeyService(house, house.time().clock()));
     }
 }
