@@ -46,17 +46,22 @@ class CrashFlightTest {
                 .toList();
         ann.does(copter, CommandRequest.uploadMission(MissionItemView.of(items)))
                 .does(copter, CommandRequest.startMission(onCloudLoss));
-        lab.until("it heads for the first waypoint", Duration.ofSeconds(10), () -> Objects.equals(
-                copter.state().mission().current(), 1));
+        lab.until(
+                "it heads for the first waypoint",
+                Duration.ofSeconds(10),
+                () -> Objects.equals(copter.state().mission().current(), 1));
         lab.goOn(Duration.ofSeconds(1));
     }
 
     private void isBackWithMission() {
         lab.startServer();
-        lab.until("it is back and its mission was read", RETURN, () -> copter.known()
-                .filter(state -> state.link().state() == LinkState.LIVE
-                        && state.mission().items() != null)
-                .isPresent());
+        lab.until(
+                "it is back and its mission was read",
+                RETURN,
+                () -> copter.known()
+                        .filter(state -> state.link().state() == LinkState.LIVE
+                                && state.mission().items() != null)
+                        .isPresent());
     }
 
     private Stream<String> texts() {
@@ -76,10 +81,14 @@ class CrashFlightTest {
         assertThat(copter.id()).isEqualTo(drone);
         assertThat(copter.state().mission().items()).hasSize(4);
         assertThat(copter.state().mode()).isEqualTo("AUTO");
-        lab.until("it is shown to head for the last", Duration.ofSeconds(5), () -> Objects.equals(
-                copter.state().mission().current(), 3));
-        lab.until("it is said", Duration.ofSeconds(5), () -> texts()
-                .anyMatch(text -> text.contains("flew on from item 2")));
+        lab.until(
+                "it is shown to head for the last",
+                Duration.ofSeconds(5),
+                () -> Objects.equals(copter.state().mission().current(), 3));
+        lab.until(
+                "it is said",
+                Duration.ofSeconds(5),
+                () -> texts().anyMatch(text -> text.contains("flew on from item 2")));
         lab.until("it flies on", Duration.ofSeconds(60), () -> copter.distanceTo(corners.get(2)) < 2);
     }
 
@@ -92,8 +101,10 @@ class CrashFlightTest {
         lab.goOn(Duration.ofSeconds(5));
         isBackWithMission();
 
-        lab.until("it is said", Duration.ofSeconds(5), () -> texts()
-                .anyMatch(text -> text.contains("flew its mission to the end")));
+        lab.until(
+                "it is said",
+                Duration.ofSeconds(5),
+                () -> texts().anyMatch(text -> text.contains("flew its mission to the end")));
     }
 
     @Test
@@ -102,11 +113,10 @@ class CrashFlightTest {
         var drone = copter.id();
 
         lab.crashServer();
-        lab.until("it returns", Duration.ofSeconds(30), () -> copter.vehicle()
-                        .autopilot()
-                        .heartbeat()
-                        .customMode()
-                == RTL);
+        lab.until(
+                "it returns",
+                Duration.ofSeconds(30),
+                () -> copter.vehicle().autopilot().heartbeat().customMode() == RTL);
         isBackWithMission();
 
         assertThat(copter.id()).isEqualTo(drone);

@@ -103,7 +103,10 @@ class IdentityFlightTest {
         DroneId drone = real.listed();
         lab.until("its hardware is known", Duration.ofSeconds(10), this::knowsHardware);
         real.isAt(HOME, HOME_EAST);
-        lab.until("its position is known", Duration.ofSeconds(1), () -> only(drone).position() != null);
+        lab.until(
+                "its position is known",
+                Duration.ofSeconds(1),
+                () -> only(drone).position() != null);
 
         ScriptedPeer forger = copter();
         for (int i = 0; i < 80; i++) {
@@ -178,8 +181,7 @@ class IdentityFlightTest {
 
     @Test
     void aCommandRightAfterAConnectionCameBackIsCarriedOut() {
-        ScriptedPeer copter =
-                lab.peer(7, Wire.Kind.TCP).withHardware(BOARD).begin();
+        ScriptedPeer copter = lab.peer(7, Wire.Kind.TCP).withHardware(BOARD).begin();
         DroneId drone = copter.listed();
         lab.until("its hardware is known", Duration.ofSeconds(10), this::knowsHardware);
 

@@ -33,11 +33,7 @@ class LinkFlightTest {
 
     static Stream<Wire.Kind> kinds() {
         return Stream.of(
-                Wire.Kind.serial(DEVICE),
-                Wire.Kind.UDP,
-                Wire.Kind.TCP,
-                Wire.Kind.WEBSOCKET,
-                Wire.Kind.dtls("copter"));
+                Wire.Kind.serial(DEVICE), Wire.Kind.UDP, Wire.Kind.TCP, Wire.Kind.WEBSOCKET, Wire.Kind.dtls("copter"));
     }
 
     private void takesOff() {
@@ -50,7 +46,10 @@ class LinkFlightTest {
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(22, 0)) < 2);
         ann.does(copter, CommandRequest.simple("land"));
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
-        lab.until("the server knows", Duration.ofSeconds(5), () -> Boolean.FALSE.equals(copter.state().armed()));
+        lab.until(
+                "the server knows",
+                Duration.ofSeconds(5),
+                () -> Boolean.FALSE.equals(copter.state().armed()));
     }
 
     @ParameterizedTest

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
-import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Attitude;
@@ -22,7 +21,8 @@ class LinkQualityTest {
     private static final double LEAST_MILLIS = 70;
 
     private final Laboratory lab = new Laboratory(1);
-    private final ScriptedPeer peer = lab.peer(11).answers(Timesync.ID, this::answerLate).begin();
+    private final ScriptedPeer peer =
+            lab.peer(11).answers(Timesync.ID, this::answerLate).begin();
 
     @AfterEach
     void close() {
@@ -41,9 +41,7 @@ class LinkQualityTest {
     }
 
     private LinkQuality quality() {
-        return peer.known()
-                .map(state -> state.link().quality())
-                .orElse(LinkQuality.UNKNOWN);
+        return peer.known().map(state -> state.link().quality()).orElse(LinkQuality.UNKNOWN);
     }
 
     private double lossShort() {
@@ -57,9 +55,12 @@ class LinkQualityTest {
     @Test
     void lossAndRoundTripAreMeasured() {
         peer.goesOn(Duration.ofMillis(20), () -> peer.say(new Attitude(0, 0.1f, 0.2f, 0.3f, 0, 0, 0)));
-        lab.until("the quality is known", Duration.ofSeconds(20), () -> quality().lossShort() != null
-                && quality().lossLong() != null
-                && quality().roundTripMillis() != null);
+        lab.until(
+                "the quality is known",
+                Duration.ofSeconds(20),
+                () -> quality().lossShort() != null
+                        && quality().lossLong() != null
+                        && quality().roundTripMillis() != null);
         assertThat(lossShort()).isZero();
         assertThat(lossLong()).isZero();
         assertThat(quality().roundTripMillis()).isBetween(LEAST_MILLIS, LEAST_MILLIS + 50);

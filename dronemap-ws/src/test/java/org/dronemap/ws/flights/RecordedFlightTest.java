@@ -77,8 +77,10 @@ class RecordedFlightTest {
     }
 
     private RecordingView recording(String state) {
-        return lab.until("its recording is " + state, Duration.ofSeconds(60), () -> newest()
-                .filter(recording -> recording.state().equals(state)));
+        return lab.until(
+                "its recording is " + state,
+                Duration.ofSeconds(60),
+                () -> newest().filter(recording -> recording.state().equals(state)));
     }
 
     private Optional<RecordingView> newest() {
@@ -97,8 +99,12 @@ class RecordedFlightTest {
             long micros = ByteBuffer.wrap(tlog, at, Long.BYTES).getLong();
             at += Long.BYTES;
             boolean second = tlog[at] == (byte) 0xFD;
-            assertThat(second || tlog[at] == (byte) 0xFE).as("a frame begins at byte %d", at).isTrue();
-            assertThat(second && (tlog[at + 2] & 1) != 0).as("a signature was kept").isFalse();
+            assertThat(second || tlog[at] == (byte) 0xFE)
+                    .as("a frame begins at byte %d", at)
+                    .isTrue();
+            assertThat(second && (tlog[at + 2] & 1) != 0)
+                    .as("a signature was kept")
+                    .isFalse();
             int length = (second ? 10 : 6) + (tlog[at + 1] & 0xFF) + 2;
             found.add(new Kept(micros, Arrays.copyOfRange(tlog, at, at + length)));
             at += length;
@@ -139,13 +145,16 @@ class RecordedFlightTest {
         List<String> down = hex(kept, false);
         assertThat(up).hasSizeGreaterThan(100);
         assertThat(down).hasSizeGreaterThan(10);
-        assertThat(Collections.indexOfSubList(wire(true), up)).as("what the vehicle said").isNotNegative();
-        assertThat(Collections.indexOfSubList(wire(false), down)).as("what it was told").isNotNegative();
+        assertThat(Collections.indexOfSubList(wire(true), up))
+                .as("what the vehicle said")
+                .isNotNegative();
+        assertThat(Collections.indexOfSubList(wire(false), down))
+                .as("what it was told")
+                .isNotNegative();
         assertThat(sentFor(done.id(), kept, given)).containsExactly("arm", "land", "takeOff");
-        long armed = kept.stream().filter(Kept::saysArmed).findFirst().orElseThrow().micros();
-        assertThat(armed - kept.get(0).micros())
-                .as("the seconds before arming")
-                .isGreaterThan(3_000_000);
+        long armed =
+                kept.stream().filter(Kept::saysArmed).findFirst().orElseThrow().micros();
+        assertThat(armed - kept.get(0).micros()).as("the seconds before arming").isGreaterThan(3_000_000);
     }
 
     /** Types of the commands for which something was sent, as noted beside the recording. */
@@ -193,11 +202,10 @@ class RecordedFlightTest {
         String shown = lab.until("it is played", Duration.ofSeconds(5), () -> shown(replay.id()));
         assertThat(lab.server().drones().drone(ann.principal(), shown).replay()).isTrue();
         lab.server().office().replays().remove(ann.principal(), replay.id());
-        lab.until("its drone has gone", Duration.ofSeconds(1), () -> lab.server()
-                .house()
-                .cloud()
-                .drone(new DroneId(shown))
-                .isEmpty());
+        lab.until(
+                "its drone has gone",
+                Duration.ofSeconds(1),
+                () -> lab.server().house().cloud().drone(new DroneId(shown)).isEmpty());
 
         assertThatThrownBy(() -> service().delete(ann.principal(), done.id(), false))
                 .isInstanceOfSatisfying(
@@ -217,8 +225,10 @@ class RecordedFlightTest {
     @Test
     void aCrashLeavesARecordingThatCanBeRead() throws IOException {
         ann.does(copter, ARM);
-        RecordingView before = lab.until("some of it is written", Duration.ofSeconds(30), () -> newest()
-                .filter(recording -> recording.state().equals("running") && recording.frames() >= 200));
+        RecordingView before = lab.until(
+                "some of it is written",
+                Duration.ofSeconds(30),
+                () -> newest().filter(recording -> recording.state().equals("running") && recording.frames() >= 200));
 
         lab.crashServer();
         lab.startServer();

@@ -8,13 +8,10 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
@@ -30,6 +27,7 @@ import org.dronemap.ws.service.FlightView;
 import org.dronemap.ws.service.PointView;
 import org.dronemap.ws.service.TelemetrySearch;
 import org.dronemap.ws.service.TelemetryService;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -62,9 +60,12 @@ class RememberedFlightTest {
     }
 
     private FlightView flight(String state) {
-        return lab.until("the flight is " + state, Duration.ofMinutes(2), () -> flights().stream()
-                .findFirst()
-                .filter(flight -> flight.state().equals(state)));
+        return lab.until(
+                "the flight is " + state,
+                Duration.ofMinutes(2),
+                () -> flights().stream()
+                        .findFirst()
+                        .filter(flight -> flight.state().equals(state)));
     }
 
     private TelemetryService telemetry() {
@@ -93,16 +94,18 @@ class RememberedFlightTest {
         assertThat(flight.recordings()).hasSize(1);
         List<PointView> points = telemetry().points(subject(flight), ALL).points();
         assertThat(points.size()).isGreaterThan((int) flight.seconds());
-        points.forEach(point -> assertThat(metersOff(log, point)).as("%s", point).isLessThan(METERS));
-        List<EventView> events = lab.until("its end is told", Duration.ofSeconds(10), () -> Optional.of(
-                        telemetry().events(subject(flight), ALL).events())
-                .filter(told -> told.stream().anyMatch(event -> event.kind().equals("disarmed"))));
-        assertThat(events)
-                .filteredOn(event -> event.kind().equals("command"))
-                .anySatisfy(event -> {
-                    assertThat(event.text()).isEqualTo("take off to 8 m");
-                    assertThat(event.result()).isEqualTo("succeeded");
-                });
+        points.forEach(
+                point -> assertThat(metersOff(log, point)).as("%s", point).isLessThan(METERS));
+        List<EventView> events = lab.until(
+                "its end is told",
+                Duration.ofSeconds(10),
+                () -> Optional.of(telemetry().events(subject(flight), ALL).events())
+                        .filter(told ->
+                                told.stream().anyMatch(event -> event.kind().equals("disarmed"))));
+        assertThat(events).filteredOn(event -> event.kind().equals("command")).anySatisfy(event -> {
+            assertThat(event.text()).isEqualTo("take off to 8 m");
+            assertThat(event.result()).isEqualTo("succeeded");
+        });
         assertThat(events).extracting(EventView::kind).contains("armed", "disarmed", "mode");
         double highest = points.stream()
                 .mapToDouble(point -> Objects.requireNonNull(point.altitudeAboveHome()))
@@ -119,8 +122,8 @@ class RememberedFlightTest {
 
     /** From the nearest place that it said it was at around that time. */
     private double metersOff(WireLog log, PointView point) {
-        Geodetic here = new Geodetic(
-                Objects.requireNonNull(point.latitude()), Objects.requireNonNull(point.longitude()));
+        Geodetic here =
+                new Geodetic(Objects.requireNonNull(point.latitude()), Objects.requireNonNull(point.longitude()));
         double height = Objects.requireNonNull(point.altitudeAboveHome());
         return log.frames(true).stream()
                 .filter(passed -> passed.frame().messageId() == GlobalPositionInt.ID)
@@ -155,11 +158,8 @@ class RememberedFlightTest {
     }
 
     private String file(FlightView flight, String form) throws IOException {
-        return Files.readString(lab.server()
-                .office()
-                .files()
-                .export(subject(flight), ALL, form)
-                .file());
+        return Files.readString(
+                lab.server().office().files().export(subject(flight), ALL, form).file());
     }
 
     private static int count(String text, String piece) {
@@ -172,9 +172,10 @@ class RememberedFlightTest {
         FlightView before = flight("running");
         lab.until("telemetry is kept", Duration.ofSeconds(10), () -> keptUntil() != null);
         // As a crash at any of these moments would show.
-        lab.throughout("what is kept is not far behind", Duration.ofSeconds(10), () -> !shown()
-                .minus(MOST_LOST)
-                .isAfter(Objects.requireNonNull(keptUntil())));
+        lab.throughout(
+                "what is kept is not far behind",
+                Duration.ofSeconds(10),
+                () -> !shown().minus(MOST_LOST).isAfter(Objects.requireNonNull(keptUntil())));
         Instant shown = shown();
 
         lab.crashServer();
@@ -183,7 +184,10 @@ class RememberedFlightTest {
 
         List<Instant> kept = kept();
         assertThat(kept.get(kept.size() - 1)).isBetween(shown.minus(MOST_LOST), shown);
-        lab.until("it is heard again", Duration.ofSeconds(10), () -> flights().get(0).state().equals("running"));
+        lab.until(
+                "it is heard again",
+                Duration.ofSeconds(10),
+                () -> flights().get(0).state().equals("running"));
         ann.does(copter, CommandRequest.simple("land"));
         FlightView after = flight("ended");
         assertThat(copter.isDown()).isTrue();
@@ -196,14 +200,15 @@ class RememberedFlightTest {
         return copter.state().lastUpdate();
     }
 
-    private Instant keptUntil() {
+    private @Nullable Instant keptUntil() {
         List<Instant> kept = kept();
         return kept.isEmpty() ? null : kept.get(kept.size() - 1);
     }
 
     private List<Instant> kept() {
         String from = lab.now().minusSeconds(30).toString();
-        TelemetryService.Subject subject = telemetry().drone(ann.principal(), copter.id().value());
+        TelemetryService.Subject subject =
+                telemetry().drone(ann.principal(), copter.id().value());
         return telemetry().points(subject, new TelemetrySearch(from, null, null, null, null)).points().stream()
                 .map(PointView::at)
                 .toList();

@@ -25,8 +25,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Recordings of real vehicles, where they are at hand, played at ten times their speed. */
 class ReplayedFlightTest {
-    private static final List<String> MODES =
-            List.of("MANUAL", "STABILIZE", "ALT_HOLD", "POSHOLD", "SURFACE", "ACRO");
+    private static final List<String> MODES = List.of("MANUAL", "STABILIZE", "ALT_HOLD", "POSHOLD", "SURFACE", "ACRO");
     private static final Duration LONGEST = Duration.ofMinutes(10);
 
     @ParameterizedTest
@@ -44,28 +43,30 @@ class ReplayedFlightTest {
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
             ReplayService replays = lab.server().office().replays();
             String replay = replays.start(ann.principal(), name, 10.0, tlog).id();
-            DroneId drone = lab.until("its drone is listed", Duration.ofSeconds(30), () -> replays
-                    .replay(ann.principal(), replay)
-                    .drones()
-                    .stream()
-                    .findFirst()
-                    .map(DroneId::new));
+            DroneId drone = lab.until(
+                    "its drone is listed",
+                    Duration.ofSeconds(30),
+                    () -> replays.replay(ann.principal(), replay).drones().stream()
+                            .findFirst()
+                            .map(DroneId::new));
             lab.until("mode and battery are shown", Duration.ofSeconds(20), () -> shows(lab, drone));
             checkSubmarine(state(lab, drone));
             assertThat(ann.refusal(drone, CommandRequest.simple("arm"))).contains("recording");
 
-            ReplayView done = lab.until("it was played to its end", LONGEST, () -> Optional.of(
-                            replays.replay(ann.principal(), replay))
-                    .filter(now -> now.state().equals("finished")));
+            ReplayView done = lab.until(
+                    "it was played to its end",
+                    LONGEST,
+                    () -> Optional.of(replays.replay(ann.principal(), replay))
+                            .filter(now -> now.state().equals("finished")));
             assertThat(done.goodMessages()).isEqualTo(goodMessages);
             assertThat(done.drones()).as("other components make no drone").hasSize(1);
             DroneState last = state(lab, drone);
             assertThat(last.position() != null && last.position().point() != null)
                     .isEqualTo(hasPosition);
-            lab.until("it is called ended, not lost", Duration.ofSeconds(2), () -> state(lab, drone)
-                            .link()
-                            .state()
-                    == LinkState.ENDED);
+            lab.until(
+                    "it is called ended, not lost",
+                    Duration.ofSeconds(2),
+                    () -> state(lab, drone).link().state() == LinkState.ENDED);
         }
     }
 

@@ -32,8 +32,11 @@ class SameSystemIdTest {
         ScriptedPeer other = lab.peer(7).withHardware(0x2222).begin();
         one.listed();
         other.listed();
-        lab.until("their hardware is known", LONGEST, () -> lab.server().house().cloud().drones().stream()
-                .allMatch(state -> state.identification().hardwareUid() != null));
+        lab.until(
+                "their hardware is known",
+                LONGEST,
+                () -> lab.server().house().cloud().drones().stream()
+                        .allMatch(state -> state.identification().hardwareUid() != null));
 
         eachKeepsItsOwn(one, other);
     }

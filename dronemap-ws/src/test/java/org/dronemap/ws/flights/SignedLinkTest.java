@@ -48,8 +48,7 @@ class SignedLinkTest {
     private byte[] secured() {
         byte[] key = keys.install();
         keys.policy("required");
-        assertThat(peer.signing().keys())
-                .containsExactly(HexFormat.of().formatHex(key));
+        assertThat(peer.signing().keys()).containsExactly(HexFormat.of().formatHex(key));
         return key;
     }
 
@@ -79,9 +78,10 @@ class SignedLinkTest {
         ada.does(drone, ARM);
 
         assertThat(peer.isArmed()).isTrue();
-        lab.until("what the server sends is signed", Duration.ofSeconds(5), () -> peer.signing()
-                        .good()
-                > 5);
+        lab.until(
+                "what the server sends is signed",
+                Duration.ofSeconds(5),
+                () -> peer.signing().good() > 5);
         assertThat(peer.signing().refused()).isZero();
     }
 
@@ -197,7 +197,8 @@ class SignedLinkTest {
 
         assertThatThrownBy(keys::rotate)
                 .isInstanceOfSatisfying(
-                        Rejection.class, refused -> assertThat(refused.sentence()).contains("goes on as before"));
+                        Rejection.class,
+                        refused -> assertThat(refused.sentence()).contains("goes on as before"));
 
         assertThat(keys.key()).isEqualTo(before);
         assertThat(keys.view().nextKey()).isNull();
@@ -225,7 +226,8 @@ class SignedLinkTest {
 
         assertThatThrownBy(() -> keys.policy("required"))
                 .isInstanceOfSatisfying(
-                        Rejection.class, refused -> assertThat(refused.sentence()).contains("never heard to sign"));
+                        Rejection.class,
+                        refused -> assertThat(refused.sentence()).contains("never heard to sign"));
     }
 
     @Test
@@ -247,7 +249,8 @@ class SignedLinkTest {
         lab.until("it hovers", Duration.ofSeconds(20), () -> copter.height() > 7);
         assertThatThrownBy(own::rotate)
                 .isInstanceOfSatisfying(
-                        Rejection.class, refused -> assertThat(refused.sentence()).contains("armed"));
+                        Rejection.class,
+                        refused -> assertThat(refused.sentence()).contains("armed"));
 
         ada.does(copter, CommandRequest.simple("land"));
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
@@ -269,9 +272,12 @@ class SignedLinkTest {
         lab.crashServer();
         lab.startServer();
 
-        lab.until("the vehicle lives again", Duration.ofSeconds(10), () -> px4.known()
-                .filter(state -> state.link().state() == LinkState.LIVE)
-                .isPresent());
+        lab.until(
+                "the vehicle lives again",
+                Duration.ofSeconds(10),
+                () -> px4.known()
+                        .filter(state -> state.link().state() == LinkState.LIVE)
+                        .isPresent());
         assertThat(own.view().policy()).isEqualTo("required");
         assertThat(own.key()).isEqualTo(new LinkSecurityView.Key(fingerprint, true));
         assertThat(own.counts().unsigned()).isZero();

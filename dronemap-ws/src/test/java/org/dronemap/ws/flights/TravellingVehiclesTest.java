@@ -71,10 +71,10 @@ class TravellingVehiclesTest {
         int number = all.size() + 1;
         ScriptedPeer peer = lab.peer(number, kind).withHardware(board(number)).begin();
         Traveller traveller = new Traveller(peer, peer.listed());
-        lab.until("its hardware is known", Duration.ofSeconds(10), () -> now(traveller)
-                        .identification()
-                        .hardwareUid()
-                != null);
+        lab.until(
+                "its hardware is known",
+                Duration.ofSeconds(10),
+                () -> now(traveller).identification().hardwareUid() != null);
         all.add(traveller);
         return traveller;
     }
@@ -137,10 +137,12 @@ class TravellingVehiclesTest {
 
         assertThat(changes).isGreaterThan(40);
         commanded.forEach(traveller -> assertThat(traveller.commanded).isGreaterThan(3));
-        List.of(required, optional).forEach(fast -> assertThat(orders(fast, LATEST_WITH_PROOF)).isEmpty());
+        List.of(required, optional)
+                .forEach(fast -> assertThat(orders(fast, LATEST_WITH_PROOF)).isEmpty());
         List.of(unproved, another, bystander)
                 .forEach(slow -> assertThat(orders(slow, LATEST_WITHOUT_PROOF)).isEmpty());
-        assertThat(encrypted.peer.wire().strays()).allMatch(stray -> stray.after().compareTo(LATEST_WITH_PROOF) <= 0);
+        assertThat(encrypted.peer.wire().strays())
+                .allMatch(stray -> stray.after().compareTo(LATEST_WITH_PROOF) <= 0);
         assertThat(bystander.peer.commanded(ScriptedPeer.ARM)).isEmpty();
         forgers.forEach(forger -> assertThat(forger.commanded(ScriptedPeer.ARM)).isEmpty());
         all.forEach(traveller -> assertThat(traveller.peer.commanded(ScriptedPeer.ARM))

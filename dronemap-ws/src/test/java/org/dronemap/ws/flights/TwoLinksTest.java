@@ -20,8 +20,7 @@ import org.junit.jupiter.api.Test;
 
 /** One vehicle on two links at once: one drone, spoken to over the better link, whichever of them breaks. */
 class TwoLinksTest {
-    private static final Wire.Quality WORSE =
-            new Wire.Quality(0.2, Duration.ofMillis(150), Duration.ofMillis(50));
+    private static final Wire.Quality WORSE = new Wire.Quality(0.2, Duration.ofMillis(150), Duration.ofMillis(50));
     private static final Wire.Quality FAR = new Wire.Quality(0, Duration.ofMillis(100), Duration.ZERO);
     /** The share of lost messages is looked at over some seconds before the way is changed. */
     private static final Duration LONGEST_CHOICE = Duration.ofSeconds(30);
@@ -50,7 +49,11 @@ class TwoLinksTest {
 
     /** Of a key that was made for a vehicle on DTLS. */
     private String copterKey() {
-        return lab.server().office().dtlsKeys().make(ada.principal(), new DtlsKeyRequest("copter on two links", null)).identity();
+        return lab.server()
+                .office()
+                .dtlsKeys()
+                .make(ada.principal(), new DtlsKeyRequest("copter on two links", null))
+                .identity();
     }
 
     @Test
@@ -113,7 +116,10 @@ class TwoLinksTest {
         lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(22, 0)) < 2);
         ada.does(copter, CommandRequest.simple("land"));
         lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
-        lab.until("the server knows", Duration.ofSeconds(10), () -> Boolean.FALSE.equals(copter.state().armed()));
+        lab.until(
+                "the server knows",
+                Duration.ofSeconds(10),
+                () -> Boolean.FALSE.equals(copter.state().armed()));
         assertThat(lab.server().house().cloud().drones()).hasSize(1);
     }
 }

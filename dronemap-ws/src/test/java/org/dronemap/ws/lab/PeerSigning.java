@@ -1,5 +1,6 @@
 package org.dronemap.ws.lab;
 
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.HexFormat;
@@ -108,7 +109,8 @@ public final class PeerSigning {
     /** The same signed frame with another signature. */
     public static byte[] signedAgain(byte[] frame, byte[] secret, long timestamp, int linkId) {
         byte[] again = frame.clone();
-        new OutgoingSigner(new SigningKey(secret), new SigningClock(() -> java.time.Instant.EPOCH, timestamp - 1), linkId)
+        new OutgoingSigner(
+                        new SigningKey(secret), new SigningClock(() -> Instant.EPOCH, timestamp - 1), linkId)
                 .sign(again);
         return again;
     }

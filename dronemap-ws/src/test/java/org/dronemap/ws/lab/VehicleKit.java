@@ -33,7 +33,8 @@ public record VehicleKit(
             0,
             Map.of(),
             true);
-    public static final VehicleKit PX4 = new VehicleKit(new AutopilotKind("px4", "", Px4::new), 2, 0, 1, 0, Map.of(), true);
+    public static final VehicleKit PX4 =
+            new VehicleKit(new AutopilotKind("px4", "", Px4::new), 2, 0, 1, 0, Map.of(), true);
 
     public VehicleKit inWind(double speed) {
         return new VehicleKit(kind, mavlinkVersion, speed, readySeconds, parameters, presets, usb);

@@ -66,7 +66,11 @@ public final class Wire {
      * @param isLocal nobody else can be there
      * @param identity what the link itself proves; null: nothing
      */
-    public record Kind(String transport, String host, boolean isLocal, @Nullable String identity) {
+    public record Kind(
+            String transport,
+            String host,
+            boolean isLocal,
+            @Nullable String identity) {
         private static final String HERE = "127.0.0.1";
 
         public static final Kind UDP = new Kind("udp", HERE, true, null);

@@ -27,8 +27,7 @@ public final class WireLog {
     }
 
     void add(boolean up, byte[] bytes) {
-        (up ? upward : downward)
-                .read(ByteBuffer.wrap(bytes), frame -> frames.add(new Passed(time.nanos(), up, frame)));
+        (up ? upward : downward).read(ByteBuffer.wrap(bytes), frame -> frames.add(new Passed(time.nanos(), up, frame)));
     }
 
     /** In the order of time. */
