@@ -109,8 +109,7 @@ public final class PeerSigning {
     /** The same signed frame with another signature. */
     public static byte[] signedAgain(byte[] frame, byte[] secret, long timestamp, int linkId) {
         byte[] again = frame.clone();
-        new OutgoingSigner(
-                        new SigningKey(secret), new SigningClock(() -> Instant.EPOCH, timestamp - 1), linkId)
+        new OutgoingSigner(new SigningKey(secret), new SigningClock(() -> Instant.EPOCH, timestamp - 1), linkId)
                 .sign(again);
         return again;
     }
