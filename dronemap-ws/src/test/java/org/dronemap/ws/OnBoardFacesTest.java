@@ -5,7 +5,6 @@ import static org.awaitility.Awaitility.await;
 
 import java.net.http.HttpRequest;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
@@ -18,46 +17,30 @@ import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
-import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.dronemap.ws.house.Tenant;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What a vehicle keeps on board, through REST: fence, rally points, logs and files of parameters. */
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class OnBoardFacesTest {
     private static final String LOG = "0123456789".repeat(9);
     private static final String CORNER = "{\"latitude\":47.39,\"longitude\":8.54}";
 
-    private TestHouse house;
-    private ScriptedVehicle vehicle;
-    private Http operator;
-    private String path;
-    private int nextPort = 15_690;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
 
-    @BeforeAll
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        operator = new Http(house, house.key(Role.OPERATOR));
-    }
+    private final Http operator = tenant.http(Role.OPERATOR);
+    private final ScriptedVehicle vehicle = tenant.vehicle();
+    private final String path = "/api/v1/drones/" + vehicle.id();
 
     @BeforeEach
     void connect() {
-        vehicle = ScriptedVehicle.connect(house.cloud(), nextPort++);
         vehicle.ends(this::obey);
-        path = "/api/v1/drones/" + vehicle.id();
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
     }
 
     private Outcome obey(Command command) {

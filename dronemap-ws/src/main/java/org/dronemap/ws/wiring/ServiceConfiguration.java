@@ -279,7 +279,7 @@ public class ServiceConfiguration {
 
     @Bean
     LinkSecurityService linkSecurityService(House house, DroneService drones) {
-        return new LinkSecurityService(house.linkSecurity(), drones);
+        return new LinkSecurityService(house.linkSecurity(), drones, house.time());
     }
 
     @Bean

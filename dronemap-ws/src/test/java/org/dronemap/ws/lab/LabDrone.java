@@ -1,10 +1,13 @@
 package org.dronemap.ws.lab;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Navigation;
 import org.dronemap.sim.personality.SimulatedVehicle;
@@ -12,6 +15,7 @@ import org.dronemap.sim.physics.Battery;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
 import org.dronemap.sim.physics.Wind;
+import org.jspecify.annotations.Nullable;
 
 /** One vehicle of the laboratory: what it truly does, its wire, and the drone that the server takes it for. */
 public final class LabDrone implements LabVehicle {
@@ -21,6 +25,8 @@ public final class LabDrone implements LabVehicle {
     private static final double SPACING_METERS = 60;
     private static final double MILLIAMP_HOURS = 5_200;
     private static final int FIRST_PORT = 20_000;
+    private static final int PORTS_APART = 250;
+    private static final long SEED_OF_ANOTHER_WIRE = 7_919;
     private static final double MILLIS = 1_000;
 
     private final Laboratory lab;
@@ -29,9 +35,11 @@ public final class LabDrone implements LabVehicle {
     /** It says only when it is not ready. */
     private final boolean isPx4;
 
-    private final Wire wire;
+    private final List<Wire> wires = new ArrayList<>();
     private final SimulatedVehicle vehicle;
     private final LocalFrame start;
+    private final long seed;
+    private final FlightRecord record;
 
     LabDrone(Laboratory lab, VehicleKit kit, int number, long seed, FlightRecord record) {
         this.lab = lab;
@@ -39,24 +47,48 @@ public final class LabDrone implements LabVehicle {
         this.isPx4 = kit.kind().name().equals("px4");
         this.name = kit.kind().name() + " " + number;
         this.start = FIELD.shifted(new Position(0, (number - 1) * SPACING_METERS, 0));
-        this.wire = new Wire(
-                name,
-                FIRST_PORT + number,
-                lab.time(),
-                seed,
-                record,
-                frame -> this.vehicle().receive(frame));
+        this.seed = seed;
+        this.record = record;
+        wires.add(newWire(name, FIRST_PORT + number));
         Craft craft =
                 new Craft(start, new Battery(MILLIAMP_HOURS), new Wind(kit.windSpeed(), 0, seed), new Navigation((long)
                         (kit.readySeconds() * MILLIS)));
         this.vehicle = new SimulatedVehicle(
-                kit.settings(systemId, systemId, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, wire::up);
+                kit.settings(systemId, systemId, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, this::say);
+    }
+
+    private Wire newWire(String label, int port) {
+        return new Wire(
+                label,
+                port,
+                lab.time(),
+                seed + wires.size() * SEED_OF_ANOTHER_WIRE,
+                record,
+                frame -> this.vehicle().receive(frame));
+    }
+
+    /** It speaks over one more from now on, always the same on all, and hears on each. */
+    public Wire addWire(Wire.Kind kind) {
+        int number = wires.size();
+        Wire added = newWire(name + " by wire " + number, FIRST_PORT + number * PORTS_APART + systemId);
+        added.is(kind);
+        wires.add(added);
+        added.attach(lab.server().links());
+        return added;
+    }
+
+    private void say(byte[] bytes) {
+        wires.forEach(wire -> wire.up(bytes));
+    }
+
+    void attach(PeerHandler.@Nullable Factory server) {
+        wires.forEach(wire -> wire.attach(server));
     }
 
     void beat() {
         vehicle.advance(lab.time().nanos() / Duration.ofMillis(1).toNanos());
         if (vehicle.takeNewAddress()) {
-            wire.move();
+            wires.forEach(Wire::move);
         }
     }
 
@@ -64,9 +96,10 @@ public final class LabDrone implements LabVehicle {
         return name;
     }
 
+    /** The first one, or the only one. */
     @Override
     public Wire wire() {
-        return wire;
+        return wires.get(0);
     }
 
     /** What it truly is and does. */

@@ -20,6 +20,7 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.SteppedTime;
@@ -38,6 +39,7 @@ public final class Laboratory implements AutoCloseable {
     private static final int MOST_OPERATIONS = 1_000;
     private static final int MOST_ENTRIES = 1_000_000;
     private static final int FIRST_PORT_OF_PEERS = 40_000;
+    private static final int FIRST_PEER_PORT = 40_500;
     private static final Duration BEAT = Duration.ofMillis(20);
     private static final Duration LONGEST_PREPARATION = Duration.ofSeconds(60);
 
@@ -48,6 +50,7 @@ public final class Laboratory implements AutoCloseable {
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
     private final List<ScriptedPeer> peers = new ArrayList<>();
+    private final List<SigningPeer> signingPeers = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
 
@@ -68,8 +71,9 @@ public final class Laboratory implements AutoCloseable {
     public void startServer() {
         process = time.killable();
         server = new SteppedServer(data, process, stores);
-        drones.forEach(drone -> drone.wire().attach(server().links()));
+        drones.forEach(drone -> drone.attach(server().links()));
         peers.forEach(peer -> peer.wire().attach(server().links()));
+        signingPeers.forEach(peer -> peer.wire().attach(server().links()));
     }
 
     /** As by kill -9: nothing more is done, written or said. */
@@ -77,9 +81,17 @@ public final class Laboratory implements AutoCloseable {
         if (process != null) {
             process.kill();
         }
-        drones.forEach(drone -> drone.wire().attach(null));
+        drones.forEach(drone -> drone.attach(null));
         peers.forEach(peer -> peer.wire().attach(null));
+        signingPeers.forEach(peer -> peer.wire().attach(null));
         server = null;
+    }
+
+    /** In the place of a server that has crashed, until there is one again. */
+    public OtherStation otherStation(LabDrone drone, List<Geodetic> places, double meters) {
+        OtherStation station = new OtherStation(places, meters);
+        drone.attach(station);
+        return station;
     }
 
     public SteppedServer server() {
@@ -108,7 +120,7 @@ public final class Laboratory implements AutoCloseable {
         int number = drones.size() + 1;
         LabDrone drone = new LabDrone(this, kit, number, seed * 1_000_003 + number, record);
         drones.add(drone);
-        drone.wire().attach(server().links());
+        drone.attach(server().links());
         return drone;
     }
 
@@ -122,6 +134,25 @@ public final class Laboratory implements AutoCloseable {
 
     Wire wire(String name, int port, Consumer<Frame> vehicle) {
         return new Wire(name, port, time, seed * 1_000_003 + port, record, vehicle);
+    }
+
+    /** What the test speaks for, over such a wire; it says nothing before {@link SigningPeer#begin}. */
+    public SigningPeer signingPeer(int systemId, Wire.Kind kind) {
+        int number = signingPeers.size() + 1;
+        long chance = seed * 1_000_003 + FIRST_PEER_PORT + number;
+        SigningPeer peer = new SigningPeer(
+                this,
+                systemId,
+                hear -> new Wire("peer " + number, FIRST_PEER_PORT + number, time, chance, record, hear));
+        peer.wire().is(kind);
+        peer.wire().attach(server().links());
+        signingPeers.add(peer);
+        return peer;
+    }
+
+    /** The same over datagrams of this machine. */
+    public SigningPeer signingPeer(int systemId) {
+        return signingPeer(systemId, Wire.Kind.UDP);
     }
 
     /** Waits until the server knows it with its home, and it says that it may be armed. */

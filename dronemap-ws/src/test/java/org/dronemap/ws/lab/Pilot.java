@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
@@ -42,7 +43,11 @@ public final class Pilot {
 
     /** Gives a command and does not wait; refusals are thrown. */
     public CommandView give(LabVehicle drone, CommandRequest what) {
-        return lab.server().commands().submit(principal(), FACE, drone.id().value(), what);
+        return give(drone.id(), what);
+    }
+
+    public CommandView give(DroneId drone, CommandRequest what) {
+        return lab.server().commands().submit(principal(), FACE, drone.value(), what);
     }
 
     /** Gives a command, and waits for its end whatever that is. */
@@ -78,8 +83,22 @@ public final class Pilot {
         return this;
     }
 
+    /** The same for any drone that the server knows. */
+    public Pilot does(DroneId drone, CommandRequest what) {
+        CommandView ended = end(give(drone, what));
+        CommandView.OutcomeView outcome = Objects.requireNonNull(ended.outcome());
+        if (!outcome.result().equals("succeeded")) {
+            throw new AssertionError(ended.summary() + ": " + outcome);
+        }
+        return this;
+    }
+
     /** The sentence that it is refused with before anything is sent. */
     public String refusal(LabVehicle drone, CommandRequest what) {
+        return refusal(drone.id(), what);
+    }
+
+    public String refusal(DroneId drone, CommandRequest what) {
         try {
             CommandView given = give(drone, what);
             throw new AssertionError("Not refused: " + given);

@@ -54,15 +54,17 @@ public final class SteppedServer implements AutoCloseable {
     private final ParameterService parameters;
     private final FenceService fences;
     private final LogService logs;
+    private final SteppedOffice office;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
-        builder = new HouseBuilder(settings(data), closing, time);
+        Settings settings = settings(data);
+        builder = new HouseBuilder(settings, closing, time);
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);
-        drones = new DroneService(
-                house.cloud(), new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed));
+        DroneViews shown = new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed);
+        drones = new DroneService(house.cloud(), shown);
         commands = new ServiceConfiguration().commandService(house, drones, budgets);
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);
         zones = new ServiceConfiguration().zoneService(house, drones, time.clock());
@@ -87,6 +89,7 @@ public final class SteppedServer implements AutoCloseable {
         LogShelf shelf = new LogShelf(data.resolve("vehicle-logs"), time);
         closing.add("the logs of vehicles", shelf);
         logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
+        office = SteppedOffice.of(house, settings, drones, shown, zones);
         builder.hear();
     }
 
@@ -177,6 +180,10 @@ public final class SteppedServer implements AutoCloseable {
 
     public LogService logs() {
         return logs;
+    }
+
+    public SteppedOffice office() {
+        return office;
     }
 
     @Override
