@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Browser, Page
 from pymavlink import mavutil
 
 from dronemap_e2e.api import Api, Json
@@ -14,7 +14,7 @@ from dronemap_e2e.flight import items, triangle
 from dronemap_e2e.peer import Peer, with_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.station import Pointer, Station
 from dronemap_e2e.stopwatch import Stopwatch
 from dronemap_e2e.waiting import wait_for
 
@@ -47,11 +47,10 @@ def in_mission(own_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]
 
 
 @pytest.fixture
-def page() -> Iterator[Page]:
-    with sync_playwright() as playwright:
-        browser = launch(playwright)
-        yield browser.new_page(viewport={"width": 1440, "height": 900})
-        browser.close()
+def page(browser: Browser) -> Iterator[Page]:
+    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    yield opened
+    opened.close()
 
 
 def open_page(page: Page, server: Server, api: Api, drone: Json) -> Station:

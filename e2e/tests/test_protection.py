@@ -4,10 +4,10 @@ import secrets
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import expect, sync_playwright
+from playwright.sync_api import Browser, expect
 
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.station import Pointer, Station
 
 
 @pytest.fixture(scope="module")
@@ -24,22 +24,21 @@ def configured(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     server.kill()
 
 
-def test_the_page_keeps_to_its_own_policy_and_offers_the_provider(configured: Server) -> None:
+def test_the_page_keeps_to_its_own_policy_and_offers_the_provider(
+    configured: Server, browser: Browser
+) -> None:
     """End to end because a browser is what obeys the policy."""
-    with sync_playwright() as playwright:
-        browser = launch(playwright)
-        page = browser.new_context(viewport={"width": 1440, "height": 900}).new_page()
-        violations: list[str] = []
-        page.on(
-            "console", lambda said: violations.append(said.text) if "Content Security" in said.text else None
-        )
-        page.goto(configured.address)
-        expect(page.get_by_role("link", name="Sign in with the fleet's login")).to_be_visible()
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    page = context.new_page()
+    violations: list[str] = []
+    page.on("console", lambda said: violations.append(said.text) if "Content Security" in said.text else None)
+    page.goto(configured.address)
+    expect(page.get_by_role("link", name="Sign in with the fleet's login")).to_be_visible()
 
-        station = Station(page, Pointer())
-        station.sign_in(configured.address, "admin", configured.first_password(), secrets.token_hex(10))
-        expect(page.locator("canvas").first).to_be_visible(timeout=60_000)
-        page.wait_for_timeout(2_000)
+    station = Station(page, Pointer())
+    station.sign_in(configured.address, "admin", configured.first_password(), secrets.token_hex(10))
+    expect(page.locator("canvas").first).to_be_visible(timeout=60_000)
+    page.wait_for_timeout(2_000)
 
-        assert not violations
-        browser.close()
+    assert not violations
+    context.close()
