@@ -19,10 +19,10 @@ public final class LabDrone {
     /** Where the first one stands; altitude in m AMSL. */
     public static final LocalFrame FIELD = new LocalFrame(47.3977, 8.5456, 488);
 
-    private static final double SPACING_METERS = 60;
     private static final double MILLIAMP_HOURS = 5_200;
     private static final int FIRST_PORT = 20_000;
     private static final double MILLIS = 1_000;
+    private static final int BEATS_PER_FIX = 5;
 
     private final Laboratory lab;
     private final String name;
@@ -33,13 +33,15 @@ public final class LabDrone {
     private final Wire wire;
     private final SimulatedVehicle vehicle;
     private final LocalFrame start;
+    private final Track track = new Track();
+    private int beats;
 
-    LabDrone(Laboratory lab, VehicleKit kit, int number, long seed, FlightRecord record) {
+    LabDrone(Laboratory lab, VehicleKit kit, LocalFrame start, int number, long seed, FlightRecord record) {
         this.lab = lab;
         this.systemId = number;
         this.isPx4 = kit.kind().name().equals("px4");
         this.name = kit.kind().name() + " " + number;
-        this.start = FIELD.shifted(new Position(0, (number - 1) * SPACING_METERS, 0));
+        this.start = start;
         this.wire = new Wire(
                 name,
                 FIRST_PORT + number,
@@ -58,6 +60,9 @@ public final class LabDrone {
         vehicle.advance(lab.time().nanos() / Duration.ofMillis(1).toNanos());
         if (vehicle.takeNewAddress()) {
             wire.move();
+        }
+        if (beats++ % BEATS_PER_FIX == 0) {
+            track.add(new Track.Fix(lab.time().nanos(), where(), amsl(), height(), craft().armed()));
         }
     }
 
@@ -86,6 +91,50 @@ public final class LabDrone {
     /** Metres from there on the ground, in truth. */
     public double away() {
         return craft().body().position().horizontalDistanceTo(new Position(0, 0, 0));
+    }
+
+    /** Where it is, in truth. */
+    public Geodetic where() {
+        Position here = craft().body().position();
+        return new Geodetic(start.latitudeOf(here), start.longitudeOf(here));
+    }
+
+    /** Metres above the sea, in truth. */
+    public double amsl() {
+        return start.altitudeOf(craft().body().position());
+    }
+
+    /** Metres above the sea where it was put down. */
+    public double groundAmsl() {
+        return start.altitudeAmsl();
+    }
+
+    /** The number of the mode that it is in, in truth. */
+    public long mode() {
+        return vehicle.autopilot().heartbeat().customMode();
+    }
+
+    /** Its pilot, who stands beside it, brings it into that mode by a switch. */
+    public void switchedTo(long mode) {
+        var unused = vehicle.autopilot().setMode(1, mode);
+    }
+
+    /** Where it truly was all along. */
+    public Track track() {
+        return track;
+    }
+
+    /** What the server has heard it say in words. */
+    public boolean isTold(String words) {
+        return state().messages().stream().anyMatch(message -> message.text().contains(words));
+    }
+
+    /** All is known of it that a plan takes. */
+    boolean isPlannable() {
+        return isReady()
+                && known().filter(state -> state.battery() != null
+                                && state.link().quality().lossShort() != null)
+                        .isPresent();
     }
 
     /** It is down and its motors stand, in truth. */

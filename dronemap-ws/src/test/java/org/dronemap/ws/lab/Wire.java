@@ -29,6 +29,7 @@ public final class Wire {
     private final FlightRecord record;
     private final Consumer<Frame> vehicle;
     private final FrameReader reader = new FrameReader();
+    private final Traffic traffic = new Traffic();
     private final String name;
     private Quality quality = Quality.GOOD;
     private boolean cut;
@@ -85,9 +86,15 @@ public final class Wire {
         handler = null;
     }
 
+    /** What was said on it so far. */
+    public Traffic traffic() {
+        return traffic;
+    }
+
     /** What the vehicle says. */
     void up(byte[] bytes) {
         record.said(name, bytes);
+        traffic.add(true, time.nanos(), bytes);
         carry(() -> {
             PeerHandler there = handler();
             if (there != null) {
@@ -106,6 +113,7 @@ public final class Wire {
 
     private void down(byte[] bytes) {
         record.told(name, bytes);
+        traffic.add(false, time.nanos(), bytes);
         carry(() -> reader.read(ByteBuffer.wrap(bytes), frame -> {
             if (frame.verified()) {
                 vehicle.accept(frame);

@@ -14,6 +14,14 @@ import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.service.Budgets;
+import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.RunJournalService;
+import org.dronemap.ws.service.GroupService;
+import org.dronemap.ws.service.GrantChanges;
+import org.dronemap.ws.service.GrantService;
+import org.dronemap.ws.service.ControlService;
+import org.dronemap.ws.service.AccessKeyService;
+import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
@@ -45,6 +53,10 @@ public final class SteppedServer implements AutoCloseable {
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
+    private final ControlService controls;
+    private final GrantService grants;
+    private final AccessKeyService keys;
+    private final RunJournalService journals;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
@@ -72,6 +84,15 @@ public final class SteppedServer implements AutoCloseable {
         VirtualDroneViews views = virtual.virtualDroneViews(house);
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
+        journals = running.runJournalService(house, runs);
+        Accounts accounts = new ServiceConfiguration().accounts(house);
+        controls = new ServiceConfiguration().controlService(house, drones, accounts);
+        keys = new ServiceConfiguration().accessKeyService(house, accounts, new Secrets(), time.clock());
+        GrantConfiguration granting = new GrantConfiguration();
+        GrantChanges changes = granting.grantChanges(house);
+        GroupService groups = granting.groupService(house, changes, drones);
+        grants = granting.grantService(house, changes, groups, time.clock());
+        closing.add("the grants", granting.grantRounds(house));
         builder.hear();
     }
 
@@ -106,6 +127,11 @@ public final class SteppedServer implements AutoCloseable {
     /** Where links bring their bytes. */
     public PeerHandler.Factory links() {
         return builder.vehicles();
+    }
+
+    /** The same for robots. */
+    public PeerHandler.Factory robotLinks() {
+        return builder.robots();
     }
 
     public House house() {
@@ -146,6 +172,22 @@ public final class SteppedServer implements AutoCloseable {
 
     public WarehouseService warehouse() {
         return warehouse;
+    }
+
+    public ControlService controls() {
+        return controls;
+    }
+
+    public GrantService grants() {
+        return grants;
+    }
+
+    public AccessKeyService keys() {
+        return keys;
+    }
+
+    public RunJournalService journals() {
+        return journals;
     }
 
     @Override
