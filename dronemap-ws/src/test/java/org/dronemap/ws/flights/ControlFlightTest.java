@@ -35,6 +35,7 @@ class ControlFlightTest {
     @BeforeEach
     void hover() {
         ann.takesOff(copter, 20);
+        lab.until("it hovers", Duration.ofSeconds(30), () -> copter.height() > 19.5);
         assertThat(copter.mode()).isEqualTo(GUIDED);
     }
 
