@@ -22,7 +22,7 @@ public final class LabDrone {
     private static final double MILLIAMP_HOURS = 5_200;
     private static final int FIRST_PORT = 20_000;
     private static final double MILLIS = 1_000;
-    private static final int BEATS_PER_FIX = 5;
+    private static final long FIX_NANOS = 100_000_000;
 
     private final Laboratory lab;
     private final String name;
@@ -34,7 +34,6 @@ public final class LabDrone {
     private final SimulatedVehicle vehicle;
     private final LocalFrame start;
     private final Track track = new Track();
-    private int beats;
 
     LabDrone(Laboratory lab, VehicleKit kit, LocalFrame start, int number, long seed, FlightRecord record) {
         this.lab = lab;
@@ -61,7 +60,7 @@ public final class LabDrone {
         if (vehicle.takeNewAddress()) {
             wire.move();
         }
-        if (beats++ % BEATS_PER_FIX == 0) {
+        if (lab.time().nanos() % FIX_NANOS == 0) {
             track.add(new Track.Fix(lab.time().nanos(), where(), amsl(), height(), craft().armed()));
         }
     }

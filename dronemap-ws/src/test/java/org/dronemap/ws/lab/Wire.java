@@ -33,6 +33,7 @@ public final class Wire {
     private final String name;
     private Quality quality = Quality.GOOD;
     private boolean cut;
+    private boolean silentUpwards;
     private int port;
     private @Nullable PeerHandler handler;
     private PeerHandler.@Nullable Factory server;
@@ -80,6 +81,11 @@ public final class Wire {
         cut = false;
     }
 
+    /** Nothing of what the vehicle says goes through any more, though it hears; or it does again. */
+    public void isSilentUpwards(boolean now) {
+        silentUpwards = now;
+    }
+
     /** The vehicle has another port from now on, as after a change of its network. */
     public void move() {
         port += 1_000;
@@ -95,6 +101,9 @@ public final class Wire {
     void up(byte[] bytes) {
         record.said(name, bytes);
         traffic.add(true, time.nanos(), bytes);
+        if (silentUpwards) {
+            return;
+        }
         carry(() -> {
             PeerHandler there = handler();
             if (there != null) {
