@@ -17,7 +17,7 @@ import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.ScriptedPeer;
+import org.dronemap.ws.lab.Hoverer;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
@@ -58,7 +58,7 @@ class ControlRaceFlightTest {
     }
 
     /** In the air, guided, and slow to acknowledge: most commands are repeated until somebody stops them. */
-    private void obey(ScriptedPeer peer, Frame frame, long atNanos) {
+    private void obey(Hoverer peer, Frame frame, long atNanos) {
         if (frame.messageId() == CommandLong.ID) {
             CommandLong order = CommandLong.decode(frame);
             obey(peer, order.command(), order.param2());
@@ -76,7 +76,7 @@ class ControlRaceFlightTest {
         }
     }
 
-    private static void obey(ScriptedPeer peer, int command, float mode) {
+    private static void obey(Hoverer peer, int command, float mode) {
         boolean known = command == SET_MODE || command == RETURN;
         if (known) {
             peer.is(true, command == RETURN ? 6 : (long) mode);
@@ -89,7 +89,7 @@ class ControlRaceFlightTest {
     @ValueSource(longs = {1, 2, 3})
     void twoUsersWhoRaceNeverBothHaveTheDrone(long seed) {
         try (Laboratory lab = new Laboratory(seed)) {
-            ScriptedPeer peer = lab.peer(
+            Hoverer peer = lab.hoverer(
                     (one, frame) -> obey(one, frame, lab.time().nanos()));
             peer.is(true, GUIDED);
             lab.until("it is known", Duration.ofSeconds(10), () -> lab.server().house().cloud().drones().stream()

@@ -53,7 +53,7 @@ public final class Laboratory implements AutoCloseable {
     private final MemoryStores stores = new MemoryStores();
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
-    private final List<ScriptedPeer> peers = new ArrayList<>();
+    private final List<Hoverer> peers = new ArrayList<>();
     private final List<Robot> robots = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
@@ -146,9 +146,9 @@ public final class Laboratory implements AutoCloseable {
     }
 
     /** A vehicle that does what its script says, and nothing else. */
-    public ScriptedPeer peer(ScriptedPeer.Script script) {
+    public Hoverer hoverer(Hoverer.Script script) {
         int number = FIRST_PEER + peers.size();
-        ScriptedPeer peer = new ScriptedPeer(this, number, seed * 1_000_003 + number, record, script);
+        Hoverer peer = new Hoverer(this, number, seed * 1_000_003 + number, record, script);
         peers.add(peer);
         peer.wire().attach(server().links());
         return peer;

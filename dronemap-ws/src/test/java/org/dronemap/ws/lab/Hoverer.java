@@ -8,7 +8,7 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
 
 /** A vehicle of MAVLink that does what a test tells it to, rightly or not; twice a second it says that it is there. */
-public final class ScriptedPeer {
+public final class Hoverer {
     private static final Duration RHYTHM = Duration.ofMillis(500);
     private static final int FIRST_PORT = 20_000;
     private static final int QUADROTOR = 2;
@@ -28,10 +28,10 @@ public final class ScriptedPeer {
     /** What it makes of a frame that came to it. */
     @FunctionalInterface
     public interface Script {
-        void hears(ScriptedPeer peer, Frame frame);
+        void hears(Hoverer peer, Frame frame);
     }
 
-    ScriptedPeer(Laboratory lab, int systemId, long seed, FlightRecord record, Script script) {
+    Hoverer(Laboratory lab, int systemId, long seed, FlightRecord record, Script script) {
         this.lab = lab;
         this.systemId = systemId;
         this.writer = new FrameWriter(systemId, 1, 2);
