@@ -247,7 +247,9 @@ class AccessKeysTest {
         try (StreamListener stream = StreamListener.withKey(house, key)) {
             stream.send("{\"type\":\"command\",\"requestId\":\"r\",\"drone\":\"" + mine.id() + "\",\"command\":"
                     + goTo(47.41, 30) + "}");
-            assertThat(stream.await(message -> message.path("requestId").asString("").equals("r")).toString())
+            assertThat(stream.await(message ->
+                                    message.path("requestId").asString("").equals("r"))
+                            .toString())
                     .contains("leaves the bounds of this access key after");
         }
     }

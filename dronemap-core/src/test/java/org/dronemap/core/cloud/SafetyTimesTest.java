@@ -72,7 +72,10 @@ class SafetyTimesTest {
         long since = time.nanos();
         DroneLink link = hovering(cloud);
 
-        takes(since, Duration.ofSeconds(2), () -> cloud.drone(link.id()).orElseThrow().link().state() == LinkState.LOST);
+        takes(
+                since,
+                Duration.ofSeconds(2),
+                () -> cloud.drone(link.id()).orElseThrow().link().state() == LinkState.LOST);
     }
 
     @Test

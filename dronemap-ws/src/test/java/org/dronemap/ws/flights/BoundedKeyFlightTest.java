@@ -79,10 +79,12 @@ class BoundedKeyFlightTest {
             // Never wider: not the area, not the heights; what is left out is inherited.
             assertThatThrownBy(() -> field.withKey(key(copter, CIRCLE_METERS + 1, null, null)))
                     .isInstanceOfSatisfying(
-                            InvalidInput.class, wrong -> assertThat(wrong.field()).isEqualTo("area"));
+                            InvalidInput.class,
+                            wrong -> assertThat(wrong.field()).isEqualTo("area"));
             assertThatThrownBy(() -> field.withKey(key(copter, null, CEILING_METERS + 1, null)))
                     .isInstanceOfSatisfying(
-                            InvalidInput.class, wrong -> assertThat(wrong.field()).isEqualTo("ceiling"));
+                            InvalidInput.class,
+                            wrong -> assertThat(wrong.field()).isEqualTo("ceiling"));
             Pilot near = field.withKey(key(copter, 60.0, null, null));
 
             takesOffBelowTheCeiling(lab, copter, field);

@@ -93,9 +93,10 @@ class ControlFlightTest {
     void thePilotAtTheVehicleGoesBeforeEverybody() {
         long taken = ann.takesControl(copter).epoch();
         copter.switchedTo(LOITER);
-        lab.until("the pilot has it", Duration.ofSeconds(3), () -> ann.control(copter)
-                .state()
-                .equals("pilot"));
+        lab.until(
+                "the pilot has it",
+                Duration.ofSeconds(3),
+                () -> ann.control(copter).state().equals("pilot"));
 
         Rejection refused = ann.rejection(copter, CommandRequest.setMode("GUIDED"));
         assertThat(refused.kind()).isEqualTo(RejectionKind.CONFLICT);

@@ -15,9 +15,9 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.ws.lab.Hoverer;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
-import org.dronemap.ws.lab.Hoverer;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
@@ -89,12 +89,15 @@ class ControlRaceFlightTest {
     @ValueSource(longs = {1, 2, 3})
     void twoUsersWhoRaceNeverBothHaveTheDrone(long seed) {
         try (Laboratory lab = new Laboratory(seed)) {
-            Hoverer peer = lab.hoverer(
-                    (one, frame) -> obey(one, frame, lab.time().nanos()));
+            Hoverer peer =
+                    lab.hoverer((one, frame) -> obey(one, frame, lab.time().nanos()));
             peer.is(true, GUIDED);
-            lab.until("it is known", Duration.ofSeconds(10), () -> lab.server().house().cloud().drones().stream()
-                    .anyMatch(drone -> Boolean.TRUE.equals(drone.armed())
-                            && drone.capabilities().known()));
+            lab.until(
+                    "it is known",
+                    Duration.ofSeconds(10),
+                    () -> lab.server().house().cloud().drones().stream()
+                            .anyMatch(drone -> Boolean.TRUE.equals(drone.armed())
+                                    && drone.capabilities().known()));
             String drone = peer.state().id().value();
             List<Racer> both = List.of(
                     new Racer(lab.pilot("ann", Role.SUPERVISOR), 0), new Racer(lab.pilot("bob", Role.SUPERVISOR), 1));
@@ -151,7 +154,8 @@ class ControlRaceFlightTest {
             // What was under way to the vehicle when control was taken is not called back.
             long told = both.stream()
                     .flatMap(one -> one.taken.stream())
-                    .filter(taken -> taken.atNanos() < seen.atNanos() - Duration.ofMillis(5).toNanos())
+                    .filter(taken -> taken.atNanos()
+                            < seen.atNanos() - Duration.ofMillis(5).toNanos())
                     .mapToLong(Taken::epoch)
                     .max()
                     .orElse(0);

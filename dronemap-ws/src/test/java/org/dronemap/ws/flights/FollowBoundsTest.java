@@ -43,17 +43,16 @@ class FollowBoundsTest {
         Geodetic pond = copter.place(20, 60);
         lab.server()
                 .zones()
-                .add(
-                        lab.pilot("chief", Role.SUPERVISOR).principal(),
-                        Zones.circle("Pond", pond, RADIUS, null, null));
+                .add(lab.pilot("chief", Role.SUPERVISOR).principal(), Zones.circle("Pond", pond, RADIUS, null, null));
         Phone phone = follows(3, LOWEST);
         lab.goOn(Duration.ofSeconds(10));
         long since = lab.time().nanos();
 
         phone.walks(0, 4);
-        lab.until("the phone is in the middle", Duration.ofMinutes(1), () -> phone.place()
-                        .longitudeDegrees()
-                >= pond.longitudeDegrees());
+        lab.until(
+                "the phone is in the middle",
+                Duration.ofMinutes(1),
+                () -> phone.place().longitudeDegrees() >= pond.longitudeDegrees());
         phone.walks(0, 0);
         lab.goOn(Duration.ofSeconds(20));
         phone.walks(0, 4);
@@ -61,14 +60,13 @@ class FollowBoundsTest {
 
         assertThat(phone.view().state()).isEqualTo("tracking");
         assertThat(copter.track().nearestOverGround(pond, since)).isGreaterThan(RADIUS);
-        assertThat(copter.track().since(since)).extracting(Track.Fix::height).allSatisfy(height -> assertThat(height)
-                .isGreaterThan(LOWEST - 0.01));
+        assertThat(copter.track().since(since))
+                .extracting(Track.Fix::height)
+                .allSatisfy(height -> assertThat(height).isGreaterThan(LOWEST - 0.01));
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock = """
+    @CsvSource(delimiter = '|', textBlock = """
             ASLEEP | asleep | The phone's page stands still: the screen is off, or something else is in front of it.
             CUT    | cut    | The phone cannot be reached: it has no network.
             GONE   | gone   | The phone's page was closed, or has crashed.
@@ -80,9 +78,10 @@ class FollowBoundsTest {
 
         phone.isSilent();
         phone.isReached(how);
-        lab.untilSeen("that is told", Duration.ofSeconds(20), () -> Objects.requireNonNullElse(
-                        phone.view().note(), "")
-                .startsWith(words));
+        lab.untilSeen(
+                "that is told",
+                Duration.ofSeconds(20),
+                () -> Objects.requireNonNullElse(phone.view().note(), "").startsWith(words));
         assertThat(phone.view().now().reach()).isEqualTo(reach);
         lab.goOn(Duration.ofSeconds(4));
         long since = lab.time().nanos();

@@ -76,11 +76,7 @@ class FollowFlightTest {
     /** What it was told to do, each once, in the order in which it came first. */
     private static Stream<String> told(LabDrone copter) {
         Map<Integer, String> known = Map.of(400, "arm", 22, "take off", 20, "home");
-        return copter
-                .wire()
-                .traffic()
-                .down(0, CommandLong.ID, CommandInt.ID, SetPositionTargetGlobalInt.ID)
-                .stream()
+        return copter.wire().traffic().down(0, CommandLong.ID, CommandInt.ID, SetPositionTargetGlobalInt.ID).stream()
                 .map(Traffic.Heard::frame)
                 .map(frame -> switch (frame.messageId()) {
                     case CommandLong.ID ->
@@ -181,7 +177,9 @@ class FollowFlightTest {
         phone.awaits("tracking", Duration.ofMinutes(1));
         lab.server()
                 .warehouse()
-                .put(lab.pilot("chief", Role.SUPERVISOR).principal(), second.id().value());
+                .put(
+                        lab.pilot("chief", Role.SUPERVISOR).principal(),
+                        second.id().value());
         first.craft().battery().setRemainingPercent(46);
         phone.walks(0, 1.4);
         long since = lab.time().nanos();
@@ -198,7 +196,9 @@ class FollowFlightTest {
         assertThat(phone.view().state()).isEqualTo("tracking");
         assertThat(phone.wasTold("comes to replace it")).isTrue();
         assertThat(phone.wasTold("has taken over")).isTrue();
-        assertThat(apart(first, second, since)).as("both in the air, at the nearest").isTrue();
+        assertThat(apart(first, second, since))
+                .as("both in the air, at the nearest")
+                .isTrue();
     }
 
     /** One of them is with the phone, and it is followed all along. */
@@ -215,9 +215,7 @@ class FollowFlightTest {
             var a = tracks.get(0).get(look);
             var b = tracks.get(1).get(look);
             boolean aloft = a.height() > 1 && b.height() > 1;
-            if (aloft
-                    && Geodesy.distanceMeters(a.place(), b.place()) < 10
-                    && Math.abs(a.amsl() - b.amsl()) < 5) {
+            if (aloft && Geodesy.distanceMeters(a.place(), b.place()) < 10 && Math.abs(a.amsl() - b.amsl()) < 5) {
                 return false;
             }
         }

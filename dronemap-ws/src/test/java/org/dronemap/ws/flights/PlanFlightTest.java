@@ -63,12 +63,15 @@ class PlanFlightTest {
                             plan.id(),
                             new PlanRequest.AcceptRequest(true, null),
                             Duration.ZERO);
-            lab.untilSeen("all have started", Duration.ofMinutes(2), () -> stages(lab, ann, plan)
-                    .equals(List.of("started", "started", "started")));
-            lab.until("all are home", Duration.ofMinutes(5), () -> drones.stream().allMatch(LabDrone::isDown));
+            lab.untilSeen(
+                    "all have started",
+                    Duration.ofMinutes(2),
+                    () -> stages(lab, ann, plan).equals(List.of("started", "started", "started")));
+            lab.until(
+                    "all are home", Duration.ofMinutes(5), () -> drones.stream().allMatch(LabDrone::isDown));
             // Who was to go there goes there; on its way it may come by where others were.
-            Map<String, LabDrone> byId = drones.stream()
-                    .collect(Collectors.toMap(drone -> drone.id().value(), Function.identity()));
+            Map<String, LabDrone> byId =
+                    drones.stream().collect(Collectors.toMap(drone -> drone.id().value(), Function.identity()));
             for (PlanView.TourView tour : result.tours()) {
                 for (PlanView.StopView stop : tour.stops()) {
                     assertThat(came(byId.get(tour.drone()), stop))
@@ -80,12 +83,15 @@ class PlanFlightTest {
     }
 
     private static List<String> stages(Laboratory lab, Pilot ann, PlanView plan) {
-        List<String> stages = Objects.requireNonNull(
-                        lab.server().plans().one(ann.principal(), plan.id()).launch())
-                .drones()
-                .stream()
-                .map(PlanView.FlightView::stage)
-                .toList();
+        List<String> stages =
+                Objects.requireNonNull(lab.server()
+                                .plans()
+                                .one(ann.principal(), plan.id())
+                                .launch())
+                        .drones()
+                        .stream()
+                        .map(PlanView.FlightView::stage)
+                        .toList();
         assertThat(stages).doesNotContain("failed");
         return stages;
     }

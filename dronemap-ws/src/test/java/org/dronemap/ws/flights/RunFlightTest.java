@@ -90,12 +90,16 @@ class RunFlightTest {
                 .toList();
         RunFlight run = RunFlight.begins(lab, chief, drones, waypoints, RunFlight.Manner.ON)
                 .awaitsAll("flying");
-        lab.untilSeen("it is on its way", Duration.ofMinutes(2), () -> !run.of(fallen, "visited")
-                .isEmpty());
+        lab.untilSeen(
+                "it is on its way",
+                Duration.ofMinutes(2),
+                () -> !run.of(fallen, "visited").isEmpty());
         List<String> left = run.of(fallen, "assigned");
         fallen.craft().failMotor();
-        lab.untilSeen("it is given up", Duration.ofSeconds(30), () -> run.stage(fallen)
-                .equals("crashed"));
+        lab.untilSeen(
+                "it is given up",
+                Duration.ofSeconds(30),
+                () -> run.stage(fallen).equals("crashed"));
 
         lab.crashServer();
         lab.goOn(Duration.ofSeconds(3));
@@ -103,13 +107,17 @@ class RunFlightTest {
         RunView over = run.end();
 
         assertThat(over.counts().visited()).isEqualTo(12);
-        assertThat(over.waypoints()).allSatisfy(one -> assertThat(run.missed(one)).isLessThan(NEAR_METERS));
+        assertThat(over.waypoints())
+                .allSatisfy(one -> assertThat(run.missed(one)).isLessThan(NEAR_METERS));
         assertThat(left).isNotEmpty();
         assertThat(over.waypoints().stream()
-                        .filter(one -> !one.visits().get(0).drone().equals(fallen.id().value()))
+                        .filter(one ->
+                                !one.visits().get(0).drone().equals(fallen.id().value()))
                         .map(RunView.WaypointView::id))
                 .containsAnyElementsOf(left);
-        assertThat(over.explanations()).extracting(RunView.ExplanationView::trigger).contains("crashed", "restarted");
+        assertThat(over.explanations())
+                .extracting(RunView.ExplanationView::trigger)
+                .contains("crashed", "restarted");
         assertThat(run.decidesTheSameAgain()).isTrue();
     }
 
@@ -122,18 +130,26 @@ class RunFlightTest {
                 .mapToObj(n -> RunFlight.waypoint(stays.place(44.5, n * 120.5 / 7), 590 + 2 * n))
                 .toList();
         RunFlight run = RunFlight.begins(lab, chief, List.of(stays, leaves), waypoints, RunFlight.Manner.ON);
-        lab.untilSeen("it is on its way", Duration.ofMinutes(4), () -> !run.of(leaves, "visited")
-                .isEmpty());
+        lab.untilSeen(
+                "it is on its way",
+                Duration.ofMinutes(4),
+                () -> !run.of(leaves, "visited").isEmpty());
 
         leaves.switchedTo(LOITER);
-        lab.untilSeen("the pilot has it", Duration.ofSeconds(30), () -> run.stage(leaves)
-                .equals("suspended"));
+        lab.untilSeen(
+                "the pilot has it",
+                Duration.ofSeconds(30),
+                () -> run.stage(leaves).equals("suspended"));
         long since = lab.time().nanos();
-        lab.untilSeen("the other one has all", Duration.ofSeconds(30), () -> !run.next(stays)
-                .isEmpty());
+        lab.untilSeen(
+                "the other one has all",
+                Duration.ofSeconds(30),
+                () -> !run.next(stays).isEmpty());
         List<String> left = run.next(stays);
-        lab.untilSeen("the other one has done what it can", Duration.ofMinutes(8), () -> run.stage(stays)
-                .equals("landed"));
+        lab.untilSeen(
+                "the other one has done what it can",
+                Duration.ofMinutes(8),
+                () -> run.stage(stays).equals("landed"));
 
         RunView ends = run.view();
         assertThat(ends.waypoints())
@@ -150,8 +166,10 @@ class RunFlightTest {
         assertThat(orders(leaves, since)).isEmpty();
         assertThat(leaves.mode()).isEqualTo(LOITER);
         assertThat(leaves.state().mode()).isEqualTo("LOITER");
-        assertThat(run.told("takenOver")).first().extracting(RunView.ExplanationView::drone).isEqualTo(leaves.id()
-                .value());
+        assertThat(run.told("takenOver"))
+                .first()
+                .extracting(RunView.ExplanationView::drone)
+                .isEqualTo(leaves.id().value());
 
         lab.server().runs().resume(chief.principal(), run.id(), leaves.id().value());
         assertThat(run.end().counts().visited()).isEqualTo(8);
@@ -198,8 +216,7 @@ class RunFlightTest {
         Wire.Quality lossy = new Wire.Quality(0.1, Duration.ofMillis(10), Duration.ofMillis(40));
         drones.forEach(drone -> drone.wire().is(lossy));
 
-        RunFlight run =
-                RunFlight.begins(lab, chief, drones, waypoints, new RunFlight.Manner("automatic", "rtl", 1.0));
+        RunFlight run = RunFlight.begins(lab, chief, drones, waypoints, new RunFlight.Manner("automatic", "rtl", 1.0));
         lab.untilSeen("they fly", Duration.ofMinutes(2), () -> run.allAre("flying"));
         for (LabDrone drone : drones) {
             // Now and then a vehicle says nothing for some seconds, and hears all the same.
@@ -216,6 +233,7 @@ class RunFlightTest {
         assertThat(run.allAre("landed")).isTrue();
         assertThat(drones).allMatch(LabDrone::isDown);
         assertThat(over.counts().visited()).isEqualTo(9);
-        assertThat(over.waypoints()).allSatisfy(one -> assertThat(run.missed(one)).isLessThan(NEAR_METERS));
+        assertThat(over.waypoints())
+                .allSatisfy(one -> assertThat(run.missed(one)).isLessThan(NEAR_METERS));
     }
 }

@@ -81,8 +81,7 @@ class RunWishesTest {
         List<PlanRequest.WaypointRequest> places = IntStream.range(0, count)
                 .mapToObj(n -> waypoint((1 + n / 2) * SPACING_METERS, n % 2 * SPACING_METERS, hover && n < 2))
                 .toList();
-        RunFlight run =
-                RunFlight.begins(lab, chief, drones, places, new RunFlight.Manner(mode, "continue", 2.0));
+        RunFlight run = RunFlight.begins(lab, chief, drones, places, new RunFlight.Manner(mode, "continue", 2.0));
         return run.awaitsAll("flying");
     }
 
@@ -159,14 +158,17 @@ class RunWishesTest {
         assertThat(byId(over).get(cancelled.id()).state()).isEqualTo("cancelled");
         assertThat(byId(over).get(moved.id()).latitude()).isBetween(north - 1e-6, north + 1e-6);
         for (LabDrone drone : drones) {
-            assertThat(carried(drone)).isNotEmpty().allSatisfy(place -> assertThat(apart(cancelled, place))
-                    .isGreaterThan(FAR_METERS));
+            assertThat(carried(drone))
+                    .isNotEmpty()
+                    .allSatisfy(place -> assertThat(apart(cancelled, place)).isGreaterThan(FAR_METERS));
         }
         Set<String> changed = Set.of(moved.id(), cancelled.id());
-        assertThat(over.waypoints()).filteredOn(one -> !one.id().equals(cancelled.id())).allSatisfy(one -> {
-            assertThat(one.state()).isEqualTo("visited");
-            assertThat(run.missed(one)).isLessThan(NEAR_METERS);
-        });
+        assertThat(over.waypoints())
+                .filteredOn(one -> !one.id().equals(cancelled.id()))
+                .allSatisfy(one -> {
+                    assertThat(one.state()).isEqualTo("visited");
+                    assertThat(run.missed(one)).isLessThan(NEAR_METERS);
+                });
         assertThat(over.waypoints().subList(0, 2))
                 .filteredOn(one -> !changed.contains(one.id()))
                 .isNotEmpty()
@@ -196,9 +198,13 @@ class RunWishesTest {
         String heading = run.next(leaves).get(0);
         lab.server().runs().giveUp(chief.principal(), run.id(), leaves.id().value());
         RunView.ProposalView asked = lab.until(
-                "it asks", Duration.ofSeconds(60), () -> Optional.ofNullable(run.view().proposal()));
-        assertThat(asked.moved()).isNotEmpty().extracting(RunView.MovedView::to).containsOnly(stays.id()
-                .value());
+                "it asks",
+                Duration.ofSeconds(60),
+                () -> Optional.ofNullable(run.view().proposal()));
+        assertThat(asked.moved())
+                .isNotEmpty()
+                .extracting(RunView.MovedView::to)
+                .containsOnly(stays.id().value());
         assertThat(asked.before().unserved()).isPositive();
         assertThat(asked.after().unserved()).isZero();
         // What it was flying to it may have come to before it turned.
@@ -211,10 +217,13 @@ class RunWishesTest {
         answer(run, asked.number());
         RunView over = run.end();
 
-        assertThat(orphans).isNotEmpty().allSatisfy(one -> assertThat(
-                        byId(over).get(one).visits().get(0).drone())
-                .isEqualTo(stays.id().value()));
-        assertThat(over.waypoints()).allSatisfy(one -> assertThat(run.missed(one)).isLessThan(NEAR_METERS));
+        assertThat(orphans)
+                .isNotEmpty()
+                .allSatisfy(
+                        one -> assertThat(byId(over).get(one).visits().get(0).drone())
+                                .isEqualTo(stays.id().value()));
+        assertThat(over.waypoints())
+                .allSatisfy(one -> assertThat(run.missed(one)).isLessThan(NEAR_METERS));
         assertThat(over.counts().visited()).isEqualTo(8);
         assertThat(run.told("answered")).isNotEmpty();
     }
@@ -241,12 +250,15 @@ class RunWishesTest {
         assertThat(refusal(() -> lab.server().runs().pause(chief.principal(), run.id())))
                 .isEqualTo(RejectionKind.CONFLICT);
         lab.untilSeen("all hold", Duration.ofSeconds(30), () -> run.allAre("holding"));
-        lab.until("they stand", Duration.ofSeconds(10), () -> drones.stream()
-                .allMatch(drone -> drone.craft().body().groundSpeed() < 0.05));
+        lab.until(
+                "they stand",
+                Duration.ofSeconds(10),
+                () -> drones.stream().allMatch(drone -> drone.craft().body().groundSpeed() < 0.05));
         long since = lab.time().nanos();
         long visited = run.view().counts().visited();
         lab.goOn(Duration.ofSeconds(20));
-        assertThat(drones).allSatisfy(drone -> assertThat(drone.track().strayed(since)).isLessThan(0.5));
+        assertThat(drones)
+                .allSatisfy(drone -> assertThat(drone.track().strayed(since)).isLessThan(0.5));
         assertThat(run.view().state()).isEqualTo("paused");
         assertThat(run.view().counts().visited()).isEqualTo(visited);
 
@@ -256,11 +268,13 @@ class RunWishesTest {
         assertThat(over.counts().visited()).isEqualTo(2);
         assertThat(run.told("paused")).isNotEmpty();
         assertThat(run.told("wentOn")).isNotEmpty();
-        List<List<Double>> heights = drones.stream().map(RunWishesTest::returnHeights).toList();
+        List<List<Double>> heights =
+                drones.stream().map(RunWishesTest::returnHeights).toList();
         List<Double> layers = heights.stream().map(one -> one.get(0)).sorted().toList();
         assertThat(layers.get(0)).isGreaterThan(HEIGHT_METERS);
         assertThat(layers.get(1) - layers.get(0)).isGreaterThanOrEqualTo(5);
-        assertThat(heights).allSatisfy(one -> assertThat(one.get(one.size() - 1)).isEqualTo(15));
+        assertThat(heights)
+                .allSatisfy(one -> assertThat(one.get(one.size() - 1)).isEqualTo(15));
     }
 
     /** In metres, what that vehicle was told in turn. */
@@ -278,16 +292,17 @@ class RunWishesTest {
         // So many that the one that joins keeps some, whatever a better plan gives to others.
         RunFlight run = begun(16, "automatic", false);
         run.joins(joining);
-        lab.untilSeen("it has its share", Duration.ofSeconds(30), () -> !run.next(joining).isEmpty());
+        lab.untilSeen(
+                "it has its share",
+                Duration.ofSeconds(30),
+                () -> !run.next(joining).isEmpty());
         List<RunView.WaypointView> with = lab.server()
                 .runs()
-                .add(
-                        chief.principal(),
-                        run.id(),
-                        new RunRequest.WaypointsRequest(List.of(waypoint(30_000, 0, false))))
+                .add(chief.principal(), run.id(), new RunRequest.WaypointsRequest(List.of(waypoint(30_000, 0, false))))
                 .waypoints();
         String far = with.get(with.size() - 1).id();
-        List<LabDrone> everybody = Stream.concat(drones.stream(), Stream.of(joining)).toList();
+        List<LabDrone> everybody =
+                Stream.concat(drones.stream(), Stream.of(joining)).toList();
         RunView.WaypointView fenced = remotest(run, everybody);
         long begin = lab.time().nanos();
         lab.server()
@@ -295,9 +310,13 @@ class RunWishesTest {
                 .add(chief.principal(), Zones.circle("Crane", RunFlight.place(fenced), FENCE_METERS, null, null));
 
         Map<String, String> leftOut = Map.of(far, "Out of range", fenced.id(), "Crane");
-        lab.untilSeen("reasons are told while it flies", Duration.ofSeconds(30), () -> leftOut.entrySet().stream()
-                .allMatch(one -> Objects.requireNonNullElse(run.waypoint(one.getKey()).why(), "")
-                        .contains(one.getValue())));
+        lab.untilSeen(
+                "reasons are told while it flies",
+                Duration.ofSeconds(30),
+                () -> leftOut.entrySet().stream()
+                        .allMatch(one -> Objects.requireNonNullElse(
+                                        run.waypoint(one.getKey()).why(), "")
+                                .contains(one.getValue())));
         assertThat(run.view().state()).isEqualTo("running");
         RunView over = run.end();
 
@@ -312,13 +331,12 @@ class RunWishesTest {
             assertThat(one.state()).isEqualTo("visited");
             assertThat(run.missed(one)).isLessThan(NEAR_METERS);
         });
-        assertThat(new HashSet<>(served.stream()
-                        .map(one -> one.visits().get(0).drone())
-                        .toList()))
+        assertThat(new HashSet<>(
+                        served.stream().map(one -> one.visits().get(0).drone()).toList()))
                 .contains(joining.id().value());
-        assertThat(everybody).allSatisfy(drone -> assertThat(
-                        drone.track().nearestOverGround(RunFlight.place(fenced), begin))
-                .isGreaterThan(FENCE_METERS));
+        assertThat(everybody)
+                .allSatisfy(drone -> assertThat(drone.track().nearestOverGround(RunFlight.place(fenced), begin))
+                        .isGreaterThan(FENCE_METERS));
     }
 
     /** The waypoint ahead from which all are farthest: a barrier round it surprises nobody in it. */

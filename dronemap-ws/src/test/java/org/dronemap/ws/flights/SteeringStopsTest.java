@@ -81,10 +81,15 @@ class SteeringStopsTest {
             Pilot root = lab.pilot("root", Role.ADMINISTRATOR);
             Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
             Pilot pilot = lab.pilot("ann", Role.OPERATOR);
-            lab.until("the robot is listed", Duration.ofSeconds(10), () -> robot.known()
-                    .filter(state -> state.capabilities().known())
-                    .isPresent());
-            lab.server().grants().setUserOnlyGranted(root.principal(), "ann", new GrantService.OnlyGrantedRequest(true));
+            lab.until(
+                    "the robot is listed",
+                    Duration.ofSeconds(10),
+                    () -> robot.known()
+                            .filter(state -> state.capabilities().known())
+                            .isPresent());
+            lab.server()
+                    .grants()
+                    .setUserOnlyGranted(root.principal(), "ann", new GrantService.OnlyGrantedRequest(true));
             grant(lab, root, robot);
             Helm helm = new Helm(lab, pilot, robot.id());
             for (int time = 0; time < TIMES; time++) {
@@ -105,9 +110,10 @@ class SteeringStopsTest {
             case NETWORK_CUT -> helm.cut();
             case LEASE_TAKEN -> chief.takesOver(helm.drone, "a child on the floor");
             case GRANT_REVOKED ->
-                lab.server().grants().grants(root.principal()).forEach(grant -> lab.server()
+                lab.server()
                         .grants()
-                        .takeBack(root.principal(), grant.id()));
+                        .grants(root.principal())
+                        .forEach(grant -> lab.server().grants().takeBack(root.principal(), grant.id()));
         }
     }
 

@@ -54,9 +54,7 @@ class VirtualDroneFlightTest {
                 .forEach(place -> items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(height(number)), 0)));
         return lab.server()
                 .virtuals()
-                .add(
-                        chief.principal(),
-                        new VirtualDroneRequest("Survey " + number, null, MissionItemView.of(items)))
+                .add(chief.principal(), new VirtualDroneRequest("Survey " + number, null, MissionItemView.of(items)))
                 .id();
     }
 
@@ -87,8 +85,11 @@ class VirtualDroneFlightTest {
                 lab.server().warehouse().put(chief.principal(), drone.id().value()));
 
         // Who asked first flies first, and is told why by this drone.
-        lab.untilSeen("the first two fly", Duration.ofMinutes(2), () -> virtuals.subList(0, 2).stream()
-                .allMatch(one -> run(one).state().equals("flying")));
+        lab.untilSeen(
+                "the first two fly",
+                Duration.ofMinutes(2),
+                () -> virtuals.subList(0, 2).stream()
+                        .allMatch(one -> run(one).state().equals("flying")));
         assertThat(run(virtuals.get(0)).why()).contains("was chosen", "the runner-up");
         assertThat(run(virtuals.get(2)).state()).isEqualTo("queued");
         assertThat(run(virtuals.get(2)).queue()).isEqualTo(new VirtualDroneView.PlaceView(1, MISSIONS - 2));
@@ -99,11 +100,15 @@ class VirtualDroneFlightTest {
         lab.startServer();
         LabDrone fallen = comesDownInFlight(virtuals);
 
-        lab.untilSeen("all are done", Duration.ofMinutes(20), () -> virtuals.stream()
-                .allMatch(one -> run(one).state().equals("done")));
+        lab.untilSeen(
+                "all are done",
+                Duration.ofMinutes(20),
+                () -> virtuals.stream().allMatch(one -> run(one).state().equals("done")));
         for (int number = 0; number < MISSIONS; number++) {
             for (Geodetic place : places(number)) {
-                assertThat(passed(place, height(number))).as("mission " + number).hasSize(1);
+                assertThat(passed(place, height(number)))
+                        .as("mission " + number)
+                        .hasSize(1);
             }
         }
         assertThat(fallen.craft().crashed()).isTrue();
@@ -113,20 +118,26 @@ class VirtualDroneFlightTest {
     /** One of the later missions loses its drone when it is half flown: another drone flies the rest. */
     private LabDrone comesDownInFlight(List<String> virtuals) {
         List<String> later = virtuals.subList(2, MISSIONS);
-        String half = lab.until("a later mission is half flown", Duration.ofMinutes(4), () -> later.stream()
-                .filter(one -> run(one).state().equals("flying") && run(one).flown() == 1)
-                .findFirst());
+        String half = lab.until(
+                "a later mission is half flown",
+                Duration.ofMinutes(4),
+                () -> later.stream()
+                        .filter(one -> run(one).state().equals("flying") && run(one).flown() == 1)
+                        .findFirst());
         String bound = Objects.requireNonNull(run(half).drone()).id();
         LabDrone fallen = drones.stream()
                 .filter(drone -> drone.id().value().equals(bound))
                 .findFirst()
                 .orElseThrow();
         fallen.craft().crash();
-        lab.untilSeen("it waits for another drone", Duration.ofSeconds(60), () -> Stream.ofNullable(
-                        run(half).drone())
-                .noneMatch(drone -> drone.id().equals(bound)));
+        lab.untilSeen(
+                "it waits for another drone",
+                Duration.ofSeconds(60),
+                () -> Stream.ofNullable(run(half).drone())
+                        .noneMatch(drone -> drone.id().equals(bound)));
         assertThat(run(half).flown()).isLessThan(run(half).total());
-        lab.untilSeen("it is done", Duration.ofMinutes(10), () -> run(half).state().equals("done"));
+        lab.untilSeen(
+                "it is done", Duration.ofMinutes(10), () -> run(half).state().equals("done"));
         int number = virtuals.indexOf(half);
         List<Geodetic> places = places(number);
         assertThat(passed(places.get(0), height(number))).isNotEqualTo(passed(places.get(2), height(number)));

@@ -78,19 +78,23 @@ class ZoneFlightTest {
                 .takesOff(copter, 10)
                 .does(copter, CommandRequest.simple("startMission"));
         int last = Objects.requireNonNull(copter.state().mission().items()).size() - 1;
-        lab.until("it is round", Duration.ofMinutes(2), () -> copter.state()
-                .mission()
-                .reached()
-                .contains(last));
+        lab.until(
+                "it is round",
+                Duration.ofMinutes(2),
+                () -> copter.state().mission().reached().contains(last));
         assertThat(copter.distanceTo(copter.place(90, 0))).isLessThan(3);
 
-        assertThat(chief.refusalByGate(copter, goTo(0, 0)))
-                .contains("enters the no-fly zone “School” after 30 m");
+        assertThat(chief.refusalByGate(copter, goTo(0, 0))).contains("enters the no-fly zone “School” after 30 m");
         chief.does(copter, CommandRequest.simple("returnToLaunch"));
-        lab.until("who returns through it is warned", Duration.ofSeconds(5), () -> copter.isTold(
-                "It returns all the same, but"));
+        lab.until(
+                "who returns through it is warned",
+                Duration.ofSeconds(5),
+                () -> copter.isTold("It returns all the same, but"));
         lab.until("it landed", Duration.ofMinutes(2), copter::isDown);
-        lab.until("the server knows", Duration.ofSeconds(2), () -> Boolean.FALSE.equals(copter.state().armed()));
+        lab.until(
+                "the server knows",
+                Duration.ofSeconds(2),
+                () -> Boolean.FALSE.equals(copter.state().armed()));
     }
 
     @Test
@@ -110,7 +114,8 @@ class ZoneFlightTest {
         assertThat(held.type()).isEqualTo("hold");
         assertThat(held.by()).isEqualTo("zones");
         assertThat(Objects.requireNonNull(held.outcome()).result()).isEqualTo("succeeded");
-        lab.until("it stands", Duration.ofSeconds(10), () -> copter.craft().body().groundSpeed() < 0.5);
+        lab.until(
+                "it stands", Duration.ofSeconds(10), () -> copter.craft().body().groundSpeed() < 0.5);
         assertThat(north()).isBetween(150.0, 175.0);
         assertThat(chief.refusalByGate(copter, goTo(400, 0))).contains("begins inside the no-fly zone “School”");
         chief.does(copter, CommandRequest.simple("returnToLaunch"));

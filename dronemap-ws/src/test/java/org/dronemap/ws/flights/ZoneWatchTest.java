@@ -49,8 +49,10 @@ class ZoneWatchTest {
             }
 
             for (Breach breach : breaches) {
-                lab.until("it is told to hold", Duration.ofMinutes(1), () -> breach.drone()
-                        .isTold("is told: hold"));
+                lab.until(
+                        "it is told to hold",
+                        Duration.ofMinutes(1),
+                        () -> breach.drone().isTold("is told: hold"));
             }
             lab.goOn(Duration.ofSeconds(2));
 
@@ -64,13 +66,12 @@ class ZoneWatchTest {
 
     private static Breach sentOff(Laboratory lab, Pilot chief, LabDrone drone, double bearing) {
         Position start = drone.craft().body().position();
-        Geodetic target =
-                drone.place(start.north() + 500 * Math.cos(bearing), start.east() + 500 * Math.sin(bearing));
+        Geodetic target = drone.place(start.north() + 500 * Math.cos(bearing), start.east() + 500 * Math.sin(bearing));
         chief.does(drone, CommandRequest.goTo(target.latitudeDegrees(), target.longitudeDegrees(), 10.0));
-        lab.until("it flies there", Duration.ofMinutes(1), () -> drone.craft().body()
-                        .position()
-                        .horizontalDistanceTo(start)
-                > 5);
+        lab.until(
+                "it flies there",
+                Duration.ofMinutes(1),
+                () -> drone.craft().body().position().horizontalDistanceTo(start) > 5);
         Geodetic middle =
                 drone.place(start.north() + AHEAD * Math.cos(bearing), start.east() + AHEAD * Math.sin(bearing));
         lab.server().zones().add(chief.principal(), Zones.circle("Sudden", middle, RADIUS, drone, "hold"));

@@ -36,8 +36,7 @@ public final class Hoverer {
         this.systemId = systemId;
         this.writer = new FrameWriter(systemId, 1, 2);
         String name = "peer " + systemId;
-        this.wire = new Wire(
-                name, FIRST_PORT + systemId, lab.time(), seed, record, frame -> script.hears(this, frame));
+        this.wire = new Wire(name, FIRST_PORT + systemId, lab.time(), seed, record, frame -> script.hears(this, frame));
         var unused = lab.time().worker(name, 1).every(RHYTHM, RHYTHM, this::beat);
     }
 
@@ -59,8 +58,7 @@ public final class Hoverer {
     }
 
     public void beat() {
-        say(new Heartbeat(
-                QUADROTOR, ARDUPILOT, CUSTOM_MODE | (armed ? ARMED : 0), mode, armed ? ACTIVE : STANDBY, 3));
+        say(new Heartbeat(QUADROTOR, ARDUPILOT, CUSTOM_MODE | (armed ? ARMED : 0), mode, armed ? ACTIVE : STANDBY, 3));
     }
 
     /** As the server has it. */

@@ -116,8 +116,10 @@ public final class Phone {
 
     /** Waits until its follow is at that stage. */
     public Phone awaits(String stage, Duration longest) {
-        lab.untilSeen(owner.name() + "'s follow is " + stage, longest, () -> view().state()
-                .equals(stage));
+        lab.untilSeen(
+                owner.name() + "'s follow is " + stage,
+                longest,
+                () -> view().state().equals(stage));
         return this;
     }
 

@@ -26,7 +26,8 @@ public final class RunFlight {
     private final String id;
 
     /** How it is flown; {@code searchSeconds} null: as usual. */
-    public record Manner(String mode, String onCloudLoss, @Nullable Double searchSeconds) {
+    public record Manner(
+            String mode, String onCloudLoss, @Nullable Double searchSeconds) {
         public static final Manner ON = new Manner("automatic", "continue", null);
     }
 
@@ -63,9 +64,11 @@ public final class RunFlight {
                 null,
                 null);
         PlanView asked = lab.server().plans().ask(pilot.principal(), request);
-        return lab.until("the plan is finished", LONGEST_PLAN, () -> Optional.of(
-                        lab.server().plans().one(pilot.principal(), asked.id()))
-                .filter(plan -> plan.state().equals("finished")));
+        return lab.until(
+                "the plan is finished",
+                LONGEST_PLAN,
+                () -> Optional.of(lab.server().plans().one(pilot.principal(), asked.id()))
+                        .filter(plan -> plan.state().equals("finished")));
     }
 
     /** At that place, so high above the sea. */
@@ -98,7 +101,10 @@ public final class RunFlight {
         drones.add(drone);
         var unused = lab.server()
                 .runs()
-                .join(pilot.principal(), id, new RunRequest.JoinRequest(drone.id().value()));
+                .join(
+                        pilot.principal(),
+                        id,
+                        new RunRequest.JoinRequest(drone.id().value()));
     }
 
     public RunView view() {
@@ -125,8 +131,10 @@ public final class RunFlight {
 
     /** Waits for its end. */
     public RunView end() {
-        return lab.until("the run is over", LONGEST_RUN, () -> Optional.of(view())
-                .filter(run -> run.state().equals("over")));
+        return lab.until(
+                "the run is over",
+                LONGEST_RUN,
+                () -> Optional.of(view()).filter(run -> run.state().equals("over")));
     }
 
     public RunView.WaypointView waypoint(String waypoint) {
@@ -151,7 +159,8 @@ public final class RunFlight {
         return view().waypoints().stream()
                 .filter(one -> one.state().equals(state))
                 .filter(one -> Stream.concat(
-                                Stream.ofNullable(one.drone()), one.visits().stream().map(RunView.VisitView::drone))
+                                Stream.ofNullable(one.drone()),
+                                one.visits().stream().map(RunView.VisitView::drone))
                         .anyMatch(own::equals))
                 .map(RunView.WaypointView::id)
                 .toList();

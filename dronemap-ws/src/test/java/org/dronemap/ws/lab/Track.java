@@ -45,8 +45,8 @@ public final class Track {
     public double strayed(long sinceNanos) {
         List<Fix> part = since(sinceNanos);
         return part.stream()
-                .mapToDouble(fix ->
-                        Geodesy.distanceMeters(fix.place(), part.get(0).place()))
+                .mapToDouble(
+                        fix -> Geodesy.distanceMeters(fix.place(), part.get(0).place()))
                 .max()
                 .orElseThrow();
     }

@@ -12,7 +12,12 @@ public final class Zones {
 
     /** For one drone: a rectangle in metres from where that was put down. */
     public static ZoneFeature box(
-            LabDrone drone, double south, double north, double half, @Nullable String onBreach, @Nullable Double floor) {
+            LabDrone drone,
+            double south,
+            double north,
+            double half,
+            @Nullable String onBreach,
+            @Nullable Double floor) {
         List<List<Double>> ring = Stream.of(
                         drone.place(south, -half),
                         drone.place(south, half),
