@@ -35,15 +35,8 @@ class PlanFlightTest {
         try (Laboratory lab = new Laboratory(1)) {
             List<LabDrone> drones = lab.copters(3);
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
-            LabDrone first = drones.get(0);
-            double amsl = first.groundAmsl() + HEIGHT_METERS;
-            // Four by three, west of a home.
-            List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, WAYPOINTS)
-                    .mapToObj(n -> RunFlight.waypoint(
-                            first.place((n % 4 - 1) * SPACING_METERS, -(1 + n / 4) * SPACING_METERS), amsl))
-                    .toList();
 
-            PlanView plan = RunFlight.planned(lab, ann, drones, waypoints);
+            PlanView plan = RunFlight.planned(lab, ann, drones, waypoints(drones.get(0)));
 
             PlanView.ResultView result = Objects.requireNonNull(plan.result());
             assertThat(result.faults()).isEmpty();
@@ -69,15 +62,28 @@ class PlanFlightTest {
                     () -> stages(lab, ann, plan).equals(List.of("started", "started", "started")));
             lab.until(
                     "all are home", Duration.ofMinutes(5), () -> drones.stream().allMatch(LabDrone::isDown));
-            // Who was to go there goes there; on its way it may come by where others were.
-            Map<String, LabDrone> byId =
-                    drones.stream().collect(Collectors.toMap(drone -> drone.id().value(), Function.identity()));
-            for (PlanView.TourView tour : result.tours()) {
-                for (PlanView.StopView stop : tour.stops()) {
-                    assertThat(came(byId.get(tour.drone()), stop))
-                            .as(tour.name() + " at waypoint " + stop.waypoint())
-                            .isTrue();
-                }
+            requireVisits(drones, result);
+        }
+    }
+
+    /** Four by three, west of a home. */
+    private static List<PlanRequest.WaypointRequest> waypoints(LabDrone first) {
+        double amsl = first.groundAmsl() + HEIGHT_METERS;
+        return IntStream.range(0, WAYPOINTS)
+                .mapToObj(n -> RunFlight.waypoint(
+                        first.place((n % 4 - 1) * SPACING_METERS, -(1 + n / 4) * SPACING_METERS), amsl))
+                .toList();
+    }
+
+    /** Who was to go there goes there; on its way it may come by where others were. */
+    private static void requireVisits(List<LabDrone> drones, PlanView.ResultView result) {
+        Map<String, LabDrone> byId =
+                drones.stream().collect(Collectors.toMap(drone -> drone.id().value(), Function.identity()));
+        for (PlanView.TourView tour : result.tours()) {
+            for (PlanView.StopView stop : tour.stops()) {
+                assertThat(came(byId.get(tour.drone()), stop))
+                        .as(tour.name() + " at waypoint " + stop.waypoint())
+                        .isTrue();
             }
         }
     }

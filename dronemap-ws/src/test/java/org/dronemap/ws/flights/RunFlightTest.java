@@ -151,18 +151,7 @@ class RunFlightTest {
                 Duration.ofMinutes(8),
                 () -> run.stage(stays).equals("landed"));
 
-        RunView ends = run.view();
-        assertThat(ends.waypoints())
-                .filteredOn(one -> !one.state().equals("visited"))
-                .allSatisfy(one -> assertThat(one.why()).contains("stands in the air there"));
-        assertThat(ends.waypoints())
-                .filteredOn(one -> left.contains(one.id()) && one.state().equals("visited"))
-                .isNotEmpty()
-                .allSatisfy(one -> {
-                    assertThat(stays.track().nearest(RunFlight.place(one), one.altitudeAmsl()))
-                            .isLessThan(NEAR_METERS);
-                    assertThat(offHeight(one, stays)).isLessThan(1);
-                });
+        requireFlown(run.view(), stays, left);
         assertThat(orders(leaves, since)).isEmpty();
         assertThat(leaves.mode()).isEqualTo(LOITER);
         assertThat(leaves.state().mode()).isEqualTo("LOITER");
@@ -175,6 +164,21 @@ class RunFlightTest {
         assertThat(run.end().counts().visited()).isEqualTo(8);
         assertThat(orders(leaves, since)).isNotEmpty();
         assertThat(run.decidesTheSameAgain()).isTrue();
+    }
+
+    /** What was left to that one, but where the pilot hovers; meanwhile nobody may go there. */
+    private static void requireFlown(RunView ends, LabDrone stays, List<String> left) {
+        assertThat(ends.waypoints())
+                .filteredOn(one -> !one.state().equals("visited"))
+                .allSatisfy(one -> assertThat(one.why()).contains("stands in the air there"));
+        assertThat(ends.waypoints())
+                .filteredOn(one -> left.contains(one.id()) && one.state().equals("visited"))
+                .isNotEmpty()
+                .allSatisfy(one -> {
+                    assertThat(stays.track().nearest(RunFlight.place(one), one.altitudeAmsl()))
+                            .isLessThan(NEAR_METERS);
+                    assertThat(offHeight(one, stays)).isLessThan(1);
+                });
     }
 
     /** How many metres too high or too low it was where it came nearest over the ground. */

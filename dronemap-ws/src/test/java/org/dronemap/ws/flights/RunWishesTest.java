@@ -320,6 +320,14 @@ class RunWishesTest {
         assertThat(run.view().state()).isEqualTo("running");
         RunView over = run.end();
 
+        requireAllButThoseVisited(run, over, leftOut, joining);
+        assertThat(everybody)
+                .allSatisfy(drone -> assertThat(drone.track().nearestOverGround(RunFlight.place(fenced), begin))
+                        .isGreaterThan(FENCE_METERS));
+    }
+
+    private static void requireAllButThoseVisited(
+            RunFlight run, RunView over, Map<String, String> leftOut, LabDrone joining) {
         leftOut.forEach((one, why) -> {
             assertThat(byId(over).get(one).state()).isEqualTo("unserved");
             assertThat(byId(over).get(one).why()).contains(why);
@@ -334,9 +342,6 @@ class RunWishesTest {
         assertThat(new HashSet<>(
                         served.stream().map(one -> one.visits().get(0).drone()).toList()))
                 .contains(joining.id().value());
-        assertThat(everybody)
-                .allSatisfy(drone -> assertThat(drone.track().nearestOverGround(RunFlight.place(fenced), begin))
-                        .isGreaterThan(FENCE_METERS));
     }
 
     /** The waypoint ahead from which all are farthest: a barrier round it surprises nobody in it. */
