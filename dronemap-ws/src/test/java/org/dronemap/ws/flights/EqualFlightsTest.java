@@ -26,8 +26,14 @@ class EqualFlightsTest {
     private static Process begin(long seed) throws IOException {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         String classes = System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
-        return new ProcessBuilder(
-                        List.of(java, "-Xmx512m", "-cp", classes, TenMinutes.class.getName(), Long.toString(seed)))
+        return new ProcessBuilder(List.of(
+                        java,
+                        "-Xmx512m",
+                        "-XX:TieredStopAtLevel=1",
+                        "-cp",
+                        classes,
+                        TenMinutes.class.getName(),
+                        Long.toString(seed)))
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
     }
