@@ -4,9 +4,10 @@ import json
 import secrets
 import time
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import pytest
-from playwright.sync_api import Browser, expect, sync_playwright
+from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 from websockets.sync.client import ClientConnection, connect
 
 from dronemap_e2e.api import Api, Json
@@ -45,57 +46,88 @@ def silent(stream: ClientConnection, drone: str, seconds: float) -> None:
             return
 
 
-@pytest.mark.parametrize(
-    ("size", "touch"),
-    [pytest.param((1440, 900), False, id="desk"), pytest.param((390, 844), True, id="phone")],
-)
-def test_a_grant_shows_a_drone_and_taking_it_back_silences_the_open_stream(
-    server: Server, api: Api, copter: Json, browser: Browser, size: tuple[int, int], touch: bool
-) -> None:
-    users = {}
-    for role in ("administrator", "operator"):
-        name, password = f"{role}-{secrets.token_hex(4)}", secrets.token_hex(10)
-        body = {"name": name, "password": password, "role": role}
-        assert api.call("POST", "/users", body).status_code == 201
-        users[role] = (name, password)
-    ann, first = users["operator"]
-    session, own = Api(server.address), secrets.token_hex(10)
-    assert session.call("POST", "/session", {"name": ann, "password": first}).ok
-    change = {"current": first, "next": own}
-    assert session.call("POST", "/session/password", change).status_code == 204
-    key = session.new_key("watch", "operator")
-    assert api.call("PUT", f"/users/{ann}/only-granted", {"onlyGranted": True}).status_code == 204
+DESK, PHONE = ((1440, 900), False), ((390, 844), True)
 
+
+class Desk(NamedTuple):
+    """An administrator's page with its card of grants, and the hands before it."""
+
+    page: Page
+    hands: Hands
+
+    @property
+    def card(self) -> Locator:
+        return self.page.get_by_role("region", name="Who may see what")
+
+    def row(self, user: str) -> Locator:
+        return self.card.get_by_role("listitem").filter(has_text=user)
+
+    def grant(self, user: str, drone: str) -> None:
+        self.card.get_by_label("Whom").select_option(user)
+        self.card.get_by_label("With which drones").select_option("only some")
+        self.card.get_by_label(drone).check()
+        self.hands.press(self.page, self.card.get_by_role("button", name="Grant", exact=True))
+
+    def take_back(self, user: str) -> None:
+        self.hands.hold(self.page, self.row(user).get_by_role("button", name="Take back"))
+
+
+def administration(
+    server: Server, browser: Browser, chief: tuple[str, str, str], size: tuple[int, int], touch: bool
+) -> Desk:
     context = browser.new_context(
         viewport={"width": size[0], "height": size[1]}, has_touch=touch, is_mobile=touch
     )
-    hands: Hands = Touch() if touch else Pointer()
-    chief = Station(context.new_page(), hands)
-    chief.sign_in(server.address, *users["administrator"], secrets.token_hex(10))
-    chief.press(f"Account of {users['administrator'][0]}")
-    chief.press("Administration")
-    card = chief.page.get_by_role("region", name="Who may see what")
-    expect(card.get_by_text("Sees no drone: nothing is granted.").first).to_be_visible()
+    station = Station(context.new_page(), Touch() if touch else Pointer())
+    station.sign_in(server.address, *chief)
+    station.press(f"Account of {chief[0]}")
+    station.press("Administration")
+    return Desk(station.page, Touch() if touch else Pointer())
 
+
+def administrator(api: Api) -> tuple[str, str, str]:
+    """Name, first password and own one."""
+    name, password = f"administrator-{secrets.token_hex(4)}", secrets.token_hex(10)
+    body = {"name": name, "password": password, "role": "administrator"}
+    assert api.call("POST", "/users", body).status_code == 201
+    return name, password, secrets.token_hex(10)
+
+
+def operator(server: Server, api: Api) -> tuple[str, str]:
+    """Who sees only what is granted: name and key."""
+    ann, first, own = f"operator-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(10)
+    body = {"name": ann, "password": first, "role": "operator"}
+    assert api.call("POST", "/users", body).status_code == 201
+    session = Api(server.address)
+    assert session.call("POST", "/session", {"name": ann, "password": first}).ok
+    assert session.call("POST", "/session/password", {"current": first, "next": own}).status_code == 204
+    assert api.call("PUT", f"/users/{ann}/only-granted", {"onlyGranted": True}).status_code == 204
+    return ann, session.new_key("watch", "operator")
+
+
+def test_a_grant_shows_a_drone_and_taking_it_back_silences_the_open_stream(
+    server: Server, api: Api, copter: Json, browser: Browser
+) -> None:
+    """End to end because administrators do it on the page, at a desk and on a phone."""
+    ann, key = operator(server, api)
     headers = {"Authorization": f"Bearer {key}"}
-    with connect(f"ws://127.0.0.1:{server.stream_port}/stream", additional_headers=headers) as stream:
-        silent(stream, copter["id"], 1)
-        card.get_by_label("Whom").select_option(ann)
-        card.get_by_label("With which drones").select_option("only some")
-        card.get_by_label(copter["name"]).check()
-        hands.press(chief.page, card.get_by_role("button", name="Grant", exact=True))
-        heard(stream, "drone", copter["id"])
-
-        row = card.get_by_role("listitem").filter(has_text=ann)
-        expect(row).to_contain_text(copter["name"])
-        hands.hold(chief.page, row.get_by_role("button", name="Take back"))
-        heard(stream, "droneRemoved", copter["id"])
-        silent(stream, copter["id"], 2)
-        expect(row).to_contain_text("Sees no drone", timeout=PATIENCE)
-    answer = Api(server.address, key).call("GET", f"/drones/{copter['id']}")
-    assert answer.status_code == 404, answer.text
-    assert answer.json()["detail"] == f"There is no drone {copter['id']}."
-    context.close()
+    stream_address = f"ws://127.0.0.1:{server.stream_port}/stream"
+    for size, touch in (DESK, PHONE):
+        desk = administration(server, browser, administrator(api), size, touch)
+        expect(desk.card.get_by_text("Sees no drone: nothing is granted.").first).to_be_visible()
+        with connect(stream_address, additional_headers=headers) as stream:
+            silent(stream, copter["id"], 1)
+            desk.grant(ann, copter["name"])
+            heard(stream, "drone", copter["id"])
+            expect(desk.row(ann)).to_contain_text(copter["name"])
+            desk.take_back(ann)
+            heard(stream, "droneRemoved", copter["id"])
+            silent(stream, copter["id"], 2)
+            expect(desk.row(ann)).to_contain_text("Sees no drone", timeout=PATIENCE)
+        answer = Api(server.address, key).call("GET", f"/drones/{copter['id']}")
+        assert answer.status_code == 404, answer.text
+        assert answer.json()["detail"] == f"There is no drone {copter['id']}."
+        desk.page.context.close()
 
 
 ROUNDS = 60

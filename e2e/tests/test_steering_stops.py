@@ -44,7 +44,8 @@ def drone(api: Api, robot: Robot) -> Json:
     )
 
 
-@pytest.mark.parametrize("times", [1, pytest.param(25, marks=pytest.mark.soak)])
+@pytest.mark.soak
+@pytest.mark.parametrize("times", [25])
 @pytest.mark.parametrize("end", ["page killed", "network cut", "lease taken", "grant revoked"])
 def test_it_stands_within_a_second(
     server: Server, api: Api, robot: Robot, drone: Json, end: str, times: int

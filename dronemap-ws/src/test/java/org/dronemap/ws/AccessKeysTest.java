@@ -28,6 +28,7 @@ import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.soap.DronemapFault;
+import org.dronemap.ws.soap.SoapOutcome;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -211,7 +212,7 @@ class AccessKeysTest {
     }
 
     @Test
-    void flyOnlyInTheirAreaAndHeights() {
+    void flyOnlyInTheirAreaAndHeights() throws DronemapFault {
         Http user = tenant.http(Role.OPERATOR);
         Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
         Http http = new Http(house, made.text("key"));
@@ -225,10 +226,25 @@ class AccessKeysTest {
         armed(FlightPhase.IN_AIR, 20);
         assertThat(http.post(path, goTo(47.41, 30)).text("detail"))
                 .contains("leaves the bounds of this access key after 500 m");
+        flyNowhereElseByOtherFaces(made.text("key"));
         assertThat(mine.performed()).isEmpty();
         assertThat(http.post(path, goTo(47.399, 30)).status()).isEqualTo(200);
         assertThat(http.post(path, "{\"type\":\"returnToLaunch\"}").status()).isEqualTo(200);
         assertThat(user.post(path, goTo(47.41, 30)).status()).isEqualTo(200);
+    }
+
+    private void flyNowhereElseByOtherFaces(String key) throws DronemapFault {
+        SoapOutcome outcome = SoapClient.withKey(house, key).goTo(mine.id(), 47.41, 8.5456, 30.0);
+        assertThat(outcome.getResult() + " by " + outcome.getBy()).isEqualTo("refused by gate");
+        assertThat(outcome.getReason()).contains("leaves the bounds of this access key after");
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.send("{\"type\":\"command\",\"requestId\":\"r\",\"drone\":\"" + mine.id() + "\",\"command\":"
+                    + goTo(47.41, 30) + "}");
+            assertThat(stream.await(message ->
+                                    message.path("requestId").asString("").equals("r"))
+                            .toString())
+                    .contains("leaves the bounds of this access key after");
+        }
     }
 
     @Test

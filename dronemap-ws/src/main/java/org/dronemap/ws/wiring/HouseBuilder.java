@@ -325,6 +325,11 @@ final class HouseBuilder {
         return Objects.requireNonNull(proxy, "the house is not open yet").handlers();
     }
 
+    /** The same for links to robots. */
+    PeerHandler.Factory robots() {
+        return Objects.requireNonNull(robotLinks, "the house is not open yet").handlers();
+    }
+
     /** Lets ground stations of other makers in. */
     void serve() {
         if (outlet != null) {

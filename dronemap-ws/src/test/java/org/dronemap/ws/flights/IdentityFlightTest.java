@@ -109,6 +109,7 @@ class IdentityFlightTest {
                 () -> only(drone).position() != null);
 
         SigningPeer forger = copter();
+        lab.throughout("the real one is the only one", Duration.ofSeconds(1), () -> isWhereItIs(real, drone));
         for (int i = 0; i < 80; i++) {
             forger.isAt(ELSEWHERE, ELSEWHERE);
             forger.namesItsHardware();

@@ -22,12 +22,12 @@ public final class LabDrone implements LabVehicle {
     /** Where the first one stands; altitude in m AMSL. */
     public static final LocalFrame FIELD = new LocalFrame(47.3977, 8.5456, 488);
 
-    private static final double SPACING_METERS = 60;
     private static final double MILLIAMP_HOURS = 5_200;
     private static final int FIRST_PORT = 20_000;
     private static final int PORTS_APART = 250;
     private static final long SEED_OF_ANOTHER_WIRE = 7_919;
     private static final double MILLIS = 1_000;
+    private static final long FIX_NANOS = 100_000_000;
 
     private final Laboratory lab;
     private final String name;
@@ -40,13 +40,14 @@ public final class LabDrone implements LabVehicle {
     private final LocalFrame start;
     private final long seed;
     private final FlightRecord record;
+    private final Track track = new Track();
 
-    LabDrone(Laboratory lab, VehicleKit kit, int number, long seed, FlightRecord record) {
+    LabDrone(Laboratory lab, VehicleKit kit, LocalFrame start, int number, long seed, FlightRecord record) {
         this.lab = lab;
         this.systemId = number;
         this.isPx4 = kit.kind().name().equals("px4");
         this.name = kit.kind().name() + " " + number;
-        this.start = FIELD.shifted(new Position(0, (number - 1) * SPACING_METERS, 0));
+        this.start = start;
         this.seed = seed;
         this.record = record;
         wires.add(newWire(name, FIRST_PORT + number));
@@ -90,6 +91,9 @@ public final class LabDrone implements LabVehicle {
         if (vehicle.takeNewAddress()) {
             wires.forEach(Wire::move);
         }
+        if (lab.time().nanos() % FIX_NANOS == 0) {
+            track.add(new Track.Fix(lab.time().nanos(), where(), amsl(), height(), craft().armed()));
+        }
     }
 
     public String name() {
@@ -119,6 +123,50 @@ public final class LabDrone implements LabVehicle {
     /** Metres from there on the ground, in truth. */
     public double away() {
         return craft().body().position().horizontalDistanceTo(new Position(0, 0, 0));
+    }
+
+    /** Where it is, in truth. */
+    public Geodetic where() {
+        Position here = craft().body().position();
+        return new Geodetic(start.latitudeOf(here), start.longitudeOf(here));
+    }
+
+    /** Metres above the sea, in truth. */
+    public double amsl() {
+        return start.altitudeOf(craft().body().position());
+    }
+
+    /** Metres above the sea where it was put down. */
+    public double groundAmsl() {
+        return start.altitudeAmsl();
+    }
+
+    /** The number of the mode that it is in, in truth. */
+    public long mode() {
+        return vehicle.autopilot().heartbeat().customMode();
+    }
+
+    /** Its pilot, who stands beside it, brings it into that mode by a switch. */
+    public void switchedTo(long mode) {
+        var unused = vehicle.autopilot().setMode(1, mode);
+    }
+
+    /** Where it truly was all along. */
+    public Track track() {
+        return track;
+    }
+
+    /** What the server has heard it say in words. */
+    public boolean isTold(String words) {
+        return state().messages().stream().anyMatch(message -> message.text().contains(words));
+    }
+
+    /** All is known of it that a plan takes. */
+    boolean isPlannable() {
+        return isReady()
+                && known().filter(state -> state.battery() != null
+                                && state.link().quality().lossShort() != null)
+                        .isPresent();
     }
 
     /** It is down and its motors stand, in truth. */

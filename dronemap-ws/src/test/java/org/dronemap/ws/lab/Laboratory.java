@@ -15,6 +15,8 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
@@ -25,6 +27,8 @@ import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.sim.physics.LocalFrame;
+import org.dronemap.sim.physics.Position;
 import org.dronemap.store.memory.MemoryStores;
 import org.dronemap.ws.wiring.SteppedServer;
 import org.jspecify.annotations.Nullable;
@@ -37,10 +41,15 @@ import org.jspecify.annotations.Nullable;
 public final class Laboratory implements AutoCloseable {
     private static final Instant BEGAN = Instant.parse("2026-05-01T10:00:00Z");
     private static final int MOST_OPERATIONS = 1_000;
+    private static final int MOST_COMMANDS = 10_000;
+    private static final double SPACING_METERS = 60;
+    private static final int FIRST_PEER = 200;
+    private static final int FIRST_ROBOT = 3_301;
     private static final int MOST_ENTRIES = 1_000_000;
     private static final int FIRST_PORT_OF_PEERS = 40_000;
     private static final int FIRST_PEER_PORT = 40_500;
     private static final Duration BEAT = Duration.ofMillis(20);
+    private static final Duration LOOK = Duration.ofMillis(100);
     private static final Duration LONGEST_PREPARATION = Duration.ofSeconds(60);
 
     private final SteppedTime time;
@@ -51,6 +60,8 @@ public final class Laboratory implements AutoCloseable {
     private final List<LabDrone> drones = new ArrayList<>();
     private final List<ScriptedPeer> peers = new ArrayList<>();
     private final List<SigningPeer> signingPeers = new ArrayList<>();
+    private final List<Hoverer> hoverers = new ArrayList<>();
+    private final List<Robot> robots = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
 
@@ -74,6 +85,8 @@ public final class Laboratory implements AutoCloseable {
         drones.forEach(drone -> drone.attach(server().links()));
         peers.forEach(peer -> peer.wire().attach(server().links()));
         signingPeers.forEach(peer -> peer.wire().attach(server().links()));
+        hoverers.forEach(peer -> peer.wire().attach(server().links()));
+        robots.forEach(robot -> robot.attach(server().robotLinks()));
     }
 
     /** As by kill -9: nothing more is done, written or said. */
@@ -84,7 +97,13 @@ public final class Laboratory implements AutoCloseable {
         drones.forEach(drone -> drone.attach(null));
         peers.forEach(peer -> peer.wire().attach(null));
         signingPeers.forEach(peer -> peer.wire().attach(null));
+        hoverers.forEach(peer -> peer.wire().attach(null));
+        robots.forEach(robot -> robot.attach(null));
         server = null;
+    }
+
+    public boolean isUp() {
+        return server != null;
     }
 
     /** In the place of a server that has crashed, until there is one again. */
@@ -115,10 +134,24 @@ public final class Laboratory implements AutoCloseable {
         return ready(add(VehicleKit.COPTER));
     }
 
+    /** So many of them, in a row. */
+    public List<LabDrone> copters(int count) {
+        List<LabDrone> made = IntStream.range(0, count)
+                .mapToObj(number -> add(VehicleKit.COPTER))
+                .toList();
+        made.forEach(this::ready);
+        return made;
+    }
+
     /** Such a vehicle, of which nothing is expected yet. */
     public LabDrone add(VehicleKit kit) {
+        return add(kit, LabDrone.FIELD.shifted(new Position(0, drones.size() * SPACING_METERS, 0)));
+    }
+
+    /** The same with the place where it is put down. */
+    public LabDrone add(VehicleKit kit, LocalFrame start) {
         int number = drones.size() + 1;
-        LabDrone drone = new LabDrone(this, kit, number, seed * 1_000_003 + number, record);
+        LabDrone drone = new LabDrone(this, kit, start, number, seed * 1_000_003 + number, record);
         drones.add(drone);
         drone.attach(server().links());
         return drone;
@@ -161,17 +194,54 @@ public final class Laboratory implements AutoCloseable {
         return drone;
     }
 
+    /** A vehicle that does what its script says, and nothing else. */
+    public Hoverer hoverer(Hoverer.Script script) {
+        int number = FIRST_PEER + hoverers.size();
+        Hoverer peer = new Hoverer(this, number, seed * 1_000_003 + number, record, script);
+        hoverers.add(peer);
+        peer.wire().attach(server().links());
+        return peer;
+    }
+
+    /** A robot on wheels that goes on with the last speeds that it heard, as many bridges do. */
+    public Robot robot() {
+        int number = FIRST_ROBOT + robots.size();
+        Robot robot = new Robot(this, number, seed * 1_000_003 + number);
+        robots.add(robot);
+        robot.attach(server().robotLinks());
+        return robot;
+    }
+
+    /** A phone so many metres north and east of where that drone was put down. */
+    public Phone phone(Pilot owner, LabDrone beside, double north, double east) {
+        return new Phone(this, owner, beside, north, east);
+    }
+
     /** A new user with that role, who owns what is there. */
     public Pilot pilot(String name, Role role) {
         if (!stores.access().addUser(new User(name, role, AccountState.ACTIVE, "none", false, OrganisationId.HOME))) {
             throw new IllegalArgumentException("There is a user " + name + " already.");
         }
-        return new Pilot(this, name, role);
+        return new Pilot(this, name, role, null);
     }
 
     Principal principal(String name, Role role) {
         return new Principal(
                 name, role, KeyScope.ALL, null, server().house().grantBook().reach(OrganisationId.HOME, name));
+    }
+
+    /** By an access key, as the door of each face would let it in. */
+    Principal principal(String name, String key) {
+        AccessKey shown = stores.access().accessKeys(name).stream()
+                .filter(one -> one.id().equals(key) && !one.rights().isOver(now()))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError(name + " has no such key"));
+        return new Principal(
+                name,
+                shown.rights().role(),
+                shown.rights().scope(),
+                key,
+                server().house().grantBook().reach(OrganisationId.HOME, name));
     }
 
     /** Lets so much time go by. */
@@ -189,10 +259,22 @@ public final class Laboratory implements AutoCloseable {
         }
     }
 
+    /** The same for what takes long to look at: ten times a second. */
+    public void untilSeen(String what, Duration longest, BooleanSupplier holds) {
+        long[] next = {time.nanos()};
+        until(what, longest, () -> {
+            if (time.nanos() < next[0]) {
+                return false;
+            }
+            next[0] = time.nanos() + LOOK.toNanos();
+            return holds.getAsBoolean();
+        });
+    }
+
     /** The same for what appears. */
     public <T> T until(String what, Duration longest, Supplier<Optional<T>> appears) {
         List<T> found = new ArrayList<>(1);
-        until(what, longest, () -> {
+        untilSeen(what, longest, () -> {
             appears.get().ifPresent(found::add);
             return !found.isEmpty();
         });
@@ -231,6 +313,9 @@ public final class Laboratory implements AutoCloseable {
                         .journal(operation.id(), 0, MOST_ENTRIES)
                         .forEach(entry -> record.note(entry.toString()));
             }
+        }
+        for (LabDrone drone : drones) {
+            stores.commands().commandsOf(drone.id(), MOST_COMMANDS).forEach(command -> record.note(command.toString()));
         }
         stores.virtualDrones().virtualDrones().forEach(drone -> record.note(drone.toString()));
         return record.sum();

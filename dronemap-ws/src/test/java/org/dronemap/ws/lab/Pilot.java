@@ -14,8 +14,13 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.service.Caller;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.ControlAction;
+import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlView;
+import org.dronemap.ws.service.KeyRequest;
 import org.dronemap.ws.service.MissionItemView;
 import org.dronemap.ws.service.Rejection;
+import org.jspecify.annotations.Nullable;
 
 /** A user of the laboratory's server, by a face of its own. */
 public final class Pilot {
@@ -25,15 +30,62 @@ public final class Pilot {
     private final Laboratory lab;
     private final String name;
     private final Role role;
+    private final @Nullable String key;
 
-    Pilot(Laboratory lab, String name, Role role) {
+    Pilot(Laboratory lab, String name, Role role, @Nullable String key) {
         this.lab = lab;
         this.name = name;
         this.role = role;
+        this.key = key;
+    }
+
+    public String name() {
+        return name;
     }
 
     public Principal principal() {
-        return lab.principal(name, role);
+        return key == null ? lab.principal(name, role) : lab.principal(name, key);
+    }
+
+    /** The same user with an access key that is made by this one. */
+    public Pilot withKey(KeyRequest wanted) {
+        return new Pilot(
+                lab, name, role, lab.server().keys().addKey(principal(), wanted).id());
+    }
+
+    /** Says that about the control of a drone. */
+    public ControlView controls(LabDrone drone, ControlAction action, ControlRequestView with) {
+        return controls(drone.id().value(), action, with);
+    }
+
+    public ControlView controls(String drone, ControlAction action, ControlRequestView with) {
+        return lab.server().controls().act(principal(), drone, action, with).control();
+    }
+
+    public ControlView takesControl(LabDrone drone) {
+        return controls(drone, ControlAction.TAKE, ControlRequestView.NOTHING);
+    }
+
+    public ControlView takesOver(String drone, String reason) {
+        return controls(drone, ControlAction.TAKE_OVER, new ControlRequestView(reason, null, null));
+    }
+
+    public ControlView releases(String drone) {
+        return controls(drone, ControlAction.RELEASE, ControlRequestView.NOTHING);
+    }
+
+    /** Who has control of it. */
+    public ControlView control(LabDrone drone) {
+        return control(drone.id().value());
+    }
+
+    public ControlView control(String drone) {
+        return lab.server().controls().control(principal(), drone);
+    }
+
+    /** The newest first. */
+    public List<CommandView> commandsOf(LabDrone drone) {
+        return lab.server().commands().commandsOf(principal(), drone.id().value());
     }
 
     /** As services want it. */
@@ -99,12 +151,34 @@ public final class Pilot {
     }
 
     public String refusal(DroneId drone, CommandRequest what) {
+        return rejection(drone, what).sentence();
+    }
+
+    public Rejection rejection(LabVehicle drone, CommandRequest what) {
+        return rejection(drone.id(), what);
+    }
+
+    /** What it is refused with before anything is sent. */
+    public Rejection rejection(DroneId drone, CommandRequest what) {
         try {
             CommandView given = give(drone, what);
             throw new AssertionError("Not refused: " + given);
         } catch (Rejection refused) {
-            return refused.sentence();
+            return refused;
         }
+    }
+
+    /** The sentence of the gate that refuses it, which is in its record as well. */
+    public String refusalByGate(LabDrone drone, CommandRequest what) {
+        Rejection refused = rejection(drone, what);
+        CommandView.OutcomeView outcome = lab.server()
+                .commands()
+                .command(principal(), Objects.requireNonNull(refused.commandId()))
+                .outcome();
+        if (!new CommandView.OutcomeView("refused", "gate", refused.sentence()).equals(outcome)) {
+            throw new AssertionError(refused.sentence() + ": " + outcome);
+        }
+        return refused.sentence();
     }
 
     public Pilot takesOff(LabDrone drone, double meters) {

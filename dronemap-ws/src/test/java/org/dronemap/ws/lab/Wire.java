@@ -34,6 +34,7 @@ public final class Wire {
     private final FlightRecord record;
     private final Consumer<Frame> vehicle;
     private final FrameReader reader = new FrameReader();
+    private final Traffic traffic = new Traffic();
     private final String name;
     private final EndpointCounters counters = new EndpointCounters();
     private final List<Stray> strays = new ArrayList<>();
@@ -43,6 +44,7 @@ public final class Wire {
     private final List<WireTap> taps = new ArrayList<>();
     private double doubled;
     private boolean cut;
+    private boolean silentUpwards;
     private int port;
     private @Nullable WireLog log;
     private @Nullable Far far;
@@ -166,6 +168,11 @@ public final class Wire {
         cut = false;
     }
 
+    /** Nothing of what the vehicle says goes through any more, though it hears; or it does again. */
+    public void isSilentUpwards(boolean now) {
+        silentUpwards = now;
+    }
+
     /** The vehicle has another port from now on, as after a change of its network. What proves itself stays the same link. */
     public void move() {
         leftAt.put(port, time.nanos());
@@ -206,10 +213,19 @@ public final class Wire {
         return begun;
     }
 
+    /** What was said on it so far. */
+    public Traffic traffic() {
+        return traffic;
+    }
+
     /** What the vehicle says. */
     void up(byte[] bytes) {
         record.said(name, bytes);
         taps.forEach(tap -> tap.said(bytes));
+        traffic.add(true, time.nanos(), bytes);
+        if (silentUpwards) {
+            return;
+        }
         carry(() -> {
             PeerHandler there = handler();
             if (there != null) {
@@ -240,6 +256,7 @@ public final class Wire {
         record.told(name, bytes);
         taps.forEach(tap -> tap.told(bytes));
         note(false, bytes);
+        traffic.add(false, time.nanos(), bytes);
         carry(() -> reader.read(ByteBuffer.wrap(bytes), frame -> {
             if (frame.verified()) {
                 vehicle.accept(frame);

@@ -13,15 +13,21 @@ import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
 import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.service.AccessKeyService;
+import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
+import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FollowReliefs;
 import org.dronemap.ws.service.FollowService;
+import org.dronemap.ws.service.GrantChanges;
+import org.dronemap.ws.service.GrantService;
+import org.dronemap.ws.service.GroupService;
 import org.dronemap.ws.service.LogService;
 import org.dronemap.ws.service.LogShelf;
 import org.dronemap.ws.service.ParameterService;
@@ -29,7 +35,9 @@ import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
+import org.dronemap.ws.service.RunJournalService;
 import org.dronemap.ws.service.RunService;
+import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.VirtualDroneService;
 import org.dronemap.ws.service.VirtualDroneViews;
@@ -55,6 +63,10 @@ public final class SteppedServer implements AutoCloseable {
     private final FenceService fences;
     private final LogService logs;
     private final SteppedOffice office;
+    private final ControlService controls;
+    private final GrantService grants;
+    private final AccessKeyService keys;
+    private final RunJournalService journals;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
@@ -90,6 +102,15 @@ public final class SteppedServer implements AutoCloseable {
         closing.add("the logs of vehicles", shelf);
         logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
         office = SteppedOffice.of(house, settings, drones, shown, zones);
+        journals = running.runJournalService(house, runs);
+        Accounts accounts = new ServiceConfiguration().accounts(house);
+        controls = new ServiceConfiguration().controlService(house, drones, accounts);
+        keys = new ServiceConfiguration().accessKeyService(house, accounts, new Secrets(), time.clock());
+        GrantConfiguration granting = new GrantConfiguration();
+        GrantChanges changes = granting.grantChanges(house);
+        GroupService groups = granting.groupService(house, changes, drones);
+        grants = granting.grantService(house, changes, groups, time.clock());
+        closing.add("the grants", granting.grantRounds(house));
         builder.hear();
     }
 
@@ -124,6 +145,11 @@ public final class SteppedServer implements AutoCloseable {
     /** Where links bring their bytes. */
     public PeerHandler.Factory links() {
         return builder.vehicles();
+    }
+
+    /** The same for robots. */
+    public PeerHandler.Factory robotLinks() {
+        return builder.robots();
     }
 
     public House house() {
@@ -184,6 +210,22 @@ public final class SteppedServer implements AutoCloseable {
 
     public SteppedOffice office() {
         return office;
+    }
+
+    public ControlService controls() {
+        return controls;
+    }
+
+    public GrantService grants() {
+        return grants;
+    }
+
+    public AccessKeyService keys() {
+        return keys;
+    }
+
+    public RunJournalService journals() {
+        return journals;
     }
 
     @Override
