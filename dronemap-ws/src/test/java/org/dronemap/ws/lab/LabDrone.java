@@ -1,6 +1,7 @@
 package org.dronemap.ws.lab;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -34,9 +35,9 @@ public final class LabDrone {
     private final SimulatedVehicle vehicle;
     private final LocalFrame start;
 
-    LabDrone(Laboratory lab, VehicleKit kit, int number, long seed, FlightRecord record) {
+    LabDrone(Laboratory lab, VehicleKit kit, int number, int systemId, long seed, FlightRecord record) {
         this.lab = lab;
-        this.systemId = number;
+        this.systemId = systemId;
         this.isPx4 = kit.kind().name().equals("px4");
         this.name = kit.kind().name() + " " + number;
         this.start = FIELD.shifted(new Position(0, (number - 1) * SPACING_METERS, 0));
@@ -51,7 +52,7 @@ public final class LabDrone {
                 new Craft(start, new Battery(MILLIAMP_HOURS), new Wind(kit.windSpeed(), 0, seed), new Navigation((long)
                         (kit.readySeconds() * MILLIS)));
         this.vehicle = new SimulatedVehicle(
-                kit.settings(systemId, systemId, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, wire::up);
+                kit.settings(systemId, number, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, wire::up);
     }
 
     void beat() {
@@ -59,6 +60,10 @@ public final class LabDrone {
         if (vehicle.takeNewAddress()) {
             wire.move();
         }
+    }
+
+    int systemId() {
+        return systemId;
     }
 
     public String name() {
@@ -108,9 +113,13 @@ public final class LabDrone {
 
     /** As the server has it; empty: it knows no such drone. */
     public Optional<DroneState> known() {
-        return lab.server().house().cloud().drones().stream()
+        List<DroneState> named = lab.server().house().cloud().drones().stream()
                 .filter(state -> state.link().key().systemId() == systemId)
+                .toList();
+        Optional<DroneState> own = named.stream()
+                .filter(state -> state.link().key().port() == wire.port())
                 .findFirst();
+        return own.isPresent() || lab.hasTwins(systemId) ? own : named.stream().findFirst();
     }
 
     public DroneState state() {

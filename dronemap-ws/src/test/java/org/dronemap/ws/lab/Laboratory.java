@@ -44,6 +44,7 @@ public final class Laboratory implements AutoCloseable {
     private final MemoryStores stores = new MemoryStores();
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
+    private final List<Line> lines = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
 
@@ -65,6 +66,7 @@ public final class Laboratory implements AutoCloseable {
         process = time.killable();
         server = new SteppedServer(data, process, stores);
         drones.forEach(drone -> drone.wire().attach(server().links()));
+        lines.forEach(line -> line.attach(server));
     }
 
     /** As by kill -9: nothing more is done, written or said. */
@@ -73,6 +75,7 @@ public final class Laboratory implements AutoCloseable {
             process.kill();
         }
         drones.forEach(drone -> drone.wire().attach(null));
+        lines.forEach(line -> line.attach(null));
         server = null;
     }
 
@@ -99,11 +102,21 @@ public final class Laboratory implements AutoCloseable {
 
     /** Such a vehicle, of which nothing is expected yet. */
     public LabDrone add(VehicleKit kit) {
+        return add(kit, drones.size() + 1);
+    }
+
+    /** The same, by the name of that system id, which others may have, too. */
+    public LabDrone add(VehicleKit kit, int systemId) {
         int number = drones.size() + 1;
-        LabDrone drone = new LabDrone(this, kit, number, seed * 1_000_003 + number, record);
+        LabDrone drone = new LabDrone(this, kit, number, systemId, seed * 1_000_003 + number, record);
         drones.add(drone);
         drone.wire().attach(server().links());
         return drone;
+    }
+
+    /** Several vehicles have that system id. */
+    boolean hasTwins(int systemId) {
+        return drones.stream().filter(drone -> drone.systemId() == systemId).count() > 1;
     }
 
     /** Waits until the server knows it with its home, and it says that it may be armed. */
@@ -118,6 +131,39 @@ public final class Laboratory implements AutoCloseable {
             throw new IllegalArgumentException("There is a user " + name + " already.");
         }
         return new Pilot(this, name, role);
+    }
+
+    /** Who says what users may do. */
+    public Administrator administrator() {
+        return new Administrator(this);
+    }
+
+    /** A ground station of that user's, by UDP. */
+    public GroundStation station(Pilot user, int systemId) {
+        return station(Line.Kind.UDP, user.passphrase(), systemId);
+    }
+
+    /** One that signs with that passphrase; null: with none. */
+    public GroundStation station(Line.Kind kind, @Nullable String passphrase, int systemId) {
+        return new GroundStation(this, lines.size() + 1, kind, passphrase, systemId);
+    }
+
+    /** A robot that calls in. */
+    public LabRobot robot(RobotKit kit) {
+        return new LabRobot(this, kit, lines.size() + 1);
+    }
+
+    void add(Line line) {
+        lines.add(line);
+        line.attach(server);
+    }
+
+    FlightRecord record() {
+        return record;
+    }
+
+    long seed() {
+        return seed;
     }
 
     Principal principal(String name, Role role) {

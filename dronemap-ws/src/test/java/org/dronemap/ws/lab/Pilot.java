@@ -12,8 +12,13 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
+import org.dronemap.ws.service.ControlAction;
+import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.OutletService;
 import org.dronemap.ws.service.Rejection;
+import org.jspecify.annotations.Nullable;
 
 /** A user of the laboratory's server, by a face of its own. */
 public final class Pilot {
@@ -23,11 +28,56 @@ public final class Pilot {
     private final Laboratory lab;
     private final String name;
     private final Role role;
+    private @Nullable String passphrase;
 
     Pilot(Laboratory lab, String name, Role role) {
         this.lab = lab;
         this.name = name;
         this.role = role;
+    }
+
+    public String name() {
+        return name;
+    }
+
+    public Role role() {
+        return role;
+    }
+
+    /** What the ground stations of this user sign with. */
+    public String passphrase() {
+        if (passphrase == null) {
+            passphrase = choosesPassphrase("the passphrase of " + name);
+        }
+        return passphrase;
+    }
+
+    public String choosesPassphrase(String chosen) {
+        passphrase = chosen;
+        return lab.server()
+                .office()
+                .outlet()
+                .setPassphrase(principal(), new OutletService.PassphraseRequest(chosen))
+                .passphrase();
+    }
+
+    public void clearsPassphrase() {
+        passphrase = null;
+        lab.server().office().outlet().clearPassphrase(principal());
+    }
+
+    /** Does something about who has control of it. */
+    public ControlView controls(LabDrone drone, ControlAction action, ControlRequestView with) {
+        return lab.server()
+                .office()
+                .control()
+                .act(principal(), drone.id().value(), action, with)
+                .control();
+    }
+
+    /** What all have been told to do with it, the newest first. */
+    public List<CommandView> commandsOf(LabDrone drone) {
+        return lab.server().commands().commandsOf(principal(), drone.id().value());
     }
 
     public Principal principal() {

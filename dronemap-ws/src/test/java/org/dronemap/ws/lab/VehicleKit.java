@@ -40,6 +40,11 @@ public record VehicleKit(
         return new VehicleKit(kind, mavlinkVersion, windSpeed, readySeconds, parameters, values);
     }
 
+    /** With so many parameters, as real ones have. */
+    public VehicleKit withParameters(int count) {
+        return new VehicleKit(kind, mavlinkVersion, windSpeed, readySeconds, count, presets);
+    }
+
     VehicleSettings settings(int systemId, int hardware, long epochMicros) {
         return new VehicleSettings(
                 systemId, hardware, mavlinkVersion, BY_ITSELF, MIDDLE, epochMicros, true, parameters, presets);

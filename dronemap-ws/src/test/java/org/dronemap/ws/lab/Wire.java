@@ -30,11 +30,27 @@ public final class Wire {
     private final Consumer<Frame> vehicle;
     private final FrameReader reader = new FrameReader();
     private final String name;
+    private Tap tap = Tap.NONE;
     private Quality quality = Quality.GOOD;
     private boolean cut;
     private int port;
     private @Nullable PeerHandler handler;
     private PeerHandler.@Nullable Factory server;
+
+    /** Hears what the vehicle says, and what it is told, before anything of that gets lost. */
+    interface Tap {
+        Tap NONE = new Tap() {
+            @Override
+            public void said(byte[] frame) {}
+
+            @Override
+            public void told(byte[] frame) {}
+        };
+
+        void said(byte[] frame);
+
+        void told(byte[] frame);
+    }
 
     /**
      * How good it is.
@@ -85,9 +101,19 @@ public final class Wire {
         handler = null;
     }
 
+    int port() {
+        return port;
+    }
+
+    /** Hears both directions from now on. */
+    void tap(Tap listener) {
+        tap = listener;
+    }
+
     /** What the vehicle says. */
     void up(byte[] bytes) {
         record.said(name, bytes);
+        tap.said(bytes);
         carry(() -> {
             PeerHandler there = handler();
             if (there != null) {
@@ -106,6 +132,7 @@ public final class Wire {
 
     private void down(byte[] bytes) {
         record.told(name, bytes);
+        tap.told(bytes);
         carry(() -> reader.read(ByteBuffer.wrap(bytes), frame -> {
             if (frame.verified()) {
                 vehicle.accept(frame);

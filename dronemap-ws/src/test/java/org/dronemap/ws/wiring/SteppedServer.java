@@ -10,6 +10,7 @@ import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.PortRange;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
 import org.dronemap.ws.guard.ClientLimits;
@@ -45,6 +46,7 @@ public final class SteppedServer implements AutoCloseable {
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
+    private final SteppedOffice office;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
@@ -72,7 +74,9 @@ public final class SteppedServer implements AutoCloseable {
         VirtualDroneViews views = virtual.virtualDroneViews(house);
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
+        office = new SteppedOffice(house, drones, time, closing);
         builder.hear();
+        builder.serve();
     }
 
     private static Settings settings(Path data) {
@@ -82,7 +86,8 @@ public final class SteppedServer implements AutoCloseable {
                 0,
                 0,
                 List.of(),
-                OutletSettings.OFF,
+                // Whoever attaches comes over links of memory.
+                new OutletSettings(List.of(), true, PortRange.NONE),
                 RobotSettings.OFF,
                 Enrolment.LOOPBACK,
                 null,
@@ -106,6 +111,21 @@ public final class SteppedServer implements AutoCloseable {
     /** Where links bring their bytes. */
     public PeerHandler.Factory links() {
         return builder.vehicles();
+    }
+
+    /** Where links of ground stations of other makers bring theirs. */
+    public PeerHandler.Factory stations() {
+        return builder.stations();
+    }
+
+    /** Where links of robots bring theirs. */
+    public PeerHandler.Factory robots() {
+        return builder.robots();
+    }
+
+    /** What users may do, and what they attach. */
+    public SteppedOffice office() {
+        return office;
     }
 
     public House house() {
