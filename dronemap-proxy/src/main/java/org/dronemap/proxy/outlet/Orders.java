@@ -1,7 +1,6 @@
 package org.dronemap.proxy.outlet;
 
 import java.util.Map;
-import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
@@ -36,6 +35,7 @@ final class Orders implements CloudListener, AutoCloseable {
     private final OutletControl control;
     private final Consumer<Runnable> answering;
     private final Map<CommandId, Answer> open = new ConcurrentHashMap<>();
+    private final Time time;
     private final Worker thread;
 
     /** Hears what becomes of a command, where clients are answered. */
@@ -52,13 +52,14 @@ final class Orders implements CloudListener, AutoCloseable {
         this.cloud = cloud;
         this.control = control;
         this.answering = answering;
+        this.time = time;
         thread = time.worker("outlet-orders", MOST_WAITING);
         cloud.addListener(this);
     }
 
     /** Gives a command; whatever becomes of it is answered. */
     void give(Principal principal, DroneId drone, Command command, Answer answer) {
-        CommandId id = new CommandId("outlet-" + UUID.randomUUID());
+        CommandId id = new CommandId("outlet-" + time.newId());
         open.put(id, answer);
         try {
             thread.execute(() -> submit(principal, drone, id, command));

@@ -25,6 +25,7 @@ import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.service.OutletView;
 import org.dronemap.ws.service.Rejection;
+import org.dronemap.ws.service.RejectionKind;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -207,7 +208,9 @@ class OutletAttachTest {
         int count = moved.all().size();
         lab.goOn(Duration.ofSeconds(20));
         assertThat(moved.all().size()).isLessThanOrEqualTo(count + 1);
-        assertThatThrownBy(() -> administrator.disconnects("nobody")).isInstanceOf(Rejection.class);
+        assertThatThrownBy(() -> administrator.disconnects("nobody")).isInstanceOf(Rejection.class)
+                .extracting(refused -> ((Rejection) refused).kind())
+                .isEqualTo(RejectionKind.UNKNOWN);
     }
 
     @ParameterizedTest

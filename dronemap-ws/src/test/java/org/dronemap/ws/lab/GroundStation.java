@@ -55,6 +55,7 @@ public final class GroundStation {
     private final Worker hands;
     private final FrameReader reader = new FrameReader();
     private final List<Heard> heard = new ArrayList<>();
+    private final Map<Integer, List<Frame>> kinds = new HashMap<>();
     private final Map<Integer, Long> lastStamps = new HashMap<>();
     private final int linkId;
     private @Nullable SigningKey key;
@@ -151,13 +152,18 @@ public final class GroundStation {
     private void hear(Frame frame) {
         SigningKey own = key;
         if (own == null) {
-            heard.add(new Heard(frame, lab.now()));
+            keep(frame);
         } else if (isGood(own, frame)) {
             latest = time(Math.max(stamp(latest), frame.signatureTimestamp()));
-            heard.add(new Heard(frame, lab.now()));
+            keep(frame);
         } else {
             notItsOwn++;
         }
+    }
+
+    private void keep(Frame frame) {
+        heard.add(new Heard(frame, lab.now()));
+        kinds.computeIfAbsent(frame.messageId(), first -> new ArrayList<>()).add(frame);
     }
 
     /** As ground stations judge: rightly signed, and later than all before in its stream. */
@@ -192,9 +198,8 @@ public final class GroundStation {
 
     /** All of that kind in the name of that system; of any system: 0. */
     public List<Frame> heard(int message, int system) {
-        return heard.stream()
-                .map(Heard::frame)
-                .filter(frame -> frame.messageId() == message && (system == 0 || frame.systemId() == system))
+        return kinds.getOrDefault(message, List.of()).stream()
+                .filter(frame -> system == 0 || frame.systemId() == system)
                 .toList();
     }
 
