@@ -51,7 +51,8 @@ final class OutletPeer implements PeerHandler {
         UserKey owner = before;
         Verdict verdict = before == null || before.isWithdrawn() ? Verdict.BAD_SIGNATURE : before.judge(frame);
         if (verdict == Verdict.BAD_SIGNATURE) {
-            // The address may be another user's program's by now, which does not wait until the one before is forgotten.
+            // The address may be another user's program's by now, which does not wait until the one before is
+            // forgotten.
             owner = keys.owner(frame).orElse(null);
             verdict = owner != null ? owner.judge(frame) : frame.signed() ? Verdict.BAD_SIGNATURE : Verdict.UNSIGNED;
         }

@@ -31,7 +31,6 @@ final class ParameterCounter {
     /** Of a parameter whose place in the list is not known. */
     private static final int NO_PLACE = 0xFFFF;
 
-
     private final CloudManager cloud;
     private final Orders orders;
     private final Map<Place, Listing> listings = new LinkedHashMap<>();
@@ -112,7 +111,11 @@ final class ParameterCounter {
             return;
         }
         Command command = new Command.SetParameters(List.of(new ParameterValue(wanted.paramId(), value)));
-        orders.give(principal, asked.drone(), command, new Setting(asked, new Parameter(wanted.paramId(), type, type.held(value))));
+        orders.give(
+                principal,
+                asked.drone(),
+                command,
+                new Setting(asked, new Parameter(wanted.paramId(), type, type.held(value))));
     }
 
     /** Goes on with what is on its way; false when there is nothing. */

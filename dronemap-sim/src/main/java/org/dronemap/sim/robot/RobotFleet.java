@@ -64,7 +64,10 @@ public final class RobotFleet implements AutoCloseable {
     /** What is true of each robot now: a picture made between two turns. Waits for it. */
     public List<Truth> truths() {
         return CompletableFuture.supplyAsync(
-                        () -> bridges.stream().map(bridge -> bridge.robot().truth()).toList(), thread)
+                        () -> bridges.stream()
+                                .map(bridge -> bridge.robot().truth())
+                                .toList(),
+                        thread)
                 .join();
     }
 

@@ -2,8 +2,8 @@ package org.dronemap.sim.robot;
 
 import java.util.Map;
 import java.util.function.Supplier;
-import org.dronemap.sim.robot.RobotOptions.Identity;
 import org.dronemap.sim.robot.RobotFleet.Truth;
+import org.dronemap.sim.robot.RobotOptions.Identity;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;

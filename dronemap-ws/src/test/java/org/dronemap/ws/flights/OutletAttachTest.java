@@ -63,8 +63,12 @@ class OutletAttachTest {
     void vehiclesOfOneSystemIdAreToldApartAndEveryFrameIsSigned(boolean tcp) {
         GroundStation ground = station(tcp, 255);
         List<Integer> both = ground.hears(twins.size());
-        lab.until("both tell where they are", SOON, () -> both.stream()
-                .allMatch(number -> ground.heard(GlobalPositionInt.ID, number).size() > 5));
+        lab.until(
+                "both tell where they are",
+                SOON,
+                () -> both.stream()
+                        .allMatch(number ->
+                                ground.heard(GlobalPositionInt.ID, number).size() > 5));
 
         Set<Integer> systems =
                 ground.all().stream().map(one -> one.frame().systemId()).collect(Collectors.toSet());
@@ -79,7 +83,10 @@ class OutletAttachTest {
 
     /** In steps of 0.0001 degrees. */
     private List<Long> place(GroundStation ground, int number) {
-        lab.until("it tells where it is", SOON, () -> !ground.heard(GlobalPositionInt.ID, number).isEmpty());
+        lab.until(
+                "it tells where it is",
+                SOON,
+                () -> !ground.heard(GlobalPositionInt.ID, number).isEmpty());
         List<GlobalPositionInt> told = ground.heard(GlobalPositionInt.ID, number, GlobalPositionInt::decode);
         GlobalPositionInt last = told.get(told.size() - 1);
         return List.of(Math.round(last.lat() / 1e3), Math.round(last.lon() / 1e3));
@@ -103,7 +110,9 @@ class OutletAttachTest {
         GroundStation again = station(true, 254);
         assertThat(again.hears(twins.size())).isEqualTo(before);
         before.forEach(number -> assertThat(place(again, number)).isEqualTo(places.get(number)));
-        assertThat(administrator.clients(viewer).stream().map(OutletView.ClientView::user).distinct())
+        assertThat(administrator.clients(viewer).stream()
+                        .map(OutletView.ClientView::user)
+                        .distinct())
                 .hasSize(1);
 
         lab.crashServer();
@@ -164,7 +173,10 @@ class OutletAttachTest {
         administrator.onlyGranted(viewer);
         GroundStation ground = station(false, 255);
         lab.until("it is attached", SOON, () -> !administrator.clients(viewer).isEmpty());
-        lab.until("the cloud says that it is there", SOON, () -> !ground.heard(Heartbeat.ID, 0).isEmpty());
+        lab.until(
+                "the cloud says that it is there",
+                SOON,
+                () -> !ground.heard(Heartbeat.ID, 0).isEmpty());
         assertThat(ground.vehicles()).isEmpty();
 
         String grant = administrator.grants(viewer, twins.get(0));
@@ -183,8 +195,12 @@ class OutletAttachTest {
         List<Integer> seen = ground.hears(twins.size());
         administrator.disables(viewer);
         Instant taken = lab.now();
-        lab.until("the client is gone", SOON, () -> administrator.clients(viewer).isEmpty());
-        lab.throughout("it stays outside", Duration.ofSeconds(10), () -> administrator.clients(viewer).isEmpty());
+        lab.until(
+                "the client is gone", SOON, () -> administrator.clients(viewer).isEmpty());
+        lab.throughout(
+                "it stays outside",
+                Duration.ofSeconds(10),
+                () -> administrator.clients(viewer).isEmpty());
         assertThat(seen).allMatch(number -> ground.lastHeard(number).isBefore(taken.plusSeconds(1)));
         assertThat(refused().turnedAway()).isPositive();
     }
@@ -203,12 +219,16 @@ class OutletAttachTest {
                 .orElseThrow();
 
         administrator.disconnects(client.id());
-        lab.until("it is gone", SOON, () -> administrator.clients(viewer).stream()
-                .noneMatch(one -> one.id().equals(client.id())));
+        lab.until(
+                "it is gone",
+                SOON,
+                () -> administrator.clients(viewer).stream()
+                        .noneMatch(one -> one.id().equals(client.id())));
         int count = moved.all().size();
         lab.goOn(Duration.ofSeconds(20));
         assertThat(moved.all().size()).isLessThanOrEqualTo(count + 1);
-        assertThatThrownBy(() -> administrator.disconnects("nobody")).isInstanceOf(Rejection.class)
+        assertThatThrownBy(() -> administrator.disconnects("nobody"))
+                .isInstanceOf(Rejection.class)
                 .extracting(refused -> ((Rejection) refused).kind())
                 .isEqualTo(RejectionKind.UNKNOWN);
     }
@@ -239,7 +259,10 @@ class OutletAttachTest {
         Pilot bob = lab.pilot("bob", Role.VIEWER);
         ground.signsWith(bob.passphrase());
         int before = ground.all().size();
-        lab.until("his program is attached", SOON, () -> !administrator.clients(bob).isEmpty());
+        lab.until(
+                "his program is attached",
+                SOON,
+                () -> !administrator.clients(bob).isEmpty());
         lab.goOn(A_WHILE);
         List<Frame> his = ground.all().stream()
                 .skip(before)
@@ -255,13 +278,19 @@ class OutletAttachTest {
         GroundStation old = station(false, 255);
         old.hears(twins.size());
         assertThat(viewer.choosesPassphrase("correct horse battery")).isEqualTo("correct horse battery");
-        lab.until("the client of the old one is gone", SOON, () -> administrator.clients(viewer).isEmpty());
+        lab.until(
+                "the client of the old one is gone",
+                SOON,
+                () -> administrator.clients(viewer).isEmpty());
         station(false, 255).hears(twins.size());
 
         viewer.clearsPassphrase();
         lab.until("no client is left", SOON, () -> administrator.clients(viewer).isEmpty());
         assertThat(lab.server().office().outlet().own(viewer.principal()).passphraseSet())
                 .isFalse();
-        lab.throughout("nobody comes back", A_WHILE, () -> administrator.clients(viewer).isEmpty());
+        lab.throughout(
+                "nobody comes back",
+                A_WHILE,
+                () -> administrator.clients(viewer).isEmpty());
     }
 }

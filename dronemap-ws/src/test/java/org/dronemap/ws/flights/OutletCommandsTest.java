@@ -74,15 +74,19 @@ class OutletCommandsTest {
             assertThat(ground.command(number, TAKE_OFF, 0, 0, 0, 0, 0, 0, 12)).isEqualTo(ACCEPTED);
         }
         for (int number : numbers) {
-            lab.until("it tells that it is up there", A_FLIGHT, () -> ground.heard(
-                            GlobalPositionInt.ID, number, GlobalPositionInt::decode)
-                    .stream()
-                    .anyMatch(told -> told.relativeAlt() > 11_000));
+            lab.until(
+                    "it tells that it is up there",
+                    A_FLIGHT,
+                    () -> ground.heard(GlobalPositionInt.ID, number, GlobalPositionInt::decode).stream()
+                            .anyMatch(told -> told.relativeAlt() > 11_000));
         }
         assertThat(List.of(first, second)).allMatch(copter -> copter.height() > 10.5);
         numbers.forEach(number -> assertThat(ground.command(number, LAND)).isEqualTo(ACCEPTED));
         for (LabDrone copter : List.of(first, second)) {
-            lab.until("it is down", A_FLIGHT, () -> copter.isDown() && Boolean.FALSE.equals(copter.state().armed()));
+            lab.until(
+                    "it is down",
+                    A_FLIGHT,
+                    () -> copter.isDown() && Boolean.FALSE.equals(copter.state().armed()));
             Set<String> faces = administrator.account().commandsOf(copter).stream()
                     .map(CommandView::face)
                     .collect(Collectors.toSet());
@@ -100,8 +104,10 @@ class OutletCommandsTest {
         lab.until("it says why", SOON, () -> ground.texts().contains("Your role may look, not command"));
         assertThat(ground.command(number, REBOOT, 1)).isEqualTo(UNSUPPORTED);
         assertThat(ground.command(number, REQUEST_MESSAGE, 148)).isEqualTo(ACCEPTED);
-        lab.until("the version comes from the cache", SOON, () -> !ground.heard(AutopilotVersion.ID, number)
-                .isEmpty());
+        lab.until(
+                "the version comes from the cache",
+                SOON,
+                () -> !ground.heard(AutopilotVersion.ID, number).isEmpty());
         lab.goOn(SOON);
         assertThat(log.told()).isEmpty();
         assertThat(first.craft().armed()).isFalse();
@@ -138,8 +144,12 @@ class OutletCommandsTest {
         lab.until("both are told", SOON, () -> inControl(ann, number) == 251 && inControl(bob, his) == 255);
 
         assertThat(bob.command(his, OPERATOR_CONTROL, 1)).isEqualTo(FAILED);
-        lab.until("the holder is asked", SOON, () -> !ann.heard(CommandLong.ID, number).isEmpty());
-        CommandLong asked = ann.heard(CommandLong.ID, number, CommandLong::decode).get(0);
+        lab.until(
+                "the holder is asked",
+                SOON,
+                () -> !ann.heard(CommandLong.ID, number).isEmpty());
+        CommandLong asked =
+                ann.heard(CommandLong.ID, number, CommandLong::decode).get(0);
         assertThat(List.of(asked.command(), asked.targetSystem())).containsExactly(OPERATOR_CONTROL, 251);
         lab.until("and told by whom", SOON, () -> ann.texts().contains("bob asks for control"));
         assertThat(ann.command(number, OPERATOR_CONTROL, 1, 1)).isEqualTo(ACCEPTED);

@@ -24,6 +24,7 @@ import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlAction;
 import org.dronemap.ws.service.ControlRequestView;
+import org.dronemap.ws.service.DroneView;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -73,6 +74,16 @@ class OutletSteeringTest {
         return copter.craft().body().groundSpeed();
     }
 
+    /** As the server shows it. */
+    private double shownSpeed() {
+        DroneView.MotionView motion = lab.server()
+                .drones()
+                .drone(supervisor.principal(), copter.id().value())
+                .motion();
+        Double shown = motion == null ? null : motion.groundSpeed();
+        return shown == null ? 0 : shown;
+    }
+
     private void awaitSpeed(String what) {
         lab.until(what, SOON, () -> speed() > 3 && trueSpeed() > 3);
     }
@@ -104,7 +115,10 @@ class OutletSteeringTest {
 
     private void land(Pilot who) {
         who.does(copter, CommandRequest.simple("land"));
-        lab.until("it is down", A_FLIGHT, () -> copter.isDown() && Boolean.FALSE.equals(copter.state().armed()));
+        lab.until(
+                "it is down",
+                A_FLIGHT,
+                () -> copter.isDown() && Boolean.FALSE.equals(copter.state().armed()));
     }
 
     @Test
@@ -116,8 +130,7 @@ class OutletSteeringTest {
         awaitStand("it stands without another word");
         lab.until("its turn is written down", SOON, () -> turns().size() == 1);
         CommandView turn = turns().get(0);
-        assertThat(List.of(turn.by(), turn.face(), turn.summary()))
-                .containsExactly("ann", "outlet", "steer by speeds");
+        assertThat(List.of(turn.by(), turn.face(), turn.summary())).containsExactly("ann", "outlet", "steer by speeds");
         assertThat(end(turn).result()).isEqualTo("timedOut");
         assertThat(end(turn).reason()).contains("stand still");
     }
@@ -150,11 +163,15 @@ class OutletSteeringTest {
         Repetition said = ground.saysOn(northward(1));
         awaitSpeed("it is steered");
         administrator.disables(pilot);
-        lab.until("it stands", SOON, () -> trueSpeed() < 0.5);
+        lab.until("it stands", SOON, () -> trueSpeed() < 0.5 && shownSpeed() < 0.5);
         lab.throughout("and goes on to stand", SOON, () -> trueSpeed() < 0.5);
         said.callOff();
         assertThat(turns()).hasSize(1).allMatch(turn -> end(turn).result().equals("superseded"));
-        assertThat(lab.server().office().control().control(supervisor.principal(), copter.id().value()).holder())
+        assertThat(lab.server()
+                        .office()
+                        .control()
+                        .control(supervisor.principal(), copter.id().value())
+                        .holder())
                 .isNull();
         land(supervisor);
     }
@@ -166,9 +183,12 @@ class OutletSteeringTest {
         lab.until("a gimbal is not steered", SOON, () -> ground.texts().contains("component " + GIMBAL));
         int before = ground.heard(CommandAck.ID, number).size();
         ground.says(new CommandLong(number, GIMBAL, LAND, 0, 0, 0, 0, 0, 0, 0, 0));
-        lab.until("nor landed", SOON, () -> ground.heard(CommandAck.ID, number, CommandAck::decode).stream()
-                .skip(before)
-                .anyMatch(ack -> ack.result() == DENIED));
+        lab.until(
+                "nor landed",
+                SOON,
+                () -> ground.heard(CommandAck.ID, number, CommandAck::decode).stream()
+                        .skip(before)
+                        .anyMatch(ack -> ack.result() == DENIED));
         assertThat(copter.height()).isGreaterThan(14);
         assertThat(trueSpeed()).isLessThan(0.5);
     }

@@ -68,15 +68,16 @@ class OutletTransfersTest {
         int[] asked = {ground.heard(MissionRequestInt.ID, number).size()};
         ground.says(new MissionCount(number, 1, places.size(), 0));
         lab.until("it is acknowledged", LONGEST, () -> {
-            List<MissionRequestInt> requests =
-                    ground.heard(MissionRequestInt.ID, number, MissionRequestInt::decode);
+            List<MissionRequestInt> requests = ground.heard(MissionRequestInt.ID, number, MissionRequestInt::decode);
             for (; asked[0] < requests.size(); asked[0]++) {
                 int seq = requests.get(asked[0]).seq();
                 ground.says(item(number, seq, places.get(seq)));
             }
             return ground.heard(MissionAck.ID, number).size() > before;
         });
-        return ground.heard(MissionAck.ID, number, MissionAck::decode).get(before).type();
+        return ground.heard(MissionAck.ID, number, MissionAck::decode)
+                .get(before)
+                .type();
     }
 
     private static MissionItemInt item(int number, int seq, Place at) {
@@ -128,10 +129,13 @@ class OutletTransfersTest {
         }
         int number = grounds.get(0).hears(1).get(0);
         assertThat(upload(grounds.get(0), number, places)).isEqualTo(MISSION_ACCEPTED);
-        lab.until("it is read back", SOON, () -> Optional.ofNullable(copter.state().mission().items())
-                        .orElse(List.of())
-                        .size()
-                == 200);
+        lab.until(
+                "it is read back",
+                SOON,
+                () -> Optional.ofNullable(copter.state().mission().items())
+                                .orElse(List.of())
+                                .size()
+                        == 200);
         int read = log.said(MissionItemInt.ID).size();
         for (GroundStation ground : grounds) {
             List<Place> own = items(ground, ground.hears(1).get(0));
@@ -145,18 +149,26 @@ class OutletTransfersTest {
     void aViewerWritesNoMissionAndOnlyAHomeClearsIt() {
         GroundStation viewer = station(user(Role.VIEWER), 255);
         Place place = new Place(473_977_000, 85_456_000, 20);
-        assertThat(upload(viewer, viewer.hears(1).get(0), List.of(place, place))).isEqualTo(MISSION_DENIED);
+        assertThat(upload(viewer, viewer.hears(1).get(0), List.of(place, place)))
+                .isEqualTo(MISSION_DENIED);
         assertThat(log.told(MissionCount.ID)).isEmpty();
         assertThat(log.told(MissionItemInt.ID)).isEmpty();
 
         GroundStation planner = station(user(Role.PLANNER), 255);
         int number = planner.hears(1).get(0);
         planner.says(new MissionCount(number, 1, 1, 0));
-        lab.until("it asks", SOON, () -> !planner.heard(MissionRequestInt.ID, number).isEmpty());
-        planner.says(new MissionItemInt(
-                number, 1, 0, 3, 16, 0, 1, 0, 0, 0, 0, place.x(), place.y(), place.z(), 0));
-        lab.until("it is answered", SOON, () -> !planner.heard(MissionAck.ID, number).isEmpty());
-        assertThat(planner.heard(MissionAck.ID, number, MissionAck::decode).get(0).type())
+        lab.until(
+                "it asks",
+                SOON,
+                () -> !planner.heard(MissionRequestInt.ID, number).isEmpty());
+        planner.says(new MissionItemInt(number, 1, 0, 3, 16, 0, 1, 0, 0, 0, 0, place.x(), place.y(), place.z(), 0));
+        lab.until(
+                "it is answered",
+                SOON,
+                () -> !planner.heard(MissionAck.ID, number).isEmpty());
+        assertThat(planner.heard(MissionAck.ID, number, MissionAck::decode)
+                        .get(0)
+                        .type())
                 .isEqualTo(MISSION_ACCEPTED);
     }
 
@@ -195,9 +207,14 @@ class OutletTransfersTest {
         for (GroundStation ground : byTcp) {
             int its = ground.hears(1).get(0);
             // By TCP nothing is lost: none of these asks twice.
-            lab.until("all parameters came by TCP", LONGEST, () ->
-                    ground.heard(ParamValue.ID, its).size() >= PARAMETERS && missing(ground, its).isEmpty());
-            assertThat(ground.heard(ParamValue.ID, its, ParamValue::decode).get(0).paramCount())
+            lab.until(
+                    "all parameters came by TCP",
+                    LONGEST,
+                    () -> ground.heard(ParamValue.ID, its).size() >= PARAMETERS
+                            && missing(ground, its).isEmpty());
+            assertThat(ground.heard(ParamValue.ID, its, ParamValue::decode)
+                            .get(0)
+                            .paramCount())
                     .isGreaterThanOrEqualTo(PARAMETERS);
         }
         // By UDP, as ground stations do: what is missing when nothing more comes is asked for again.
@@ -214,7 +231,10 @@ class OutletTransfersTest {
     }
 
     private ParamValue answer(GroundStation ground, int number) {
-        lab.until("it is answered", SOON, () -> !ground.heard(ParamValue.ID, number).isEmpty());
+        lab.until(
+                "it is answered",
+                SOON,
+                () -> !ground.heard(ParamValue.ID, number).isEmpty());
         List<ParamValue> told = ground.heard(ParamValue.ID, number, ParamValue::decode);
         return told.get(told.size() - 1);
     }
@@ -241,7 +261,8 @@ class OutletTransfersTest {
             ParamValue last = answer(ground, number);
             assertThat(List.of(last.paramId(), last.paramValue())).containsExactly("RTL_ALT", 2_100f);
         }
-        assertThat(log.told(ParamSet.ID)).isNotEmpty().allMatch(frame ->
-                ParamSet.decode(frame).paramValue() == 2_100f);
+        assertThat(log.told(ParamSet.ID))
+                .isNotEmpty()
+                .allMatch(frame -> ParamSet.decode(frame).paramValue() == 2_100f);
     }
 }

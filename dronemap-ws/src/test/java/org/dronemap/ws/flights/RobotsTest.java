@@ -40,14 +40,15 @@ class RobotsTest {
                 .with(Quirk.NUMBER_KEY, Quirk.BEATS_ON_BOTH, Quirk.REPEATS_TWIST));
         LabRobot flyer = lab.robot(RobotKit.flyer(3_026).showing("1243-0000-0000-FGFG"));
         rover.allows(ann, "hold");
-        lab.until("both of its links are known as one robot's", SOON, () -> !rover.view(ann)
-                .link()
-                .others()
-                .isEmpty());
+        lab.until(
+                "both of its links are known as one robot's",
+                SOON,
+                () -> !rover.view(ann).link().others().isEmpty());
         lab.until("it says where it is", SOON, () -> rover.view(ann).local() != null);
         DroneView shown = rover.view(ann);
         assertThat(List.of(shown.kind(), shown.link().transport())).containsExactly("rover", "websocket");
-        assertThat(Objects.requireNonNull(shown.local()).y()).isEqualTo(rover.truth().y());
+        assertThat(Objects.requireNonNull(shown.local()).y())
+                .isEqualTo(rover.truth().y());
         assertThat(shown.position()).isNull();
         assertThat(shown.battery()).isNull();
         assertThat(shown.gps()).isNull();
@@ -112,20 +113,27 @@ class RobotsTest {
         List<LabRobot> both = List.of(foreign, ours);
         both.forEach(robot -> robot.allows(ann, "velocity"));
         lab.until("ours has both links", SOON, () -> hasBothLinks(ours));
-        Repetition sticks = lab.time()
-                .worker("sticks", 1)
-                .every(OFTEN, OFTEN, () -> both.forEach(this::steer));
-        lab.until("both drive", SOON, () -> both.stream().allMatch(robot -> robot.truth().speed() > 0.3));
+        Repetition sticks = lab.time().worker("sticks", 1).every(OFTEN, OFTEN, () -> both.forEach(this::steer));
+        lab.until(
+                "both drive",
+                SOON,
+                () -> both.stream().allMatch(robot -> robot.truth().speed() > 0.3));
         lab.crashServer();
         sticks.callOff();
-        lab.until("ours stands by itself", Duration.ofSeconds(1), () -> ours.truth().speed() == 0);
+        lab.until(
+                "ours stands by itself",
+                Duration.ofSeconds(1),
+                () -> ours.truth().speed() == 0);
         lab.goOn(Duration.ofSeconds(2));
         assertThat(foreign.truth().speed()).as("it repeats what it heard last").isGreaterThan(0.3);
 
         int heard = foreign.orders().size();
         lab.startServer();
         // Robots call in once a second, and the server takes them in as soon as it listens.
-        lab.until("the other one stands, too", Duration.ofSeconds(3), () -> foreign.truth().speed() == 0);
+        lab.until(
+                "the other one stands, too",
+                Duration.ofSeconds(3),
+                () -> foreign.truth().speed() == 0);
         assertThat(foreign.orders().get(heard)).as("first of all").isEqualTo(LabRobot.TWIST);
         lab.until("ours has both links again", Duration.ofSeconds(30), () -> hasBothLinks(ours));
         assertThat(ours.truth().speed()).isZero();

@@ -31,7 +31,10 @@ public final class Administrator {
     }
 
     public void onlyGranted(Pilot user) {
-        lab.server().office().grants().setUserOnlyGranted(account.principal(), user.name(), new OnlyGrantedRequest(true));
+        lab.server()
+                .office()
+                .grants()
+                .setUserOnlyGranted(account.principal(), user.name(), new OnlyGrantedRequest(true));
     }
 
     /** The id of the grant: to look at all of them, and unless it is a viewer's to plan for them and command them. */

@@ -182,9 +182,7 @@ public final class GroundStation {
 
     private static Instant time(long stamp) {
         long ticks = SigningClock.TICKS_PER_SECOND;
-        return Instant.parse("2015-01-01T00:00:00Z")
-                .plusSeconds(stamp / ticks)
-                .plusNanos(stamp % ticks * 10_000);
+        return Instant.parse("2015-01-01T00:00:00Z").plusSeconds(stamp / ticks).plusNanos(stamp % ticks * 10_000);
     }
 
     /** Frames that it threw away, as they were not signed as they must be. */
@@ -226,7 +224,10 @@ public final class GroundStation {
 
     /** Waits until it hears so many. */
     public List<Integer> hears(int count) {
-        lab.until(name + " hears " + count + " vehicles", LONGEST, () -> vehicles().size() >= count);
+        lab.until(
+                name + " hears " + count + " vehicles",
+                LONGEST,
+                () -> vehicles().size() >= count);
         assertThat(vehicles()).hasSize(count);
         return List.copyOf(vehicles());
     }
@@ -253,13 +254,14 @@ public final class GroundStation {
         }
         says(new CommandLong(
                 system, 1, command, 0, seven[0], seven[1], seven[2], seven[3], seven[4], seven[5], seven[6]));
-        return lab.until("command " + command + " is acknowledged", LONGEST_ANSWER, () -> heard(
-                        CommandAck.ID, system, CommandAck::decode)
-                .stream()
-                .skip(before)
-                .filter(ack -> ack.command() == command)
-                .map(CommandAck::result)
-                .findFirst());
+        return lab.until(
+                "command " + command + " is acknowledged",
+                LONGEST_ANSWER,
+                () -> heard(CommandAck.ID, system, CommandAck::decode).stream()
+                        .skip(before)
+                        .filter(ack -> ack.command() == command)
+                        .map(CommandAck::result)
+                        .findFirst());
     }
 
     /** What it was told in words, without breaks between what came in parts. */

@@ -44,8 +44,7 @@ public final class LabRobot {
         String path = kit.path();
         web = path == null
                 ? null
-                : new Line(
-                        lab, 50_001 + 2 * number, Line.Kind.webSocket(path), SteppedServer::robots, this::told);
+                : new Line(lab, 50_001 + 2 * number, Line.Kind.webSocket(path), SteppedServer::robots, this::told);
         robot = new SimulatedRobot(kit.options(), 0, new Ways());
         var unused = lab.time()
                 .worker("robot " + kit.systemId(), 1)
@@ -139,8 +138,12 @@ public final class LabRobot {
 
     /** Waits until that user may have it do that. */
     public LabRobot allows(Pilot user, String action) {
-        lab.until("robot " + kit.systemId() + " is listed, and " + action + " is allowed", Duration.ofSeconds(30), () ->
-                seenBy(user).filter(drone -> drone.actions().get(action).allowed()).isPresent());
+        lab.until(
+                "robot " + kit.systemId() + " is listed, and " + action + " is allowed",
+                Duration.ofSeconds(30),
+                () -> seenBy(user)
+                        .filter(drone -> drone.actions().get(action).allowed())
+                        .isPresent());
         return this;
     }
 

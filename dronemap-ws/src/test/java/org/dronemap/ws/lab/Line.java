@@ -50,12 +50,7 @@ public final class Line {
         void close();
     }
 
-    Line(
-            Laboratory lab,
-            int port,
-            Kind kind,
-            Function<SteppedServer, PeerHandler.Factory> door,
-            Consumer<byte[]> end) {
+    Line(Laboratory lab, int port, Kind kind, Function<SteppedServer, PeerHandler.Factory> door, Consumer<byte[]> end) {
         this.lab = lab;
         this.address = new PeerAddress("127.0.0.1", port);
         this.kind = kind;

@@ -64,7 +64,10 @@ public final class VehicleLog {
 
     /** What it was told beside what the cloud says anyhow: messages by their numbers, and commands by theirs. */
     public List<String> told() {
-        return told.stream().filter(frame -> !isOwn(frame)).map(VehicleLog::name).toList();
+        return told.stream()
+                .filter(frame -> !isOwn(frame))
+                .map(VehicleLog::name)
+                .toList();
     }
 
     private static boolean isOwn(Frame frame) {
