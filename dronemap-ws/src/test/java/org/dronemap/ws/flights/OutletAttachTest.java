@@ -18,11 +18,14 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.ws.lab.Administrator;
 import org.dronemap.ws.lab.GroundStation;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabRobot;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Line;
 import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.RobotKit;
 import org.dronemap.ws.lab.VehicleKit;
 import org.dronemap.ws.lab.Wire;
+import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.OutletView;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
@@ -253,6 +256,25 @@ class OutletAttachTest {
     }
 
     @Test
+    void theSameSeedIsTheSameTalkToTheLastByte() {
+        assertThat(talk(7)).isEqualTo(talk(7)).isNotEqualTo(talk(8));
+    }
+
+    private static String talk(long seed) {
+        try (Laboratory lab = new Laboratory(seed)) {
+            LabDrone copter = lab.copter();
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            GroundStation ground = lab.station(ann, 255);
+            ground.line().is(new Wire.Quality(0.2, Duration.ofMillis(20), Duration.ofMillis(100)));
+            LabRobot rover = lab.robot(RobotKit.rover(3_000)).allows(ann, "hold");
+            ann.takesOff(copter, 10);
+            rover.does(ann, CommandRequest.simple("hold"));
+            ground.hears(1);
+            return lab.sum();
+        }
+    }
+
+    @Test
     void anAddressMayBeAnotherUsersProgramsTheNextMoment() {
         GroundStation ground = station(false, 255);
         ground.hears(twins.size());
@@ -271,6 +293,17 @@ class OutletAttachTest {
         assertThat(his).hasSizeGreaterThan(20);
         assertThat(administrator.clients(viewer)).isEmpty();
         assertThat(refused().badSignature()).isZero();
+    }
+
+    @Test
+    void whoSignsWithTheNewPassphraseIsLetInAtOnceFromTheSameAddress() {
+        GroundStation ground = station(false, 255);
+        lab.until("it is attached", SOON, () -> !administrator.clients(viewer).isEmpty());
+        String before = administrator.clients(viewer).get(0).id();
+        ground.signsWith(viewer.choosesPassphrase("correct horse battery"));
+        lab.until("it is attached anew", Duration.ofSeconds(1), () -> administrator.clients(viewer).stream()
+                .anyMatch(client -> !client.id().equals(before)));
+        assertThat(ground.hears(twins.size())).hasSize(2);
     }
 
     @Test
