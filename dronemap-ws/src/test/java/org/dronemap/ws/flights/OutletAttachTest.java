@@ -301,8 +301,11 @@ class OutletAttachTest {
         lab.until("it is attached", SOON, () -> !administrator.clients(viewer).isEmpty());
         String before = administrator.clients(viewer).get(0).id();
         ground.signsWith(viewer.choosesPassphrase("correct horse battery"));
-        lab.until("it is attached anew", Duration.ofSeconds(1), () -> administrator.clients(viewer).stream()
-                .anyMatch(client -> !client.id().equals(before)));
+        lab.until(
+                "it is attached anew",
+                Duration.ofSeconds(1),
+                () -> administrator.clients(viewer).stream()
+                        .anyMatch(client -> !client.id().equals(before)));
         assertThat(ground.hears(twins.size())).hasSize(2);
     }
 
