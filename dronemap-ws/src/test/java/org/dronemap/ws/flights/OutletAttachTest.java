@@ -322,7 +322,7 @@ class OutletAttachTest {
 
         viewer.clearsPassphrase();
         lab.until("no client is left", SOON, () -> administrator.clients(viewer).isEmpty());
-        assertThat(lab.server().office().outlet().own(viewer.principal()).passphraseSet())
+        assertThat(lab.server().accounts().outlet().own(viewer.principal()).passphraseSet())
                 .isFalse();
         lab.throughout(
                 "nobody comes back",

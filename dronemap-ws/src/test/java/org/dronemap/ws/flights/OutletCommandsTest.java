@@ -167,7 +167,7 @@ class OutletCommandsTest {
     private List<String> done() {
         AuditSearch search = new AuditSearch(null, second.id().value(), null, "outlet", null, null, null);
         List<AuditView> records = lab.server()
-                .office()
+                .accounts()
                 .audit()
                 .page(administrator.account().principal(), search, null, 100)
                 .records();

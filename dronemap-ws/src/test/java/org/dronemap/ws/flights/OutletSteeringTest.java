@@ -168,7 +168,7 @@ class OutletSteeringTest {
         said.callOff();
         assertThat(turns()).hasSize(1).allMatch(turn -> end(turn).result().equals("superseded"));
         assertThat(lab.server()
-                        .office()
+                        .accounts()
                         .control()
                         .control(supervisor.principal(), copter.id().value())
                         .holder())

@@ -32,7 +32,7 @@ public final class Administrator {
 
     public void onlyGranted(Pilot user) {
         lab.server()
-                .office()
+                .accounts()
                 .grants()
                 .setUserOnlyGranted(account.principal(), user.name(), new OnlyGrantedRequest(true));
     }
@@ -43,23 +43,23 @@ public final class Administrator {
         List<String> ids =
                 Arrays.stream(drones).map(drone -> drone.id().value()).toList();
         GrantRequest request = new GrantRequest(user.name(), null, null, null, ids, null, operations, null, null);
-        return lab.server().office().grants().add(account.principal(), request).id();
+        return lab.server().accounts().grants().add(account.principal(), request).id();
     }
 
     public void takesBack(String grant) {
-        lab.server().office().grants().takeBack(account.principal(), grant);
+        lab.server().accounts().grants().takeBack(account.principal(), grant);
     }
 
     public void disables(Pilot user) {
         var unused = lab.server()
-                .office()
+                .accounts()
                 .users()
                 .change(account.principal(), user.name(), new UserService.Change(null, "disabled"));
     }
 
     /** How the outlet is doing. */
     public OutletView outlet() {
-        return lab.server().office().outlet().all(account.principal());
+        return lab.server().accounts().outlet().all(account.principal());
     }
 
     /** That user's programs that are attached. */
@@ -70,6 +70,6 @@ public final class Administrator {
     }
 
     public void disconnects(String client) {
-        lab.server().office().outlet().disconnect(account.principal(), client);
+        lab.server().accounts().outlet().disconnect(account.principal(), client);
     }
 }

@@ -55,7 +55,7 @@ public final class Pilot {
     public String choosesPassphrase(String chosen) {
         passphrase = chosen;
         return lab.server()
-                .office()
+                .accounts()
                 .outlet()
                 .setPassphrase(principal(), new OutletService.PassphraseRequest(chosen))
                 .passphrase();
@@ -63,13 +63,13 @@ public final class Pilot {
 
     public void clearsPassphrase() {
         passphrase = null;
-        lab.server().office().outlet().clearPassphrase(principal());
+        lab.server().accounts().outlet().clearPassphrase(principal());
     }
 
     /** Does something about who has control of it. */
     public ControlView controls(LabDrone drone, ControlAction action, ControlRequestView with) {
         return lab.server()
-                .office()
+                .accounts()
                 .control()
                 .act(principal(), drone.id().value(), action, with)
                 .control();

@@ -46,7 +46,7 @@ public final class SteppedServer implements AutoCloseable {
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
-    private final SteppedOffice office;
+    private final SteppedAccounts accounts;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
@@ -74,7 +74,7 @@ public final class SteppedServer implements AutoCloseable {
         VirtualDroneViews views = virtual.virtualDroneViews(house);
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
-        office = new SteppedOffice(house, drones, time, closing);
+        accounts = new SteppedAccounts(house, drones, time, closing);
         builder.hear();
         builder.serve();
     }
@@ -124,8 +124,8 @@ public final class SteppedServer implements AutoCloseable {
     }
 
     /** What users may do, and what they attach. */
-    public SteppedOffice office() {
-        return office;
+    public SteppedAccounts accounts() {
+        return accounts;
     }
 
     public House house() {

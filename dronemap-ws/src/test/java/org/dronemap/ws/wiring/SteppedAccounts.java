@@ -13,14 +13,14 @@ import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.UserService;
 
 /** The use cases of a {@link SteppedServer} around users: who they are, what they may do and have done, and what they attach. */
-public final class SteppedOffice {
+public final class SteppedAccounts {
     private final UserService users;
     private final GrantService grants;
     private final ControlService control;
     private final OutletService outlet;
     private final AuditService audit;
 
-    SteppedOffice(House house, DroneService drones, Time time, Closing closing) {
+    SteppedAccounts(House house, DroneService drones, Time time, Closing closing) {
         ServiceConfiguration services = new ServiceConfiguration();
         GrantConfiguration granting = new GrantConfiguration();
         Clock clock = time.clock();
