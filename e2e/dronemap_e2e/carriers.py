@@ -1,18 +1,15 @@
 """Links of every kind between a simulated vehicle and the server: each carries frames both ways."""
 
 import os
-import queue
 import select
 import socket
 import subprocess
 import threading
-import tty
 from pathlib import Path
 from typing import Protocol
 
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
-from websockets.sync.server import Server, ServerConnection, serve
 
 from .dtls import DtlsClient
 
@@ -27,145 +24,6 @@ class Carrier(Protocol):
     def receive(self) -> bytes: ...
 
     def close(self) -> None: ...
-
-
-class SerialCable:
-    """A pseudo-terminal: the server opens `device` as if it were a radio."""
-
-    def __init__(self) -> None:
-        self._end, self._other = os.openpty()
-        tty.setraw(self._end)
-        tty.setraw(self._other)
-        self.device = os.ttyname(self._other)
-
-    def send(self, frame: bytes) -> None:
-        os.write(self._end, frame)
-
-    def receive(self) -> bytes:
-        ready, _, _ = select.select([self._end], [], [], PATIENCE)
-        return os.read(self._end, 4096) if ready else b""
-
-    def close(self) -> None:
-        os.close(self._other)
-        os.close(self._end)
-
-
-class UdpListener:
-    """A vehicle that only answers: it knows the server from the first datagram on."""
-
-    def __init__(self) -> None:
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._socket.bind(("127.0.0.1", 0))
-        self._socket.settimeout(PATIENCE)
-        self.port: int = self._socket.getsockname()[1]
-        self._server: tuple[str, int] | None = None
-
-    def send(self, frame: bytes) -> None:
-        if self._server is not None:
-            self._socket.sendto(frame, self._server)
-
-    def receive(self) -> bytes:
-        try:
-            data, self._server = self._socket.recvfrom(65535)
-        except TimeoutError:
-            return b""
-        return data
-
-    def close(self) -> None:
-        self._socket.close()
-
-
-class UdpCaller:
-    """A vehicle that sends to one address, from a port of its own."""
-
-    def __init__(self, port: int) -> None:
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._socket.connect(("127.0.0.1", port))
-        self._socket.settimeout(PATIENCE)
-        self.port: int = self._socket.getsockname()[1]
-
-    def send(self, frame: bytes) -> None:
-        self._socket.send(frame)
-
-    def receive(self) -> bytes:
-        try:
-            return self._socket.recv(65535)
-        except (TimeoutError, ConnectionError):
-            return b""
-
-    def close(self) -> None:
-        self._socket.close()
-
-
-class Together:
-    """Several links of one vehicle: each frame goes over all of them, and answers come over any."""
-
-    def __init__(self, *carriers: Carrier) -> None:
-        self._carriers = list(carriers)
-        self._down: queue.Queue[bytes] = queue.Queue()
-        self._closed = False
-        self._threads = [threading.Thread(target=self._hear, args=(c,), daemon=True) for c in carriers]
-        for thread in self._threads:
-            thread.start()
-
-    def _hear(self, carrier: Carrier) -> None:
-        while not self._closed:
-            data = carrier.receive()
-            if data:
-                self._down.put(data)
-
-    def send(self, frame: bytes) -> None:
-        for carrier in self._carriers:
-            carrier.send(frame)
-
-    def receive(self) -> bytes:
-        try:
-            return self._down.get(timeout=PATIENCE)
-        except queue.Empty:
-            return b""
-
-    def close(self) -> None:
-        self._closed = True
-        for thread in self._threads:
-            thread.join()
-        for carrier in self._carriers:
-            carrier.close()
-
-
-class TcpListener:
-    """A modem that listens; it takes one connection after the other."""
-
-    def __init__(self) -> None:
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self._listener.settimeout(PATIENCE)
-        self.port: int = self._listener.getsockname()[1]
-        self._connection: socket.socket | None = None
-
-    def send(self, frame: bytes) -> None:
-        if self._connection is not None:
-            self._connection.sendall(frame)
-
-    def receive(self) -> bytes:
-        try:
-            if self._connection is None:
-                self._connection, _ = self._listener.accept()
-                self._connection.settimeout(PATIENCE)
-            data = self._connection.recv(4096)
-        except TimeoutError:
-            return b""
-        if not data:
-            self._connection = None
-        return data
-
-    def hang_up(self) -> None:
-        """Closes the connection; the listener takes the next one."""
-        assert self._connection is not None
-        self._connection.shutdown(socket.SHUT_RDWR)
-
-    def close(self) -> None:
-        if self._connection is not None:
-            self._connection.close()
-        self._listener.close()
 
 
 class WebSocketCaller:
@@ -187,36 +45,6 @@ class WebSocketCaller:
 
     def close(self) -> None:
         self._socket.close()
-
-
-class WebSocketListener:
-    """A vehicle whose WebSocket the server opens."""
-
-    def __init__(self) -> None:
-        self._down: queue.Queue[bytes] = queue.Queue()
-        self._connection: ServerConnection | None = None
-        self._server: Server = serve(self._serve, "127.0.0.1", 0)
-        self.port: int = self._server.socket.getsockname()[1]
-        threading.Thread(target=self._server.serve_forever, daemon=True).start()
-
-    def _serve(self, connection: ServerConnection) -> None:
-        self._connection = connection
-        for data in connection:
-            assert isinstance(data, bytes), "MAVLink comes in binary messages"
-            self._down.put(data)
-
-    def send(self, frame: bytes) -> None:
-        if self._connection is not None:
-            self._connection.send(frame)
-
-    def receive(self) -> bytes:
-        try:
-            return self._down.get(timeout=PATIENCE)
-        except queue.Empty:
-            return b""
-
-    def close(self) -> None:
-        self._server.shutdown()
 
 
 class OpenSsl:

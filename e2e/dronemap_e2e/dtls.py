@@ -47,7 +47,7 @@ def _prf(secret: bytes, label: bytes, seed: bytes, length: int) -> bytes:
 
 
 class DtlsClient:
-    """One connection; `rebind` goes on with the same session from another local port."""
+    """One connection."""
 
     def __init__(self, server: tuple[str, int], identity: str, key: bytes, timeout: float = 5.0) -> None:
         self._server = server
@@ -67,12 +67,6 @@ class DtlsClient:
     def port(self) -> int:
         port: int = self._socket.getsockname()[1]
         return port
-
-    def rebind(self) -> None:
-        """What a NAT or a mobile network does: the same session, another address."""
-        fresh = self._open()
-        old, self._socket = self._socket, fresh
-        old.close()
 
     def send(self, data: bytes) -> None:
         self._send(APPLICATION_DATA, data, 1)

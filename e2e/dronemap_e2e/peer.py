@@ -57,7 +57,6 @@ class Peer:
         self._tcp = tcp
         self._to = port
         self._socket = self._open(port)
-        self._ended: list[socket.socket] = []
         self.port: int = self._socket.getsockname()[1]
         dialect = mavlink if self.kind.version == 2 else mavlink1
         self.link: Any = dialect.MAVLink(self, srcSystem=system_id, srcComponent=self.kind.component)
@@ -102,15 +101,6 @@ class Peer:
         self.port = self._socket.getsockname()[1]
         return Peer.Forwarding(old)
 
-    def reconnect(self) -> None:
-        """The connection ends, and another one begins."""
-        old = self._socket
-        self._socket = self._open(self._to)
-        self.port = self._socket.getsockname()[1]
-        # Closed only at the end: the peer's thread may still wait on it.
-        old.shutdown(socket.SHUT_RDWR)
-        self._ended.append(old)
-
     class Forwarding:
         """An address that was left: who may still be spoken to there, and when."""
 
@@ -141,8 +131,7 @@ class Peer:
     def close(self) -> None:
         self._closed = True
         self._thread.join()
-        for ended in (*self._ended, self._socket):
-            ended.close()
+        self._socket.close()
 
     def turn(self) -> None:
         """Called again and again on the peer's thread; kinds of peers do more here."""

@@ -2,7 +2,6 @@
 
 import queue
 import time
-from collections.abc import Callable
 from typing import Any
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -24,7 +23,6 @@ class PluggedStation:
         self._parser: Any = mavlink.MAVLink(None)
         self._parser.robust_parsing = True
         self._heard: queue.Queue[Any] = queue.Queue()
-        self._log: list[Any] = []
         link.overhear = self._overhear
 
     def write(self, data: bytes) -> None:
@@ -56,12 +54,6 @@ class PluggedStation:
         ).count
         return [self._item(seq, kind) for seq in range(count)]
 
-    def listen(self) -> Callable[[], list[Any]]:
-        """From now on; the answer gives what was heard, to whomever it was said."""
-        log: list[Any] = []
-        self._log = log
-        return lambda: list(log)
-
     def home(self) -> tuple[int, int, int]:
         """Latitude and longitude in degrees times 1e7, altitude in millimetres above sea level."""
         told = self._ask(
@@ -72,27 +64,6 @@ class PluggedStation:
             addressed=False,
         )
         return told.latitude, told.longitude, told.altitude
-
-    def raise_item(self, number: int, metres: float) -> None:
-        """Puts the mission there anew with one item higher, as another ground station would."""
-        items = self.mission()
-        items[number].z += metres
-        self._mavlink.mission_count_send(self._vehicle, 1, len(items), 0)
-        until = time.monotonic() + PATIENCE * TRIES
-        while time.monotonic() < until:
-            heard = self._next()
-            if heard is None or getattr(heard, "target_system", None) not in (0, SYSTEM):
-                continue
-            if heard.get_type() == "MISSION_ACK":
-                assert heard.type == 0, heard
-                return
-            if heard.get_type() in ("MISSION_REQUEST", "MISSION_REQUEST_INT"):
-                item = items[heard.seq]
-                self._mavlink.mission_item_int_send(
-                    *(self._vehicle, 1, heard.seq, item.frame, item.command, 0, item.autocontinue),
-                    *(item.param1, item.param2, item.param3, item.param4, item.x, item.y, item.z),
-                )
-        raise AssertionError("the vehicle does not take a mission from the station that is plugged into it")
 
     def _item(self, seq: int, kind: int) -> Any:
         return self._ask(
@@ -133,4 +104,3 @@ class PluggedStation:
         for message in self._parser.parse_buffer(data) or []:
             if message.get_srcSystem() == self._vehicle:
                 self._heard.put(message)
-                self._log.append(message)

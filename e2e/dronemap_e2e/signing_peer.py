@@ -1,9 +1,7 @@
 """A vehicle that signs, with pymavlink's own implementation of signing."""
 
 import hashlib
-import queue
 import time
-from collections.abc import Callable
 from typing import Any
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
@@ -20,72 +18,24 @@ def now_ticks() -> int:
 
 
 class SigningPeer(Peer):
-    """Takes a key as ArduPilot does; all its sending is on its own thread, so that its timestamps rise."""
+    """Takes a key as ArduPilot does."""
 
     def __init__(self, port: int, system_id: int, handlers: dict[str, Handler] | None = None) -> None:
-        self.sent = 0
-        self.streaming = False
-        self.takes_keys = True
-        self.slow_seconds = 0.0
         self.keys: list[bytes] = []
-        self.written: list[bytes] = []
-        self._slow_until = 0.0
-        self._under_way: list[bytes] = []
-        self._tasks: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
         super().__init__(
             port, system_id=system_id, handlers=OBEDIENT | {"SETUP_SIGNING": take_key} | (handlers or {})
         )
 
-    def do(self, task: Callable[[], None]) -> None:
-        """Runs on the peer's thread."""
-        self._tasks.put(task)
-
-    def turn(self) -> None:
-        while not self._tasks.empty():
-            self._tasks.get()()
-        self.arrive()
-        if self.streaming:
-            for number in range(5):
-                self.link.attitude_send(number, 0, 0, 0, 0, 0, 0)
-
-    def write(self, data: bytes) -> None:
-        if not self.silent:
-            self.sent += 1
-            self.written.append(bytes(data))
-            self._under_way.append(bytes(data))
-            self.arrive()
-
-    def slow_down(self) -> None:
-        """What is sent in the next moment arrives at its end only."""
-        self._slow_until = time.monotonic() + self.slow_seconds
-
-    def arrive(self) -> None:
-        if time.monotonic() >= self._slow_until:
-            for data in self._under_way:
-                self._socket.send(data)
-            self._under_way.clear()
-
-    def write_raw(self, data: bytes) -> None:
-        """Bytes as they are, not counted."""
-        self._socket.send(data)
-
-    def use_key(self, key: bytes, timestamp: int, link_id: int = 0) -> None:
+    def use_key(self, key: bytes, timestamp: int) -> None:
         """Signs from now on, and listens to nothing else; on the peer's thread."""
         self.link.signing.secret_key = key
         self.link.signing.sign_outgoing = True
         self.link.signing.timestamp = timestamp
-        self.link.signing.link_id = link_id
         self.link.signing.allow_unsigned_callback = None
 
     def refused(self) -> int:
         """Frames of the server that pymavlink did not take for signed rightly."""
         return int(self.link.signing.badsig_count)
-
-    def gaps(self) -> int:
-        """Frames of the server that are missing between those that came."""
-        numbers = [m.get_seq() for m in list(self.state.received) if m.get_srcSystem() == 255]
-        pairs = zip(numbers, numbers[1:], strict=False)
-        return sum((after - before - 1) % 256 for before, after in pairs)
 
 
 def take_key(peer: Peer, message: Any) -> None:
@@ -93,9 +43,6 @@ def take_key(peer: Peer, message: Any) -> None:
     assert isinstance(peer, SigningPeer)
     key = bytes(message.secret_key)
     peer.keys.append(key)
-    if not peer.takes_keys:
-        return
-    peer.slow_down()
     if any(key):
         peer.use_key(key, message.initial_timestamp + MINUTE)
     else:

@@ -6,7 +6,7 @@ import threading
 import time
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
@@ -20,11 +20,30 @@ class Heard:
     at: float
     up: bool
     message: Any
+    # The system id of the vehicle that says it or is told; None: it said nothing yet.
+    vehicle: int | None = None
 
     @property
     def kind(self) -> str:
         name: str = self.message.get_type()
         return name
+
+
+class Hears(Protocol):
+    """Whoever overhears a wire."""
+
+    def heard(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[Heard]: ...
+
+
+class Wire:
+    """What one vehicle behind a tap says and is told."""
+
+    def __init__(self, tap: "Tap", vehicle: int) -> None:
+        self._tap = tap
+        self._vehicle = vehicle
+
+    def heard(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[Heard]:
+        return [h for h in self._tap.heard(*kinds, up=up, since=since) if h.vehicle == self._vehicle]
 
 
 class Tap:
@@ -101,7 +120,7 @@ class Tap:
             self._systems[vehicle] = messages[0].get_srcSystem()
         with self._lock:
             self._heard.extend(
-                Heard(now, up, message)
+                Heard(now, up, message, self._systems.get(vehicle))
                 for message in messages
                 if not self._keeps or message.get_type() in self._keeps
             )

@@ -6,13 +6,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from playwright.sync_api import Browser, Playwright, sync_playwright
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.copter import Copter
 from dronemap_e2e.ground import Attach, Ground, User
 from dronemap_e2e.server import Server
-from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Tap
+from dronemap_e2e.station import launch
+from dronemap_e2e.tap import Tap, Wire
+from dronemap_e2e.vehicles import Vehicles
 from dronemap_e2e.waiting import wait_for
 
 # A vehicle of its own for every test, so that no test takes another one's for its own.
@@ -85,17 +87,46 @@ def tap(server: Server) -> Iterator[Tap]:
     opened.close()
 
 
+@pytest.fixture(scope="session")
+def vehicles(server: Server, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Vehicles]:
+    started = Vehicles(server, tmp_path_factory.mktemp("vehicles") / "sim.log")
+    yield started
+    started.close()
+
+
 @pytest.fixture
-def copter(tap: Tap, api: Api, tmp_path: Path) -> Iterator[Json]:
-    """A simulated copter behind the tap, three times as fast as life: the drone as the server lists it."""
-    system_id = next(SYSTEM_IDS)
-    started = Simulator(
-        tmp_path / "sim.log",
-        f"udp://127.0.0.1:{tap.port}",
-        *("--count", "1", "--speedup", "3", "--sysid", str(system_id)),
-    )
-    yield wait_for("the copter is listed, with a home, and ready to arm", lambda: api.ready(system_id), 90)
-    started.stop()
+def system_id(vehicles: Vehicles) -> Iterator[int]:
+    """Of a copter that only this test has."""
+    taken = vehicles.take()
+    yield taken
+    vehicles.leave(taken)
+
+
+@pytest.fixture
+def wire(vehicles: Vehicles, system_id: int) -> Wire:
+    """What the test's copter says and is told."""
+    return vehicles.wire(system_id)
+
+
+@pytest.fixture
+def copter(api: Api, system_id: int) -> Json:
+    """The test's copter, three times as fast as life: the drone as the server lists it."""
+    return wait_for("the copter is listed, with a home, and ready to arm", lambda: api.ready(system_id), 90)
+
+
+@pytest.fixture(scope="session")
+def playwright() -> Iterator[Playwright]:
+    """The one of this worker: there cannot be two at a time."""
+    with sync_playwright() as started:
+        yield started
+
+
+@pytest.fixture(scope="session")
+def browser(playwright: Playwright) -> Iterator[Browser]:
+    """One for each worker; each test has contexts of its own."""
+    started = launch(playwright)
+    yield started
+    started.close()
 
 
 @pytest.fixture(scope="module")

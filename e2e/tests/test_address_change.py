@@ -254,10 +254,6 @@ def told(journey: Journey, forgers: list[Forger]) -> None:
         assert own == [] and (one.commanded >= 3 or one is journey.bystander)
 
 
-def test_vehicles_keep_their_drones_while_their_addresses_change(server: Server, api: Api) -> None:
-    travel(server, api, seconds=26)
-
-
 @pytest.mark.soak
 def test_vehicles_keep_their_drones_for_two_minutes(server: Server, api: Api) -> None:
     travel(server, api, seconds=120)

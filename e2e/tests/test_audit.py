@@ -16,6 +16,7 @@ from dronemap_e2e.waiting import wait_for
 def test_every_face_leaves_one_record_that_a_receipt_vouches_for(
     server: Server, api: Api, copter: Json
 ) -> None:
+    """End to end because zeep and a WebSocket library call as others do, and PostgreSQL keeps the chain."""
     drone = copter["id"]
     operator = api.new_key("a surveyor's program", "operator")
     viewer = api.new_key("a looker's program", "viewer")

@@ -160,9 +160,7 @@ def mixed(count: int, seed: int) -> list[Json]:
 
 
 @pytest.mark.parametrize(
-    ("drones", "each"),
-    [(10, 10), pytest.param(20, 50, marks=pytest.mark.soak)],
-    ids=["a hundred commands", "a thousand commands"],
+    ("drones", "each"), [pytest.param(20, 50, marks=pytest.mark.soak)], ids=["a thousand commands"]
 )
 def test_outcomes_agree_with_what_the_vehicles_did(
     server: Server, api: Api, link: Impairer, drones: int, each: int

@@ -89,6 +89,7 @@ def forms(secret: str) -> set[bytes]:
 def test_no_backup_recording_or_log_of_the_server_has_a_secret_in_it(
     server: Server, api: Api, peer: SigningPeer
 ) -> None:
+    """End to end because backups are those of a real PostgreSQL, and logs those of a whole process."""
     drone = wait_for("the peer is listed", lambda: _listed(api, peer), 30)
     canaries = put_in(server, api, drone)
     assert api.call("POST", f"/drones/{drone}/link-key/install").status_code == 200

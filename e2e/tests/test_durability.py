@@ -22,6 +22,7 @@ ITEMS = [{"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20
     ids=["some", "a thousand"],
 )
 def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, tmp_path: Path) -> None:
+    """End to end because a process is killed with -9 under its clients, and its own PostgreSQL goes on."""
     server = Server(tmp_path / "data")
     server.start()
     chance = random.Random(20)

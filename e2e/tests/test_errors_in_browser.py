@@ -2,24 +2,24 @@
 
 import secrets
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Pointer, Station, launch
-from dronemap_e2e.tap import Tap
-
-from .test_errors import sent
+from dronemap_e2e.station import Pointer, Station
+from dronemap_e2e.tap import Wire
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        started = launch(playwright)
-        yield started
-        started.close()
+def sent(wire: Wire) -> list[Any]:
+    """Commands and mission items that went down to the vehicle, message requests aside."""
+    return [
+        h.message
+        for h in wire.heard("COMMAND_LONG", "COMMAND_INT", "MISSION_COUNT", "MISSION_ITEM_INT", up=False)
+        if getattr(h.message, "command", None) not in (511, 512, 519, 520)
+    ]
 
 
 @pytest.fixture
@@ -46,7 +46,7 @@ def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
 
 
 def test_a_viewer_reads_why_arming_is_not_for_viewers(
-    server: Server, api: Api, tap: Tap, copter: Json, page: Page
+    server: Server, api: Api, wire: Wire, copter: Json, page: Page
 ) -> None:
     station = Station(page, Pointer())
     station.sign_in(server.address, *user(api, "viewer"), secrets.token_hex(10))
@@ -55,10 +55,12 @@ def test_a_viewer_reads_why_arming_is_not_for_viewers(
     expect(station.button("Arm")).to_have_attribute("aria-disabled", "true")
     station.shows("Viewers watch only")
     station.hands.hold(page, station.button("Arm"))
-    assert not sent(tap)
+    assert not sent(wire)
 
 
-def test_bad_waypoints_stay_on_the_page(server: Server, api: Api, tap: Tap, copter: Json, page: Page) -> None:
+def test_bad_waypoints_stay_on_the_page(
+    server: Server, api: Api, wire: Wire, copter: Json, page: Page
+) -> None:
     station = Station(page, Pointer())
     station.sign_in(server.address, *user(api, "operator"), secrets.token_hex(10))
     station.choose(copter["name"])
@@ -72,4 +74,4 @@ def test_bad_waypoints_stay_on_the_page(server: Server, api: Api, tap: Tap, copt
 
     expect(station.button("Upload mission")).to_have_attribute("aria-disabled", "true")
     station.shows("must be -500 to 10000 m")
-    assert not sent(tap)
+    assert not sent(wire)

@@ -11,7 +11,7 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, items, judge, triangle
 from dronemap_e2e.server import Server
 from dronemap_e2e.soap import soap
-from dronemap_e2e.tap import Tap
+from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
 TAKE_OFF_METERS = 15.0
@@ -35,7 +35,8 @@ def _altitude(api: Api, drone: str) -> float:
     return altitude
 
 
-def test_flies_by_rest(api: Api, tap: Tap, copter: Json) -> None:
+def test_flies_by_rest(api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because requests speaks HTTP to the server's own port, and the judge sees only the wire."""
     points = triangle(copter["home"])
 
     def act(kind: str, **body: Any) -> Json:
@@ -43,10 +44,11 @@ def test_flies_by_rest(api: Api, tap: Tap, copter: Json) -> None:
 
     fly(api, copter["id"], act, points)
 
-    judge(tap, points, TAKE_OFF_METERS)
+    judge(wire, points, TAKE_OFF_METERS)
 
 
-def test_flies_by_curl(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+def test_flies_by_curl(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because curl is the program that the handbook tells people to use."""
     points = triangle(copter["home"], altitude=12)
 
     def act(kind: str, **body: Any) -> Json:
@@ -66,10 +68,11 @@ def test_flies_by_curl(server: Server, api: Api, tap: Tap, copter: Json) -> None
 
     fly(api, copter["id"], act, points)
 
-    judge(tap, points, 12)
+    judge(wire, points, 12)
 
 
-def test_flies_by_soap(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because zeep makes its calls of the service's own WSDL."""
     points = triangle(copter["home"], altitude=18)
     service = soap(server, server.local_key())
     listed = [d.id for d in service.getDronesList()]
@@ -92,10 +95,11 @@ def test_flies_by_soap(server: Server, api: Api, tap: Tap, copter: Json) -> None
 
     fly(api, copter["id"], act, points)
 
-    judge(tap, points, TAKE_OFF_METERS)
+    judge(wire, points, TAKE_OFF_METERS)
 
 
-def test_flies_by_websocket(server: Server, api: Api, tap: Tap, copter: Json) -> None:
+def test_flies_by_websocket(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+    """End to end because another maker's WebSocket client carries the whole flight."""
     points = triangle(copter["home"], altitude=14)
     headers = {"Authorization": f"Bearer {server.local_key()}"}
     with connect(server.stream_address, additional_headers=headers) as stream:
@@ -128,7 +132,7 @@ def test_flies_by_websocket(server: Server, api: Api, tap: Tap, copter: Json) ->
 
         fly(api, copter["id"], act, points)
 
-    judge(tap, points, 14)
+    judge(wire, points, 14)
 
 
 def _next(stream: ClientConnection, wanted: Callable[[Json], bool]) -> Json:

@@ -6,29 +6,21 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, judge, triangle
 from dronemap_e2e.peer import OBEDIENT, Peer
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch, launch
+from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch
 from dronemap_e2e.stopwatch import Stopwatch
-from dronemap_e2e.tap import Tap
+from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
 NAV_WAYPOINT = 16
 DESK = {"width": 1440, "height": 900}
 PHONE = {"width": 390, "height": 844}
 Open = Callable[..., Station]
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        started = launch(playwright)
-        yield started
-        started.close()
 
 
 @pytest.fixture
@@ -72,11 +64,11 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png")
 
 
-def uploaded(tap: Tap) -> list[Point]:
+def uploaded(wire: Wire) -> list[Point]:
     """The waypoints that went over the wire, each once, home aside."""
     by_number = {
         h.message.seq: h.message
-        for h in tap.heard("MISSION_ITEM_INT", up=False)
+        for h in wire.heard("MISSION_ITEM_INT", up=False)
         if h.message.command == NAV_WAYPOINT and h.message.seq > 0
     }
     return [Point(m.x / 1e7, m.y / 1e7, m.z) for _, m in sorted(by_number.items())]
@@ -112,7 +104,7 @@ def type_waypoints(station: Station, drone: Json) -> None:
 def test_a_person_flies_a_mission(
     request: pytest.FixtureRequest,
     open_station: Open,
-    tap: Tap,
+    wire: Wire,
     copter: Json,
     hands: Hands,
     size: dict[str, int],
@@ -127,22 +119,22 @@ def test_a_person_flies_a_mission(
     expect(station.button("Take off")).to_have_attribute("aria-disabled", "false", timeout=20_000)
     station.page.get_by_label("Take-off altitude (m)").fill("15")
     station.hold("Take off")
-    wait_for("it climbs", lambda: _highest(tap) > 14, 60)
+    wait_for("it climbs", lambda: _highest(wire) > 14, 60)
     station.press("Plan mission")
     station.page.get_by_label("Waypoint altitude (m)").fill("15")
     waypoints(station, copter)
     picture(station.page, f"{name}-2-planned")
     station.press("Upload mission")
     station.press("Start mission")
-    wait_for("all waypoints are reached", lambda: _reached(tap, len(uploaded(tap))), 150)
+    wait_for("all waypoints are reached", lambda: _reached(wire, len(uploaded(wire))), 150)
     picture(station.page, f"{name}-3-flown")
     station.press("Return to launch")
-    wait_for("it landed and disarmed", lambda: _disarmed_after_flight(tap), 150)
+    wait_for("it landed and disarmed", lambda: _disarmed_after_flight(wire), 150)
     station.shows("Disarmed")
 
-    points = uploaded(tap)
+    points = uploaded(wire)
     assert len(points) == 3
-    judge(tap, points, 15)
+    judge(wire, points, 15)
 
 
 def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: Open, api: Api) -> None:
@@ -188,17 +180,17 @@ def _by_port(api: Api, port: int) -> Json | None:
     return next((d for d in api.drones() if d["link"]["port"] == port), None)
 
 
-def _highest(tap: Tap) -> float:
-    heights = [h.message.relative_alt / 1000 for h in tap.heard("GLOBAL_POSITION_INT", up=True)]
+def _highest(wire: Wire) -> float:
+    heights = [h.message.relative_alt / 1000 for h in wire.heard("GLOBAL_POSITION_INT", up=True)]
     return max(heights, default=0.0)
 
 
-def _reached(tap: Tap, waypoints: int) -> bool:
+def _reached(wire: Wire, waypoints: int) -> bool:
     """The last item of the mission: take-off and waypoints, behind the home item."""
-    last = max((h.message.seq for h in tap.heard("MISSION_ITEM_REACHED", up=True)), default=0)
+    last = max((h.message.seq for h in wire.heard("MISSION_ITEM_REACHED", up=True)), default=0)
     return waypoints > 0 and last >= waypoints + 1
 
 
-def _disarmed_after_flight(tap: Tap) -> bool:
-    beats = [h for h in tap.heard("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
+def _disarmed_after_flight(wire: Wire) -> bool:
+    beats = [h for h in wire.heard("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
     return bool(beats) and not beats[-1].message.base_mode & 0x80

@@ -1,4 +1,4 @@
-"""A flight while the database is away, and over a crash: counted telemetry is the most that is lost."""
+"""A flight while the database is away: counted telemetry is the most that is lost."""
 
 import os
 import signal
@@ -19,10 +19,6 @@ from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.soap import soap
 from dronemap_e2e.waiting import wait_for
-
-# What a crash of the server may cost, and at how many moments it is looked how much it would be.
-MOST_LOST_SECONDS = 1.0
-LOOKS = 100
 
 
 @dataclass
@@ -57,6 +53,7 @@ def aloft(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Aloft]:
 
 
 def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(aloft: Aloft) -> None:
+    """End to end because the PostgreSQL that is killed here, and found again, is a real one."""
     api, drone = aloft.api, aloft.drone
     begin = time.time()
     far = triangle(api.drone(drone)["home"], side=30)[1]
@@ -91,25 +88,6 @@ def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(alo
     wait_for("the command from before is remembered", lambda: remembered(aloft, before["id"]), 30)
 
 
-def test_a_flight_goes_on_over_a_crash_and_loses_a_second_at_most(aloft: Aloft) -> None:
-    drone, before = aloft.drone, aloft.flight
-    wait_for("all that waited is written", lambda: is_well(aloft.api), 60)
-    shown, behind = watch_what_is_kept(aloft.api, drone)
-    aloft.server.kill()
-    aloft.server.start()
-    api = aloft.api = Api(aloft.server.address, aloft.server.local_key())
-    lost = shown - max(at for at in kept_times(api, drone, shown - 60) if at <= shown)
-    print(f"A kill cost {lost:.2f} s of telemetry, at the worst of {LOOKS} moments {behind:.2f} s.")
-    assert lost <= MOST_LOST_SECONDS, f"{lost:.2f} s of what was shown are missing"
-    assert behind <= MOST_LOST_SECONDS, f"{behind:.2f} s of what was shown were not kept yet"
-    wait_for("it is heard again", lambda: flight_of(api, drone, "running"), 60)
-    api.do(drone, type="land")
-    after = wait_for("the flight has ended", lambda: flight_of(api, drone, "ended"), 120)
-    assert after["id"] == before["id"]
-    assert after["start"] == before["start"]
-    assert len(api.get(f"/flights?drone={drone}")["flights"]) == 1
-
-
 @contextmanager
 def database_away(data: Path) -> Iterator[None]:
     """The server's own database is killed, and cannot be started again."""
@@ -137,23 +115,9 @@ def processes_in(data: Path) -> list[int]:
     return found
 
 
-def is_well(api: Api) -> bool:
-    history = api.call("GET", "/history")
-    return history.ok and bool(history.json()["up"])
-
-
 def remembered(aloft: Aloft, command: str) -> bool:
     events = aloft.api.get(f"/flights/{aloft.flight['id']}/events")["events"]
     return any(e["command"] == command and e["result"] == "succeeded" for e in events)
-
-
-def watch_what_is_kept(api: Api, drone: str) -> tuple[float, float]:
-    """The newest state shown, and how far what is kept was ever behind it, as a kill would show."""
-    shown = worst = 0.0
-    for _ in range(LOOKS):
-        shown = seconds_of(api.drone(drone)["lastUpdate"])
-        worst = max(worst, shown - (kept_until(api, drone) or 0))
-    return shown, worst
 
 
 def kept_until(api: Api, drone: str) -> float | None:

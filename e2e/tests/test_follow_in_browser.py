@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Error, Playwright, expect, sync_playwright
+from playwright.sync_api import Browser, Error, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
@@ -22,12 +22,6 @@ from dronemap_e2e.walker import Walker, beside, phone, picture, sign_in
 SYSTEM_ID = 77
 # Nothing leaves this machine: the name is a name of it.
 RESOLVE = f"--host-resolver-rules=MAP {NAME} 127.0.0.1"
-
-
-@pytest.fixture(scope="module")
-def playwright() -> Iterator[Playwright]:
-    with sync_playwright() as started:
-        yield started
 
 
 def test_a_page_by_plain_http_says_what_to_do_and_has_the_demo(

@@ -28,6 +28,7 @@ def server(tmp_path: Path) -> Iterator[Server]:
     started.stop()
 
 
+@pytest.mark.soak
 def test_ten_vehicles_need_less_than_600_megabytes(server: Server, tmp_path: Path) -> None:
     api = Api(server.address, server.local_key())
     simulator = Simulator(

@@ -1,25 +1,13 @@
-"""Each kind of link carries one flight; endpoints come and go at run time and outlive the server."""
+"""A link that another program opens carries a flight, on an endpoint that was added at run time."""
 
-import contextlib
 import socket
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 import requests
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.carriers import (
-    Bridge,
-    Carrier,
-    Dtls,
-    OpenSsl,
-    SerialCable,
-    TcpListener,
-    UdpListener,
-    WebSocketCaller,
-    WebSocketListener,
-)
+from dronemap_e2e.carriers import Bridge, OpenSsl
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
@@ -31,46 +19,10 @@ from .conftest import SYSTEM_IDS
 TAKE_OFF_METERS = 8.0
 
 
-@contextlib.contextmanager
-def endpoint(api: Api, url: str) -> Iterator[Json]:
-    """An endpoint for the time of a test, once it is open."""
-    answer = api.call("POST", "/endpoints", {"url": url})
-    assert answer.status_code == 201, answer.text
-    path = f"/endpoints/{answer.json()['id']}"
-    try:
-        yield wait_for(f"{url} is open", lambda: _open(api.get(path)), 20)
-    finally:
-        assert api.call("DELETE", path).status_code == 204
-
-
-def _open(view: Json) -> Json | None:
-    return view if view["state"] == "open" else None
-
-
-@contextlib.contextmanager
-def vehicle(api: Api, carrier: Carrier, log: Path) -> Iterator[tuple[Bridge, Json]]:
-    """A simulated copter behind that link: the bridge, and the drone as the server lists it."""
-    system_id = next(SYSTEM_IDS)
-    bridge = Bridge(carrier)
-    simulator = Simulator(
-        log,
-        f"udp://127.0.0.1:{bridge.port}",
-        *("--count", "1", "--speedup", "4", "--sysid", str(system_id)),
-    )
-    try:
-        yield bridge, wait_for("the copter is ready to arm", lambda: api.ready(system_id), 90)
-    finally:
-        simulator.stop()
-        bridge.close()
-
-
-def take_off(api: Api, drone: str) -> None:
+def fly(api: Api, drone: str) -> None:
     api.do(drone, type="arm")
     api.do(drone, type="takeOff", altitude=TAKE_OFF_METERS)
     wait_for("it hovers", lambda: _altitude(api, drone) > TAKE_OFF_METERS - 1, 60)
-
-
-def go_and_land(api: Api, drone: str) -> None:
     home = api.drone(drone)["home"]
     north = home["latitude"] + 0.0002
     api.do(drone, type="goTo", latitude=north, longitude=home["longitude"], altitude=TAKE_OFF_METERS)
@@ -84,178 +36,70 @@ def _altitude(api: Api, drone: str) -> float:
     return altitude
 
 
-def fly(api: Api, drone: Json, transport: str) -> None:
-    take_off(api, drone["id"])
-    go_and_land(api, drone["id"])
-    assert api.drone(drone["id"])["link"]["transport"] == transport
+def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_server(
+    own_server: Server, tmp_path: Path
+) -> None:
+    """End to end because OpenSSL is another program, and a restart one of the process with its database."""
+    api = Api(own_server.address, own_server.local_key())
+    made = api.call("POST", "/dtls-keys", {"label": "OpenSSL copter"})
+    assert made.status_code == 201, made.text
+    key = made.json()
+    port = free_port(socket.SOCK_DGRAM)
+    url = f"dtlsserver://127.0.0.1:{port}"
+    added = api.call("POST", "/endpoints", {"url": url})
+    assert added.status_code == 201, added.text
+    path = f"/endpoints/{added.json()['id']}"
+    own_server.stop()
+    own_server.start()
 
+    api = Api(own_server.address, own_server.local_key())
+    opened = api.get(path)
+    assert (opened["url"], opened["state"], opened["origin"]) == (url, "open", "added")
+    system_id = next(SYSTEM_IDS)
+    bridge = Bridge(OpenSsl(port, key["identity"], key["secret"], tmp_path / "openssl.log"))
+    simulator = Simulator(
+        tmp_path / "sim.log",
+        f"udp://127.0.0.1:{bridge.port}",
+        *("--count", "1", "--speedup", "4", "--sysid", str(system_id)),
+    )
+    try:
+        drone = wait_for("the copter is ready to arm", lambda: api.ready(system_id), 90)
+        fly(api, drone["id"])
+        assert api.drone(drone["id"])["link"]["transport"] == "dtls"
+        check_counters(own_server, api, api.get(path), drone)
+        assert [p["identity"] for p in api.get(path)["peers"]] == [key["identity"]]
+    finally:
+        simulator.stop()
+        bridge.close()
 
-def test_flies_over_a_serial_line(api: Api, tmp_path: Path) -> None:
-    cable = SerialCable()
-    with (
-        endpoint(api, f"serial://{cable.device}?baud=57600") as opened,
-        vehicle(api, cable, tmp_path / "sim.log") as (_, drone),
-    ):
-        fly(api, drone, "serial")
-
-        assert drone["link"]["address"] == cable.device
-        assert drone["link"]["port"] == 0
-        counts = api.get(f"/endpoints/{opened['id']}")["counts"]
-        assert counts["framesIn"] > 100
-        assert counts["framesOut"] > 10
-        assert counts["lost"] == 0
-        # The simulator greets as an autopilot does, with a line of text before the first frame.
-        assert counts["brokenBytes"] < 100
-
-
-def test_flies_over_a_udp_client(api: Api, tmp_path: Path) -> None:
-    listener = UdpListener()
-    with (
-        endpoint(api, f"udpclient://127.0.0.1:{listener.port}"),
-        vehicle(api, listener, tmp_path / "sim.log") as (_, drone),
-    ):
-        fly(api, drone, "udp")
-
-
-def test_flies_over_a_tcp_client_that_connects_again(api: Api, tmp_path: Path) -> None:
-    listener = TcpListener()
-    with (
-        endpoint(api, f"tcpclient://127.0.0.1:{listener.port}"),
-        vehicle(api, listener, tmp_path / "sim.log") as (_, drone),
-    ):
-        take_off(api, drone["id"])
-        listener.hang_up()
-        # Given while there is no connection: it is sent again when there is one.
-        api.do(drone["id"], type="hold")
-        api.do(drone["id"], type="setMode", mode="GUIDED")
-        go_and_land(api, drone["id"])
-        assert api.drone(drone["id"])["link"]["transport"] == "tcp"
-
-
-def test_flies_over_a_websocket_that_the_vehicle_opens(api: Api, tmp_path: Path) -> None:
-    with (
-        endpoint(api, "wsserver://127.0.0.1:0") as opened,
-        vehicle(api, WebSocketCaller(_port(opened)), tmp_path / "sim.log") as (_, drone),
-    ):
-        fly(api, drone, "websocket")
-
-
-def test_flies_over_a_websocket_that_the_server_opens(api: Api, tmp_path: Path) -> None:
-    listener = WebSocketListener()
-    with (
-        endpoint(api, f"wsclient://127.0.0.1:{listener.port}/mavlink"),
-        vehicle(api, listener, tmp_path / "sim.log") as (_, drone),
-    ):
-        fly(api, drone, "websocket")
-
-
-def _port(view: Json) -> int:
-    return int(view["url"].rsplit(":", 1)[1])
-
-
-def test_flies_over_dtls_with_openssl(api: Api, tmp_path: Path) -> None:
-    key = _key(api, "OpenSSL copter")
-    with endpoint(api, "dtlsserver://127.0.0.1:0") as opened:
-        carrier = OpenSsl(_port(opened), key["identity"], key["secret"], tmp_path / "openssl.log")
-        with vehicle(api, carrier, tmp_path / "sim.log") as (_, drone):
-            fly(api, drone, "dtls")
-
-            peers = api.get(f"/endpoints/{opened['id']}")["peers"]
-            assert [p["identity"] for p in peers] == [key["identity"]]
-
-
-def test_an_address_change_in_flight_keeps_a_dtls_vehicle(api: Api, tmp_path: Path) -> None:
-    key = _key(api, "roaming copter")
-    with endpoint(api, "dtlsserver://127.0.0.1:0") as opened:
-        carrier = Dtls(_port(opened), key["identity"], key["secret"])
-        assert carrier.client.connection_id, "the server gave no connection id"
-        with vehicle(api, carrier, tmp_path / "sim.log") as (_, drone):
-            take_off(api, drone["id"])
-            before = carrier.client.port
-            for _ in range(3):
-                carrier.client.rebind()
-                api.do(drone["id"], type="hold")
-                api.do(drone["id"], type="setMode", mode="GUIDED")
-            go_and_land(api, drone["id"])
-
-            assert carrier.client.port != before
-            peers = api.get(f"/endpoints/{opened['id']}")["peers"]
-            assert [p["address"] for p in peers] == [f"127.0.0.1:{carrier.client.port}"]
-            same = [d for d in api.drones() if d["link"]["systemId"] == drone["link"]["systemId"]]
-            assert [d["id"] for d in same] == [drone["id"]]
-
-
-def test_lets_nobody_in_by_dtls_with_a_wrong_or_revoked_key(api: Api) -> None:
-    key = _key(api, "revoked copter")
-    with endpoint(api, "dtlsserver://127.0.0.1:0") as opened:
-        server = ("127.0.0.1", _port(opened))
-        secret = bytes.fromhex(key["secret"])
-        DtlsClient(server, key["identity"], secret).close()
-        with pytest.raises(HandshakeError):
-            DtlsClient(server, key["identity"], bytes(32), timeout=2)
-        with pytest.raises(HandshakeError):
-            DtlsClient(server, "nobody", secret, timeout=2)
-
-        assert api.call("DELETE", f"/dtls-keys/{key['identity']}").status_code == 204
-        with pytest.raises(HandshakeError):
-            DtlsClient(server, key["identity"], secret, timeout=2)
-
-
-def _key(api: Api, label: str) -> Json:
-    answer = api.call("POST", "/dtls-keys", {"label": label})
-    assert answer.status_code == 201, answer.text
-    key: Json = answer.json()
-    return key
-
-
-def test_an_endpoint_that_cannot_open_is_listed_and_tried_again(api: Api) -> None:
-    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as other:
-        other.bind(("127.0.0.1", 0))
-        other.listen()
-        port = other.getsockname()[1]
-        answer = api.call("POST", "/endpoints", {"url": f"tcpserver://127.0.0.1:{port}"})
-        assert answer.status_code == 201, answer.text
-        path = f"/endpoints/{answer.json()['id']}"
-        assert answer.json()["state"] == "failed"
-        assert "taken by another program" in answer.json()["reason"]
-    wait_for("it is open once the port is free", lambda: _open(api.get(path)), 30)
+    secret = bytes.fromhex(key["secret"])
+    DtlsClient(("127.0.0.1", port), key["identity"], secret).close()
+    assert api.call("DELETE", f"/dtls-keys/{key['identity']}").status_code == 204
+    with pytest.raises(HandshakeError):
+        DtlsClient(("127.0.0.1", port), key["identity"], secret, timeout=2)
     assert api.call("DELETE", path).status_code == 204
 
 
-def test_added_endpoints_and_keys_outlive_the_server(tmp_path: Path) -> None:
-    server = Server(tmp_path / "data")
-    server.start()
-    try:
-        api = Api(server.address, server.local_key())
-        key = _key(api, "lasting copter")
-        url = f"dtlsserver://127.0.0.1:{free_port(socket.SOCK_DGRAM)}"
-        added = api.call("POST", "/endpoints", {"url": url})
-        assert added.status_code == 201, added.text
-        server.stop()
-        server.start()
-
-        api = Api(server.address, server.local_key())
-        listed = api.get(f"/endpoints/{added.json()['id']}")
-        assert (listed["url"], listed["state"], listed["origin"]) == (url, "open", "added")
-        DtlsClient(("127.0.0.1", _port(listed)), key["identity"], bytes.fromhex(key["secret"])).close()
-    finally:
-        server.stop()
-
-
-def test_shows_the_counters_to_whoever_has_a_key(server: Server, api: Api, copter: Json) -> None:
+def check_counters(server: Server, api: Api, endpoint: Json, drone: Json) -> None:
+    counts = endpoint["counts"]
+    assert counts["framesIn"] > 100
+    assert counts["framesOut"] > 10
+    # The simulator greets as an autopilot does, with a line of text before the first frame.
+    assert counts["brokenBytes"] < 100
     text = _metrics(server, api.new_key("monitoring", "viewer"))
-
-    endpoints = {e["url"]: e for e in api.get("/endpoints")["endpoints"]}
-    udp = endpoints[f"udpserver://127.0.0.1:{server.udp_port}"]
+    assert f'dronemap_endpoint_frames_in_total{{endpoint="{endpoint["id"]}"' in text
+    assert f'dronemap_vehicle_received_total{{drone="{drone["id"]}"' in text
+    assert requests.get(server.address + "/metrics", timeout=5).status_code == 401
+    (udp,) = (
+        e
+        for e in api.get("/endpoints")["endpoints"]
+        if e["url"] == f"udpserver://127.0.0.1:{server.udp_port}"
+    )
     assert udp["origin"] == "configured"
     assert udp["counts"]["kernelDrops"] == 0
-    assert f'dronemap_endpoint_frames_in_total{{endpoint="{udp["id"]}"' in text
-    mine = [v for v in api.get("/traffic")["vehicles"] if v["drone"] == copter["id"]]
-    assert len(mine) == 1
-    assert mine[0]["received"] > 10
-    assert mine[0]["sent"] > 1
-    assert f'dronemap_vehicle_received_total{{drone="{copter["id"]}"' in text
-    assert requests.get(server.address + "/metrics", timeout=5).status_code == 401
+    (mine,) = (v for v in api.get("/traffic")["vehicles"] if v["drone"] == drone["id"])
+    assert mine["received"] > 10
+    assert mine["sent"] > 1
 
 
 def _metrics(server: Server, key: str) -> str:

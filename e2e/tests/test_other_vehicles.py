@@ -1,6 +1,6 @@
-"""The same flight with PX4, over MAVLink 1, over TCP, and with a real autopilot where one is given."""
+"""The same flight with a PX4 made of pymavlink, over TCP, and with a real autopilot where one is given."""
 
-from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +9,7 @@ import pytest
 from dronemap_e2e import sitl
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.peer import OBEDIENT, Kind, Peer
 from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
@@ -18,8 +19,6 @@ from dronemap_e2e.waiting import wait_for
 HEIGHT = 12.0
 NAV_TAKEOFF = 22
 DO_REPOSITION = 192
-PX4 = ("--personality", "px4", "--sysid", "150")
-MAVLINK_1 = ("--mavlink1", "--sysid", "151")
 
 
 def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
@@ -59,36 +58,8 @@ def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
     assert above_home() < 1
 
 
-@pytest.fixture
-def simulated(request: pytest.FixtureRequest, tap: Tap, tmp_path: Path) -> Iterator[Tap]:
-    """A vehicle behind the tap with the options that the test names."""
-    started = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", "--speedup", "3", *request.param)
-    yield tap
-    started.stop()
-
-
-@pytest.mark.parametrize("simulated", [PX4], indirect=True, ids=["px4"])
-def test_px4_flies_by_its_own_commands(api: Api, simulated: Tap) -> None:
-    drone = wait_for("it is ready", lambda: api.ready(150), 90)
-    assert drone["autopilot"] == "PX4"
-
-    fly(api, drone)
-
-    down = [h.message for h in simulated.heard("COMMAND_LONG", "COMMAND_INT", up=False)]
-    assert {NAV_TAKEOFF, DO_REPOSITION} <= {m.command for m in down}
-    assert not simulated.heard("SET_POSITION_TARGET_GLOBAL_INT", up=False), "that is ArduPilot's way"
-
-
-@pytest.mark.parametrize("simulated", [MAVLINK_1], indirect=True, ids=["mavlink1"])
-def test_mavlink_1_carries_a_flight(api: Api, simulated: Tap) -> None:
-    drone = wait_for("it is ready", lambda: api.ready(151), 90)
-
-    fly(api, drone)
-
-    assert all(h.message.get_msgbuf()[0] == 0xFE for h in simulated.heard("HEARTBEAT", up=True))
-
-
 def test_a_px4_of_our_own_that_takes_only_px4s_ways_flies(server: Server, api: Api) -> None:
+    """End to end because the vehicle is made of pymavlink, by other hands than the simulator is."""
     px4 = Px4Peer(server.udp_port, system_id=154)
     try:
         drone = wait_for(
@@ -105,7 +76,27 @@ def test_a_px4_of_our_own_that_takes_only_px4s_ways_flies(server: Server, api: A
         px4.close()
 
 
+def test_a_peer_may_come_by_tcp_and_by_mavlink_1(server: Server, api: Api) -> None:
+    """End to end because pymavlink makes the frames of MAVLink 1, and another program's socket the pieces."""
+    for tcp, version in ((True, 2), (False, 1)):
+        port = server.tcp_port if tcp else server.udp_port
+        peer = Peer(port, system_id=155, kind=Kind(version=version), handlers=OBEDIENT, tcp=tcp)
+        try:
+            drone = wait_for("the peer is listed", partial(listed, api, peer))
+            api.do(drone["id"], type="arm")
+            assert peer.state.armed
+            assert drone["link"]["transport"] == ("tcp" if tcp else "udp")
+        finally:
+            peer.close()
+
+
+def listed(api: Api, peer: Peer) -> Json | None:
+    found = (d for d in api.drones() if d["link"]["port"] == peer.port and d["link"]["state"] == "live")
+    return next(found, None)
+
+
 def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
+    """End to end because only sockets of two processes show that a stream of bytes carries a flight."""
     simulator = Simulator(
         tmp_path / "sim.log", f"tcp://127.0.0.1:{server.tcp_port}", "--speedup", "3", "--sysid", "152"
     )
@@ -119,6 +110,7 @@ def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
 
 @pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
 def test_a_real_autopilot_flies_the_same_flight(api: Api, tap: Tap, tmp_path: Path) -> None:
+    """End to end because ArduCopter itself flies."""
     autopilot = sitl.ArduCopter(tmp_path / "sitl", tap.port, 153, "47.3977,8.5456,488,0")
     try:
         drone = wait_for("it is ready", lambda: api.ready(153), 120)

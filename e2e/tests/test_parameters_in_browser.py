@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.impairer import Impairer
 from dronemap_e2e.plugged import PluggedStation
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.station import Hands, Pointer, Station, Touch, launch
+from dronemap_e2e.station import Hands, Pointer, Station, Touch
 from dronemap_e2e.waiting import wait_for
 
 from .conftest import SYSTEM_IDS
@@ -47,14 +47,6 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
     yield Bench(simulator, station, system_id, drone)
     simulator.stop()
     link.close()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        started = launch(playwright)
-        yield started
-        started.close()
 
 
 @pytest.fixture

@@ -7,6 +7,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
+import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.simulator import Simulator
@@ -69,6 +70,7 @@ def processor_seconds(pid: int) -> float:
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
+@pytest.mark.soak
 def test_a_thousand_vehicles_speak_four_times_a_second_on_half_a_core(tmp_path: Path) -> None:
     ground = Ground()
     address = f"udp://127.0.0.1:{ground.port}"

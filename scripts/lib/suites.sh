@@ -1,29 +1,81 @@
 # shellcheck shell=bash
-# test and soak: runs every suite, goes on after a failure, ends with one table.
+# test and soak: runs every suite, or what a pattern names, goes on after a failure, ends with one table.
 
 RESULTS=""      # one line for each check: suite, result, details
 TEST_LOGS=""
+ONLY=""         # the pattern that tests and checks must match; empty: all
+ONLY_GLOB=""    # the same as the shell matches it
+ROUNDS=1
+readonly MOST_ROUNDS=1000
+# What `java: build` has done already; a compiler that asks what changed would take jars for changes.
+readonly AS_BUILT=(-Dspotless.check.skip=true -Dcheckstyle.skip=true -Dmaven.compiler.useIncrementalCompilation=false)
 
 command_test() {
-    (($# == 0)) || fail "$EXIT_USAGE" "test takes no options. See ./dronemap help"
+    choose_tests test "$@"
     prepare_suites
-    suite_shell
-    suite_typescript
-    suite_java test -DexcludedGroups=soak
-    record archive skipped "days of telemetry as Parquet on HDFS, and a crash in the middle: ./dronemap soak tests them"
-    suite_vulnerabilities
-    suite_python_checks
-    suite_pytest "not soak"
+    if [[ -n $ONLY ]]; then run_rounds test; else test_everything; fi
     report
 }
 
 command_soak() {
-    (($# == 0)) || fail "$EXIT_USAGE" "soak takes no options. See ./dronemap help"
+    choose_tests soak "$@"
     prepare_suites
+    if [[ -n $ONLY ]]; then run_rounds soak; else soak_everything; fi
+    report
+}
+
+# Java compiles with one worker while the small suites run; then its tests have all workers, and then those that need its jars.
+test_everything() {
+    suite_web_client
+    side_by_side suite_java_build suite_small
+    suite_java tests "${AS_BUILT[@]}" -DexcludedGroups=soak
+    record archive skipped "days of telemetry as Parquet on HDFS, and a crash in the middle: ./dronemap soak tests them"
+    suite_vulnerabilities
+    suite_pytest "not soak" needs_jars
+}
+
+soak_everything() {
     build_web_client
     suite_java soak -Parchive -Dgroups=soak -DexcludedGroups= -Dsurefire.failIfNoSpecifiedTests=false
-    suite_pytest soak
-    report
+    suite_pytest soak any_project
+}
+
+# Whatever needs nothing that Java builds.
+suite_small() {
+    suite_shell
+    suite_typescript
+    suite_python_checks
+    suite_pytest "not soak" needs_no_jars
+}
+
+choose_tests() { # test|soak [--only PATTERN | --repeat N PATTERN]
+    local word=$1
+    shift
+    case ${1:-} in
+        "") (($# == 0)) || fail "$EXIT_USAGE" "$word does not know ''. See ./dronemap help" ;;
+        --only)
+            (($# == 2)) || fail "$EXIT_USAGE" "--only needs one pattern (quote it if it has spaces). See ./dronemap help"
+            ONLY=$2
+            ;;
+        --repeat)
+            (($# >= 2)) && [[ $2 =~ ^[0-9]{1,4}$ ]] && ((10#$2 >= 1 && 10#$2 <= MOST_ROUNDS)) ||
+                fail "$EXIT_USAGE" "--repeat is '${2:-}'; it must be a number from 1 to $MOST_ROUNDS."
+            (($# == 3)) || fail "$EXIT_USAGE" "--repeat needs a number and one pattern (quote it if it has spaces). See ./dronemap help"
+            ROUNDS=$((10#$2)) ONLY=$3
+            ;;
+        *) fail "$EXIT_USAGE" "$word does not know '$1'. See ./dronemap help" ;;
+    esac
+    if (($# > 0)); then
+        [[ -n ${ONLY//[*[:space:]]/} ]] || fail "$EXIT_USAGE" "The pattern '$ONLY' names nothing: it must have a letter or a digit."
+        # Only the star is more than itself.
+        ONLY_GLOB=$(sed 's/[][?\\()|!+@&;<> ]/\\&/g' <<<"$ONLY")
+    fi
+}
+
+# Whether a check belongs to what was asked for.
+is_wanted() { # TITLE
+    # shellcheck disable=SC2053 # the stars in it are meant
+    [[ -z $ONLY || $1 == *$ONLY_GLOB* ]]
 }
 
 prepare_suites() {
@@ -31,6 +83,7 @@ prepare_suites() {
     make_tools_folder
     take_lock
     need_space "$ROOT" "$BUILD_MEGABYTES" testing
+    count_workers
     install_missing for-tests
     provide_test_python
     TEST_LOGS=$TOOLS/test
@@ -64,6 +117,7 @@ provide_test_python() {
 check() { # SUITE WHAT COMMAND…
     local suite=$1 what=$2 log
     shift 2
+    is_wanted "$suite: $what" || return 0
     log=$(log_of "$suite" "$what")
     if run_check "$suite: $what" "$log" "$@"; then record "$suite" passed "$what"; else record "$suite" failed "$what" "$log"; fi
 }
@@ -74,17 +128,21 @@ run_check() { # TITLE LOG COMMAND…
     shift 2
     WORK="testing ($title)"
     if run_logged "$log" no_progress "$@"; then
-        step "$title: passed ($((SECONDS - started)) s)"
+        say_together step "$title: passed ($((SECONDS - started)) s)"
         return 0
     fi
-    step "$title: FAILED ($((SECONDS - started)) s). The end of $log:"
-    tail -n 60 "$log" | sed 's/^/    /'
+    say_together say_failed "$title" "$((SECONDS - started))" "$log"
     return 1
+}
+
+say_failed() { # TITLE SECONDS LOG
+    step "$1: FAILED ($2 s). The end of $3:"
+    tail -n 60 "$3" | sed 's/^/    /'
 }
 
 log_of() { printf '%s/%s.log' "$TEST_LOGS" "$(tr -c 'a-zA-Z0-9\n' - <<<"$1-$2")"; }
 
-record() { # SUITE passed|failed|skipped|junit|status WHAT-OR-PATTERN [LOG]
+record() { # SUITE passed|failed|skipped|junit|named|status WHAT-OR-PATTERN [LOG]
     printf '%s\t%s\t%s\t%s\n' "$1" "$2" "$3" "${4:-}" >>"$RESULTS"
 }
 
@@ -96,22 +154,31 @@ suite_shell() {
     done < <(cd "$ROOT" && find ./dronemap ./.ci/run ./scripts ./docker -type f \( -name '*.sh' -o -name dronemap -o -name run \) ! -path './scripts/lib/*')
 }
 
-suite_typescript() {
-    build_web_client_as_check || return 0
-    check typescript lint env -C "$ROOT/web-client" CI=true npm run lint
-    check typescript types env -C "$ROOT/web-client" CI=true npm run check
-    counted typescript units "$TEST_LOGS/vitest.xml" env -C "$ROOT/web-client" CI=true npm test -- \
-        --reporter=default --reporter=junit --outputFile.junit="$TEST_LOGS/vitest.xml"
-}
-
-# In a process of its own: what ends `up` with a sentence is one failed check here.
-build_web_client_as_check() {
+# Java packs the web client into the server, so it is built before anything else is.
+suite_web_client() {
+    # In a process of its own: what ends `up` with a sentence is one failed check here.
     if (build_web_client); then
         record typescript passed build
     else
         record typescript failed build "$TOOLS/logs/build.log"
-        return 1
     fi
+}
+
+suite_typescript() {
+    suite_typescript_checks
+    run_vitest "$(workers_beside)"
+}
+
+suite_typescript_checks() {
+    check typescript lint env -C "$ROOT/web-client" CI=true npm run lint
+    check typescript types env -C "$ROOT/web-client" CI=true npm run check
+}
+
+run_vitest() { # WORKERS ARGUMENT…
+    local workers=$1 report=$TEST_LOGS/vitest-${VITEST_PART:-all}.xml
+    shift
+    counted typescript "units${VITEST_PART:+ ($VITEST_PART)}" "$report" env -C "$ROOT/web-client" CI=true npm test -- \
+        --maxWorkers="$workers" --reporter=default --reporter=junit --outputFile.junit="$report" "$@"
 }
 
 # A suite whose tests are counted from its JUnit reports; its exit status counts as one more failure
@@ -121,22 +188,30 @@ counted() { # SUITE WHAT REPORT-PATTERN COMMAND…
     shift 3
     log=$(log_of "$suite" "$what")
     run_check "$suite: $what" "$log" "$@" || status=1
-    record "$suite" junit "$pattern" "$log"
+    record "$suite" "${REPORT_KIND:-junit}" "$pattern" "$log"
     if ((status != 0)); then record "$suite" status "$what" "$log"; fi
 }
 
-suite_java() { # GOALS-NAME OPTIONS…
-    local name=$1
-    shift
-    rm -rf "$ROOT"/dronemap-*/target/surefire-reports
-    counted "java" "$name" "$ROOT/dronemap-*/target/surefire-reports/TEST-*.xml" \
-        verify_java "$@"
+# All but the tests: compiles, judges form and limits, makes the jars.
+suite_java_build() {
+    check java build mvn -B -ntp -T "$(workers_beside)" -fae -f "$ROOT/pom.xml" -DskipTests verify
 }
 
-# A failed test must not keep the modules that build on it from being tested; the reports tell that it failed.
+suite_java() { # WHAT OPTIONS…
+    local what=$1
+    shift
+    rm -rf "$ROOT"/dronemap-*/target/surefire-reports "$TEST_LOGS/java"
+    mkdir "$TEST_LOGS/java"
+    counted java "$what" "$TEST_LOGS/java/TEST-*.xml" verify_java "$@" "${MAVEN_PHASE:-verify}"
+}
+
+# One module after the other, each with so many machines that test as there are workers: modules at the same time would each
+# have as many. A failed test must not keep the modules that build on it from being tested; the reports tell that it failed.
 verify_java() { # OPTIONS…
-    mvn -B -ntp -T 3 -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" verify &&
-        ! grep -qE '<(failure|error)[ >]' "$ROOT"/dronemap-*/target/surefire-reports/TEST-*.xml
+    local status=0
+    mvn -B -ntp -T 1 -DforkCount="$WORKERS" -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" || status=$?
+    find "$ROOT"/dronemap-*/target/surefire-reports -name 'TEST-*.xml' -exec cp -t "$TEST_LOGS/java" {} + 2>/dev/null || true
+    ((status == 0)) && ! grep -qE '<(failure|error)[ >]' "$TEST_LOGS"/java/TEST-*.xml
 }
 
 # Every folder with a pyproject.toml is a Python project, checked and run by its own settings.
@@ -155,15 +230,32 @@ suite_python_checks() {
 }
 
 # Two test modules of different projects may share a name, so each runs apart. The jars are the ones the Java suite built.
-suite_pytest() { # MARKER-EXPRESSION
-    local project report
+suite_pytest() { # MARKER-EXPRESSION WHICH-PROJECTS
+    local project
     while IFS= read -r project; do
-        report=$TEST_LOGS/pytest-${project//\//-}.xml
-        counted "$(suite_name "$project")" "pytest $project" "$report" \
-            env -C "$ROOT/$project" PATH="$PYTHON:$PATH" "$PYTHON/python" "$ROOT/scripts/pytest_or_none.py" \
-            -m "$1" --junitxml="$report" --durations=10 -p no:cacheprovider
+        if "$2" "$project"; then run_pytest "$project" -m "$1"; fi
     done < <(python_projects)
 }
+
+run_pytest() { # PROJECT ARGUMENT…
+    local project=$1 report
+    shift
+    report=$TEST_LOGS/pytest-${project//\//-}.xml
+    counted "$(suite_name "$project")" "pytest $project" "$report" \
+        env -C "$ROOT/$project" PATH="$PYTHON:$PATH" "$PYTHON/python" "$ROOT/scripts/pytest_or_none.py" \
+        --junitxml="$report" --durations=10 -p no:cacheprovider "$@"
+}
+
+# A project that nobody named may need them.
+needs_no_jars() { [[ $1 == ros-bridge || $1 == sdk-python || $1 == dronemap-sim/exchanges ]]; } # PROJECT
+needs_jars() { ! needs_no_jars "$1"; }
+
+# Of the scripts' tests only those that ask for a built checkout do.
+file_needs_jars() { # PROJECT FILE
+    needs_jars "$1" && { [[ $1 != scripts ]] || grep -qE 'built: Checkout|JARS' "$ROOT/$1/$2"; }
+}
+
+any_project() { :; }
 
 suite_name() { case $1 in e2e*) echo 'end to end' ;; scripts*) echo script ;; *) echo python ;; esac; }
 
@@ -171,6 +263,6 @@ report() {
     local status=0
     WORK=""
     step "Tested in $(((SECONDS - SUITES_STARTED) / 60)) min $(((SECONDS - SUITES_STARTED) % 60)) s. Logs: $TEST_LOGS"
-    "$PYTHON/python" "$ROOT/scripts/report.py" "$RESULTS" || status=$?
+    "$PYTHON/python" "$ROOT/scripts/report.py" --rounds "$ROUNDS" "$RESULTS" || status=$?
     exit "$status"
 }

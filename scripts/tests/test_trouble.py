@@ -316,9 +316,22 @@ def test_what_needs_a_running_server_says_how_to_start_it(checkout: Checkout, tm
 
 def test_help_names_every_command_and_exit_code(checkout: Checkout) -> None:
     text = checkout.run("help").stdout
-    for word in ("up", "down", "status", "logs", "test", "soak", "backup", "restore", "replay", "help"):
+    for word in (
+        "up",
+        "down",
+        "status",
+        "logs",
+        "test",
+        "soak",
+        "trials",
+        "backup",
+        "restore",
+        "replay",
+        "help",
+    ):
         assert f"\n  {word}" in text
-    for option in ("--no-demo", "--public", "--cert", "--key", "--speed", "--yes"):
+    options = ("--no-demo", "--public", "--cert", "--key", "--speed", "--yes")
+    for option in (*options, "--only", "--repeat", "--minutes", "--again"):
         assert option in text
     for code in (*range(10), INTERRUPTED):
         assert f"{code}  " in text

@@ -20,6 +20,7 @@ final class FleetBuilder {
     private static final double SPACING_METERS = 60;
     private static final double BATTERY_MILLIAMP_HOURS = 5200;
     private static final int SYSTEM_IDS = 254;
+    private static final long FOR_GOOD_MILLIS = Long.MAX_VALUE / 2;
 
     static final AutopilotKind ARDUCOPTER =
             new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", ArduCopter::new);
@@ -65,7 +66,11 @@ final class FleetBuilder {
                 options.usb(),
                 options.parameters(),
                 options.presets());
-        return new SimulatedVehicle(settings, kind(index), craft, link);
+        SimulatedVehicle vehicle = new SimulatedVehicle(settings, kind(index), craft, link);
+        if (options.asleep()) {
+            vehicle.silence(FOR_GOOD_MILLIS);
+        }
+        return vehicle;
     }
 
     private AutopilotKind kind(int index) {

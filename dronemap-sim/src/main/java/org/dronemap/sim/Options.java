@@ -23,7 +23,8 @@ record Options(
         boolean stickLow,
         boolean usb,
         int parameters,
-        Map<String, Double> presets) {
+        Map<String, Double> presets,
+        boolean asleep) {
 
     static final String HELP = """
             Simulated multicopters that speak MAVLink over real sockets.
@@ -42,6 +43,7 @@ record Options(
               --stick low|mid          throttle stick of the remote control (default mid)
               --parameters N           fills the table of parameters up to so many, 0 to 5000 (default 0)
               --parameter NAME=VALUE   sets that parameter from the start; may be given more than once
+              --asleep                 they say and hear nothing until the control port is told to wake them
               --mavlink1               speak MAVLink 1
               --roslink                robots of another kind instead: their options are below
               --usb                    the link is the first channel: unsigned messages pass in spite of a signing key
@@ -66,7 +68,8 @@ record Options(
                 false,
                 false,
                 0,
-                Map.of());
+                Map.of(),
+                false);
     }
 
     /**
@@ -94,7 +97,8 @@ record Options(
                 reader.choice("--stick", "mid", List.of("low", "mid")).equals("low"),
                 reader.flag("--usb"),
                 (int) reader.integer("--parameters", d.parameters, 0, 5_000),
-                reader.numbersByName("--parameter"));
+                reader.numbersByName("--parameter"),
+                reader.flag("--asleep"));
         reader.finish();
         return options;
     }

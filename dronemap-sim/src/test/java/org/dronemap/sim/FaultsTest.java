@@ -3,6 +3,7 @@ package org.dronemap.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.sim.control.ControlCommands;
 import org.junit.jupiter.api.Test;
 
@@ -22,6 +23,19 @@ class FaultsTest {
         bench.run(3);
         assertThat(bench.heard).isNotEmpty();
         assertThat(bench.height()).isBetween(19.0, 21.0);
+    }
+
+    @Test
+    void whoIsWokenTalksAtOnceAndMakesUpForNothing() {
+        Bench bench = Bench.flying(20);
+        fault(bench, "silent 10000s");
+        bench.run(100);
+        assertThat(bench.heard).isEmpty();
+        assertThat(ControlCommands.run("wake 1", List.of(bench.vehicle))).isEqualTo("ok 1 vehicles");
+        bench.run(2);
+        assertThat(bench.heard.stream().filter(heard -> heard.frame().messageId() == Heartbeat.ID))
+                .hasSizeBetween(1, 3);
+        assertThat(ControlCommands.run("wake 2", List.of(bench.vehicle))).startsWith("err");
     }
 
     @Test

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.EnumSet;
 import java.util.List;
@@ -25,13 +24,13 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.soap.DronemapFault;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tools.jackson.databind.JsonNode;
@@ -41,28 +40,22 @@ class AccessKeysTest {
     private static final String MISSION =
             "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.4,\"longitude\":8.5,\"altitude\":20}]}";
 
-    @TempDir
-    private Path data;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
 
-    private TestHouse house;
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle mine;
     private ScriptedVehicle other;
 
     @BeforeEach
     void open() {
-        house = new TestHouse(data, false);
-        mine = ScriptedVehicle.connect(house.cloud(), 15701);
-        other = ScriptedVehicle.connect(house.cloud(), 15702);
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+        mine = tenant.vehicle();
+        other = tenant.vehicle();
     }
 
     @Test
     void showOnlyTheirDronesInListsBroadcastsAndStreams() throws DronemapFault {
-        String key = house.key(operatorOf(mine));
+        String key = tenant.key(operatorOf(mine));
         Http http = new Http(house, key);
 
         assertThat(http.get("/api/v1/drones").json().path("drones").findValuesAsString("id"))
@@ -79,7 +72,7 @@ class AccessKeysTest {
             JsonNode list =
                     stream.await(message -> message.path("type").asString().equals("drones"));
             assertThat(list.path("drones").size()).isEqualTo(1);
-            Http all = new Http(house, house.key(Role.OPERATOR));
+            Http all = tenant.http(Role.OPERATOR);
             all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"arm\"}");
             all.post("/api/v1/drones/" + mine.id() + "/commands?wait=10", "{\"type\":\"arm\"}");
             stream.await(
@@ -104,7 +97,7 @@ class AccessKeysTest {
                 "/link-security"
             })
     void answerForOtherDronesAsForThoseThatAreNotThere(String below) {
-        Http http = new Http(house, house.key(operatorOf(mine)));
+        Http http = new Http(house, tenant.key(operatorOf(mine)));
 
         Http.Answer foreign = http.get("/api/v1/drones/" + other.id() + below);
         Http.Answer absent = http.get("/api/v1/drones/nosuchdrone" + below);
@@ -116,7 +109,7 @@ class AccessKeysTest {
 
     @Test
     void sendNothingToOtherDrones() {
-        String key = house.key(operatorOf(mine));
+        String key = tenant.key(operatorOf(mine));
 
         Http.Answer foreign =
                 new Http(house, key).post("/api/v1/drones/" + other.id() + "/commands", "{\"type\":\"arm\"}");
@@ -129,12 +122,12 @@ class AccessKeysTest {
 
     @Test
     void doNotTellOfCommandsToOtherDrones() {
-        Http all = new Http(house, house.key(Role.OPERATOR));
+        Http all = tenant.http(Role.OPERATOR);
         String command = all.post("/api/v1/drones/" + other.id() + "/commands?wait=10", "{\"type\":\"arm\"}")
                 .text("id");
 
         assertThat(all.get("/api/v1/commands/" + command).status()).isEqualTo(200);
-        assertThat(new Http(house, house.key(operatorOf(mine)))
+        assertThat(new Http(house, tenant.key(operatorOf(mine)))
                         .get("/api/v1/commands/" + command)
                         .text("detail"))
                 .isEqualTo("There is no command " + command + ".");
@@ -143,7 +136,7 @@ class AccessKeysTest {
     @Test
     void doNothingThatConcernsAllDronesWhenTheyAreForSome() {
         KeyScope scope = new KeyScope(Set.of(new DroneId(mine.id())), EnumSet.allOf(Permission.class));
-        Http http = new Http(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
+        Http http = new Http(house, tenant.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
 
         for (String path :
                 List.of("/api/v1/users", "/api/v1/endpoints", "/api/v1/traffic", "/api/v1/replays", "/metrics")) {
@@ -158,9 +151,9 @@ class AccessKeysTest {
     @Test
     void doOnlyTheOperationsThatTheyAreFor() {
         String path = "/api/v1/drones/" + mine.id() + "/commands?wait=10";
-        Http viewing = new Http(house, house.key(operator(Permission.VIEW)));
-        Http planning = new Http(house, house.key(operator(Permission.PLAN)));
-        Http commanding = new Http(house, house.key(operator(Permission.COMMAND)));
+        Http viewing = new Http(house, tenant.key(operator(Permission.VIEW)));
+        Http planning = new Http(house, tenant.key(operator(Permission.PLAN)));
+        Http commanding = new Http(house, tenant.key(operator(Permission.COMMAND)));
 
         assertThat(viewing.get("/api/v1/drones").status()).isEqualTo(200);
         assertThat(viewing.post(path, "{\"type\":\"arm\"}").text("detail"))
@@ -180,18 +173,18 @@ class AccessKeysTest {
     @Test
     void endByThemselvesOnOpenStreamsToo() {
         KeyRights over = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().minusSeconds(1));
-        assertThat(new Http(house, house.key(over)).get("/api/v1/drones").status())
+        assertThat(new Http(house, tenant.key(over)).get("/api/v1/drones").status())
                 .isEqualTo(401);
 
         KeyRights soon = new KeyRights(Role.VIEWER, KeyScope.ALL, Instant.now().plusSeconds(3));
-        try (StreamListener stream = StreamListener.withKey(house, house.key(soon))) {
+        try (StreamListener stream = StreamListener.withKey(house, tenant.key(soon))) {
             assertThat(stream.awaitClose()).startsWith("This session has ended");
         }
     }
 
     @Test
     void makeOthersThatStayWithinThemAndGoWithThem() {
-        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http user = tenant.http(Role.OPERATOR);
         Http.Answer parent = user.post(
                 "/api/v1/access-keys",
                 "{\"label\":\"parent\",\"operations\":[\"command\"],\"drones\":[\"" + mine.id() + "\"],\"days\":2}");
@@ -219,7 +212,7 @@ class AccessKeysTest {
 
     @Test
     void flyOnlyInTheirAreaAndHeights() {
-        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http user = tenant.http(Role.OPERATOR);
         Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"field\"," + circle(500) + ",\"ceiling\":60}");
         Http http = new Http(house, made.text("key"));
         String path = "/api/v1/drones/" + mine.id() + "/commands?wait=10";
@@ -240,7 +233,7 @@ class AccessKeysTest {
 
     @Test
     void makeOthersOnlyWithinTheirAreaAndHeights() {
-        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http user = tenant.http(Role.OPERATOR);
         Http byParent = new Http(
                 house,
                 user.post(
@@ -271,6 +264,7 @@ class AccessKeysTest {
     void doNothingBeyondLookingWhereTheirAreaDoesNotCount() {
         KeyScope scope =
                 KeyScope.ALL.boundedBy(new Bounds(null, new AltitudeBand(null, 60.0, Altitude.Reference.HOME)));
+        // Of those who run the server, to whom metrics are open.
         Http http = new Http(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
 
         assertThat(http.get("/api/v1/users").text("detail"))
@@ -283,7 +277,7 @@ class AccessKeysTest {
 
     @Test
     void areRenewedWithTheSameRights() {
-        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http user = tenant.http(Role.OPERATOR);
         Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\",\"operations\":[\"view\"]}");
         try (StreamListener stream = StreamListener.withKey(house, made.text("key"))) {
             stream.await(message -> message.path("type").asString().equals("drones"));
@@ -302,7 +296,7 @@ class AccessKeysTest {
 
     @Test
     void sayWhenTheyWereLastUsed() {
-        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http user = tenant.http(Role.OPERATOR);
         Http.Answer made = user.post("/api/v1/access-keys", "{\"label\":\"script\"}");
         assertThat(made.json().path("lastUsedAt").isNull()).isTrue();
 
@@ -320,7 +314,7 @@ class AccessKeysTest {
 
     @Test
     void areAskedForInWordsThatAreChecked() {
-        Http user = new Http(house, house.key(Role.OPERATOR));
+        Http user = tenant.http(Role.OPERATOR);
 
         assertThat(user.post("/api/v1/access-keys", "{\"label\":\"x\",\"operations\":[\"fly\"]}")
                         .text("allowed"))

@@ -2,15 +2,13 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
@@ -19,21 +17,13 @@ import tools.jackson.databind.JsonNode;
 class ApiDescriptionTest {
     private static final Set<String> METHODS = Set.of("get", "post", "put", "patch", "delete");
 
-    @TempDir
-    static Path data;
-
     private static TestHouse house;
     private static JsonNode description;
 
     @BeforeAll
     static void open() {
-        house = new TestHouse(data, false);
+        house = SharedServer.get();
         description = new Http(house, "").get("/api/openapi.json").json();
-    }
-
-    @AfterAll
-    static void close() {
-        house.close();
     }
 
     /** Schemas go by the names of classes: two of one name would be one schema. */

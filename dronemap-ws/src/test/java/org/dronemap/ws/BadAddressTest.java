@@ -6,31 +6,21 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Addresses that lead nowhere, or are none, are answered with a problem as everything else is. */
 class BadAddressTest {
-    @TempDir
-    static Path data;
-
     private static TestHouse house;
 
     @BeforeAll
     static void open() {
-        house = new TestHouse(data, false);
-    }
-
-    @AfterAll
-    static void close() {
-        house.close();
+        house = SharedServer.get();
     }
 
     @ParameterizedTest

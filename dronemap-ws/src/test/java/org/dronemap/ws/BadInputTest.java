@@ -3,7 +3,6 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
@@ -11,16 +10,16 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.MAVLinkController;
 import org.dronemap.ws.soap.SoapWaypoint;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -29,22 +28,19 @@ import tools.jackson.databind.JsonNode;
 /** What is wrong is said the same way in REST, SOAP and the stream, and never reaches the vehicle. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class BadInputTest {
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle vehicle;
     private String operatorKey;
     private Http operator;
 
     @BeforeAll
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15680);
-        operatorKey = house.key(Role.OPERATOR);
+    void open() {
+        vehicle = tenant.vehicle();
+        operatorKey = tenant.key(Role.OPERATOR);
         operator = new Http(house, operatorKey);
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
     }
 
     @AfterEach
@@ -185,7 +181,7 @@ class BadInputTest {
 
     @Test
     void letsAViewerLookButNotArm() {
-        String key = house.key(Role.VIEWER);
+        String key = tenant.key(Role.VIEWER);
         Http viewer = new Http(house, key);
 
         Http.Answer look = viewer.get("/api/v1/drones/" + vehicle.id());

@@ -2,7 +2,6 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.access.Role;
@@ -10,40 +9,38 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 class BroadcastTest {
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
+    private final String id = tenant.unique("one-for-all");
     private ScriptedVehicle willing;
     private ScriptedVehicle unwilling;
     private ScriptedVehicle silent;
     private Http operator;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        willing = ScriptedVehicle.connect(house.cloud(), 15_901);
-        unwilling = ScriptedVehicle.connect(house.cloud(), 15_902);
+    void open() {
+        willing = tenant.vehicle();
+        unwilling = tenant.vehicle();
         unwilling.ends(command -> new Outcome.Refused("vehicle", "PreArm: compass 7 not healthy"));
-        silent = ScriptedVehicle.connect(house.cloud(), 15_903);
+        silent = tenant.vehicle();
         silent.ends(command -> new Outcome.TimedOut("No answer from the vehicle within 8 s (9 tries)."));
-        operator = new Http(house, house.key(Role.OPERATOR));
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+        operator = tenant.http(Role.OPERATOR);
     }
 
     private Http.Answer arm(String drones) {
         return operator.post(
                 "/api/v1/commands?wait=30",
-                "{\"id\":\"one-for-all\",\"drones\":" + drones + ",\"command\":{\"type\":\"arm\"}}");
+                "{\"id\":\"" + id + "\",\"drones\":" + drones + ",\"command\":{\"type\":\"arm\"}}");
     }
 
     private static List<String> results(Http.Answer answer) {

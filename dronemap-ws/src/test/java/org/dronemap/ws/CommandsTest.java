@@ -3,7 +3,6 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
@@ -21,36 +20,34 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.SoapOutcome;
 import org.dronemap.ws.soap.SoapWaypoint;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 class CommandsTest {
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
+    private final String sameId = tenant.unique("the-same-id");
     private ScriptedVehicle vehicle;
     private String key;
     private Http operator;
     private String commands;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15681);
-        key = house.key(Role.OPERATOR);
+    void open() {
+        vehicle = tenant.vehicle();
+        key = tenant.key(Role.OPERATOR);
         operator = new Http(house, key);
         commands = "/api/v1/drones/" + vehicle.id() + "/commands";
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
     }
 
     @Test
@@ -67,7 +64,7 @@ class CommandsTest {
 
     @Test
     void actsOnceWhenTheSameIdComesTwice() {
-        String body = "{\"type\":\"arm\",\"id\":\"the-same-id\"}";
+        String body = "{\"type\":\"arm\",\"id\":\"" + sameId + "\"}";
         Http.Answer first = operator.post(commands + "?wait=10", body);
         Http.Answer second = operator.post(commands + "?wait=10", body);
 
@@ -77,8 +74,9 @@ class CommandsTest {
 
     @Test
     void refusesAnIdThatBelongsToAnotherCommand() {
-        operator.post(commands + "?wait=10", "{\"type\":\"arm\",\"id\":\"the-same-id\"}");
-        Http.Answer other = operator.post(commands, "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"the-same-id\"}");
+        operator.post(commands + "?wait=10", "{\"type\":\"arm\",\"id\":\"" + sameId + "\"}");
+        Http.Answer other =
+                operator.post(commands, "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"" + sameId + "\"}");
 
         assertThat(other.status()).isEqualTo(409);
         assertThat(other.text("detail")).contains("belongs to another command");

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.FlightPhase;
@@ -13,20 +12,23 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.MAVLinkController;
 import org.dronemap.ws.soap.SoapControl;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** Who commands a drone, through the faces. */
 class ControlTest {
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle vehicle;
     private String annsKey;
     private Http ann;
@@ -38,22 +40,16 @@ class ControlTest {
     private String commands;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15691);
-        annsKey = house.key(Role.OPERATOR);
+    void open() {
+        vehicle = tenant.vehicle();
+        annsKey = tenant.key(Role.OPERATOR);
         ann = new Http(house, annsKey);
-        bob = new Http(house, house.key(Role.OPERATOR));
-        supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        bob = tenant.http(Role.OPERATOR);
+        supervisor = tenant.http(Role.SUPERVISOR);
         control = "/api/v1/drones/" + vehicle.id() + "/control";
         commands = "/api/v1/drones/" + vehicle.id() + "/commands";
         annsName = nameOf(ann);
         bobsName = nameOf(bob);
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
     }
 
     @Test
@@ -129,19 +125,16 @@ class ControlTest {
     @Test
     void givesControlToNobodyWhoMayNotCommand() {
         ann.post(control + "/take", "{}");
-        String viewer = nameOf(new Http(house, house.key(Role.VIEWER)));
+        String viewer = nameOf(tenant.http(Role.VIEWER));
 
         for (String user : new String[] {viewer, "nobody at all"}) {
             Http.Answer refused = ann.post(control + "/hand-over", user(user));
             assertThat(refused.status()).isEqualTo(422);
             assertThat(refused.text("allowed")).isEqualTo("a user who may command drones");
         }
-        assertThat(new Http(house, house.key(Role.PLANNER))
-                        .post(control + "/take", "{}")
-                        .status())
+        assertThat(tenant.http(Role.PLANNER).post(control + "/take", "{}").status())
                 .isEqualTo(403);
-        assertThat(new Http(house, house.key(Role.REPORTER)).get(control).status())
-                .isEqualTo(403);
+        assertThat(tenant.http(Role.REPORTER).get(control).status()).isEqualTo(403);
         assertThat(ann.get("/api/v1/drones/nothing/control").status()).isEqualTo(404);
     }
 
@@ -205,7 +198,7 @@ class ControlTest {
     @Test
     void takesControlFromAUserWhoMayCommandNoMore() {
         ann.post(control + "/take", "{}");
-        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        Http administrator = tenant.http(Role.ADMINISTRATOR);
 
         administrator.send("/api/v1/users/" + annsName, HttpRequest.Builder::DELETE);
 

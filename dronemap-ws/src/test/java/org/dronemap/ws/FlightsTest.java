@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.StringReader;
 import java.net.http.HttpRequest;
 import java.nio.ByteBuffer;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -18,7 +17,6 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -26,16 +24,16 @@ import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.MAVLinkController;
 import org.dronemap.ws.soap.SoapFlight;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 import org.xml.sax.InputSource;
 import tools.jackson.databind.JsonNode;
@@ -50,7 +48,10 @@ class FlightsTest {
 
     private static final String MESSAGE = "EKF <failsafe> & \"compass\"";
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Http viewer;
     private Http operator;
     private ScriptedVehicle vehicle;
@@ -58,11 +59,10 @@ class FlightsTest {
     private FrameTap wire;
 
     @BeforeAll
-    void fly(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        viewer = new Http(house, house.key(Role.VIEWER));
-        operator = new Http(house, house.key(Role.OPERATOR));
-        vehicle = ScriptedVehicle.connect(house.cloud(), 16_001);
+    void fly() {
+        viewer = tenant.http(Role.VIEWER);
+        operator = tenant.http(Role.OPERATOR);
+        vehicle = tenant.vehicle();
         wire = house.recorder().open(1);
         wire.bound(new DroneId(vehicle.id()));
         heardOnTheWire();
@@ -96,11 +96,6 @@ class FlightsTest {
     private void heardOnTheWire() {
         byte[] heartbeat = new FrameWriter(1, 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
         new FrameReader().read(ByteBuffer.wrap(heartbeat), wire::heard);
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
     }
 
     @Test
@@ -261,7 +256,7 @@ class FlightsTest {
 
     @Test
     void givesFlightsThroughSoap() throws DronemapFault {
-        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.VIEWER));
+        MAVLinkController soap = SoapClient.withKey(house, tenant.key(Role.VIEWER));
 
         SoapFlight flight = soap.getFlight(id);
         assertThat(flight.getDroneId()).isEqualTo(vehicle.id());
@@ -279,9 +274,10 @@ class FlightsTest {
 
     @Test
     void saysWhenTheStoreIsAwayAndDronesGoOn() {
+        // What is remembered of all drones is for those who run the server.
         Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
-        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.VIEWER));
-        ScriptedVehicle other = ScriptedVehicle.connect(house.cloud(), 16_002);
+        MAVLinkController soap = SoapClient.withKey(house, tenant.key(Role.VIEWER));
+        ScriptedVehicle other = tenant.vehicle();
         house.historyStores().off();
         try {
             for (String path : List.of("", "/" + id, "/" + id + "/telemetry", "/" + id + "/events", "/logbook")) {
@@ -313,7 +309,10 @@ class FlightsTest {
         assertThat(again.text("server")).isEqualTo("memory");
         assertThat(again.json().path("dropped").asLong(-1)).isZero();
         assertThat(viewer.get(PATH + "/" + id).status()).isEqualTo(200);
-        assertThat(viewer.get("/api/v1/history").status()).isEqualTo(403);
+        assertThat(new Http(house, house.key(Role.VIEWER))
+                        .get("/api/v1/history")
+                        .status())
+                .isEqualTo(403);
     }
 
     @Test
@@ -342,19 +341,19 @@ class FlightsTest {
 
     @Test
     void hidesThemFromOtherOrganisations() {
-        Http root =
-                house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR).http();
-        String others =
-                root.post("/api/v1/organisations", "{\"name\":\"Rescue\"}").text("id");
-        Http stranger = house.member(new OrganisationId(others), "stranger", Role.ADMINISTRATOR)
-                .http();
+        try (Tenant others = new Tenant()) {
+            Http stranger = others.http(Role.ADMINISTRATOR);
 
-        assertThat(stranger.get(PATH).json().path("flights").size()).isZero();
-        assertThat(stranger.get(PATH + "/" + id).status()).isEqualTo(404);
-        assertThat(stranger.get(PATH + "/" + id + "/telemetry/points").status()).isEqualTo(404);
-        assertThat(stranger.get("/api/v1/drones/" + vehicle.id() + "/telemetry").status())
-                .isEqualTo(404);
-        assertThat(stranger.get(PATH + "/logbook").raw().body().split("\r\n")).hasSize(1);
+            assertThat(stranger.get(PATH).json().path("flights").size()).isZero();
+            assertThat(stranger.get(PATH + "/" + id).status()).isEqualTo(404);
+            assertThat(stranger.get(PATH + "/" + id + "/telemetry/points").status())
+                    .isEqualTo(404);
+            assertThat(stranger.get("/api/v1/drones/" + vehicle.id() + "/telemetry")
+                            .status())
+                    .isEqualTo(404);
+            assertThat(stranger.get(PATH + "/logbook").raw().body().split("\r\n"))
+                    .hasSize(1);
+        }
     }
 
     @Test

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -15,12 +14,12 @@ import org.dronemap.ws.house.FollowStages;
 import org.dronemap.ws.house.FollowStages.Staged;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** What docs/following.md says comes of each operation at each stage does come of it, by REST and by SOAP; the stream shows it. */
 class FollowFacesTest {
@@ -31,7 +30,10 @@ class FollowFacesTest {
             "continue", "enableTracking",
             "stop", "stopTracking");
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Faces faces;
     private Http phone;
     private Http supervisor;
@@ -52,18 +54,12 @@ class FollowFacesTest {
     }
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
+    void open() {
         faces = new Faces(house);
-        phone = new Http(house, house.key(Role.OPERATOR));
-        supervisorKey = house.key(Role.SUPERVISOR);
+        phone = tenant.http(Role.OPERATOR);
+        supervisorKey = tenant.key(Role.SUPERVISOR);
         supervisor = new Http(house, supervisorKey);
-        stages = new FollowStages(house, supervisor);
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+        stages = new FollowStages(tenant, supervisor);
     }
 
     private boolean isTaken(Case one) {

@@ -3,7 +3,6 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
@@ -12,23 +11,21 @@ import java.util.function.Predicate;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.Replay;
-import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** A drone that runs low is replaced by one of the warehouse, and each face shows it. */
@@ -42,30 +39,25 @@ class FollowReliefsTest {
     /** What is left is too little to wait for another one. */
     private static final int LOW = 24;
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Faces faces;
     private Member mia;
     private Http supervisor;
     private WillingCopter falcon;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
+    void open() {
         faces = new Faces(house);
-        mia = house.member(OrganisationId.HOME, "mia", Role.OPERATOR);
-        supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        mia = tenant.member("mia", Role.OPERATOR);
+        supervisor = tenant.http(Role.SUPERVISOR);
         falcon = copter("Falcon", HOME);
     }
 
-    @AfterEach
-    void close() {
-        house.close();
-    }
-
     private WillingCopter copter(String name, Geodetic stand) {
-        WillingCopter copter = new WillingCopter(
-                        house.cloud(), new DroneKey("10.9.8.7", 15_300 + house.number(), 1), name, stand)
-                .wellHeard(house.cloud());
+        WillingCopter copter = tenant.copter(name, stand).wellHeard(house.cloud());
         Http.Answer waits = supervisor.send(
                 "/api/v1/warehouse/" + copter.id(),
                 request -> request.header("Content-Type", "application/json")

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -14,27 +13,29 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.Tenure;
-import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.FollowStages;
 import org.dronemap.ws.house.FollowStages.Staged;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A drone is taken from its follow at each stage, or whoever asked loses the right to it: each face shows what docs/following.md
  * says, and somebody looks after the drone.
  */
 class FollowTakenTest {
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Faces faces;
     private Member root;
     private Member supervisor;
@@ -76,17 +77,11 @@ class FollowTakenTest {
     }
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
+    void open() {
         faces = new Faces(house);
-        root = house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR);
-        supervisor = house.member(OrganisationId.HOME, "sue", Role.SUPERVISOR);
-        stages = new FollowStages(house, supervisor.http());
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+        root = tenant.member("root", Role.ADMINISTRATOR);
+        supervisor = tenant.member("sue", Role.SUPERVISOR);
+        stages = new FollowStages(tenant, supervisor.http());
     }
 
     @Test
@@ -98,7 +93,7 @@ class FollowTakenTest {
                 if (!deed.isPossible(stage)) {
                     continue;
                 }
-                Member owner = house.member(OrganisationId.HOME, "owner" + house.number(), Role.OPERATOR);
+                Member owner = tenant.member("owner", Role.OPERATOR);
                 String next = deed.does(stage) && !deed.row.isEmpty()
                         ? table.get(stage).get(deed.row)
                         : stage;

@@ -3,7 +3,6 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,26 +11,23 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.Replay;
-import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** A phone asks to be followed, by REST. */
@@ -41,7 +37,10 @@ class FollowsTest {
     private static final Geodetic PHONE = new Geodetic(47.3980, 8.5456);
     private static final String HERE = "\"latitude\":47.3980,\"longitude\":8.5456";
 
-    private static TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private final List<String> waiting = new ArrayList<>();
     private List<String> keys;
     private Http phone;
@@ -49,19 +48,9 @@ class FollowsTest {
     private WillingCopter falcon;
     private String name;
 
-    @BeforeAll
-    static void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-    }
-
-    @AfterAll
-    static void close() {
-        house.close();
-    }
-
     @BeforeEach
     void begin() {
-        keys = List.of(house.key(Role.OPERATOR), house.key(Role.SUPERVISOR));
+        keys = List.of(tenant.key(Role.OPERATOR), tenant.key(Role.SUPERVISOR));
         phone = new Http(house, keys.get(0));
         supervisor = new Http(house, keys.get(1));
         name = "Falcon " + house.number();
@@ -75,9 +64,7 @@ class FollowsTest {
     }
 
     private WillingCopter copter(String name, Geodetic stand) {
-        WillingCopter copter = new WillingCopter(
-                        house.cloud(), new DroneKey("10.9.8.7", 14_700 + house.number(), 1), name, stand)
-                .wellHeard(house.cloud());
+        WillingCopter copter = tenant.copter(name, stand).wellHeard(house.cloud());
         waiting.add(copter.id());
         Http.Answer waiting = supervisor.send(
                 "/api/v1/warehouse/" + copter.id(),
@@ -340,8 +327,8 @@ class FollowsTest {
         assertThat(phone.get(follow).raw().body()).contains(wind);
         assertThat(phone.post(follow + "/cancel", "").status()).isLessThan(300);
 
-        Member guest = house.member(OrganisationId.HOME, "guest" + house.number(), Role.OPERATOR);
-        Http root = new Http(house, house.key(Role.ADMINISTRATOR));
+        Member guest = tenant.member("guest", Role.OPERATOR);
+        Http root = tenant.http(Role.ADMINISTRATOR);
         Http.Answer only = root.send(
                 "/api/v1/users/" + guest.name() + "/only-granted",
                 request -> request.header("Content-Type", "application/json")

@@ -3,32 +3,29 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.event.DroneEvent;
-import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
-/** What administrators do with grants, groups, fleets and organisations, and when that takes effect. */
+/** What administrators do with grants, groups and fleets, and when that takes effect. */
 class GrantsTest {
-    @TempDir
-    private Path data;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
 
-    private TestHouse house;
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle one;
     private ScriptedVehicle two;
     private Member root;
@@ -36,36 +33,30 @@ class GrantsTest {
 
     @BeforeEach
     void open() {
-        house = new TestHouse(data, false);
-        one = ScriptedVehicle.connect(house.cloud(), 15831);
-        two = ScriptedVehicle.connect(house.cloud(), 15832);
-        root = house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR);
-        ann = house.member(OrganisationId.HOME, "ann", Role.OPERATOR);
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+        one = tenant.vehicle();
+        two = tenant.vehicle();
+        root = tenant.member("root", Role.ADMINISTRATOR);
+        ann = tenant.member("ann", Role.OPERATOR);
     }
 
     @Test
     void showEverybodyAllDronesUntilSomebodySeesOnlyWhatWasGranted() {
         assertThat(drones(ann)).containsExactlyInAnyOrder(one.id(), two.id());
-        onlyGranted("users/ann", true);
+        onlyGranted("users/" + ann.name(), true);
         assertThat(drones(ann)).isEmpty();
-        assertThat(isListedAsBound("ann")).isTrue();
-        assertThat(isListedAsBound("root")).isFalse();
-        grant("\"user\":\"ann\",\"drones\":[\"" + one.id() + "\"]", "command");
+        assertThat(isListedAsBound(ann.name())).isTrue();
+        assertThat(isListedAsBound(root.name())).isFalse();
+        grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + one.id() + "\"]", "command");
         assertThat(drones(ann)).containsExactly(one.id());
-        onlyGranted("users/ann", false);
+        onlyGranted("users/" + ann.name(), false);
         assertThat(drones(ann)).containsExactlyInAnyOrder(one.id(), two.id());
     }
 
     @Test
     void takeADroneFromAnOpenStreamAndLeaveTheOther() {
-        onlyGranted("users/ann", true);
-        grant("\"user\":\"ann\",\"drones\":[\"" + two.id() + "\"]", "view");
-        String taken = grant("\"user\":\"ann\",\"drones\":[\"" + one.id() + "\"]", "command");
+        onlyGranted("users/" + ann.name(), true);
+        grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + two.id() + "\"]", "view");
+        String taken = grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + one.id() + "\"]", "command");
         try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
             stream.await(message ->
                     isType(message, "drones") && message.path("drones").size() == 2);
@@ -89,10 +80,10 @@ class GrantsTest {
     @Test
     @Tag("soak")
     void takeADroneFromAnOpenStreamWithinASecond() {
-        onlyGranted("users/ann", true);
+        onlyGranted("users/" + ann.name(), true);
         Duration longest = Duration.ZERO;
         for (int round = 0; round < 50; round++) {
-            String taken = grant("\"user\":\"ann\",\"drones\":[\"" + one.id() + "\"]", "view");
+            String taken = grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + one.id() + "\"]", "view");
             try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
                 stream.await(message ->
                         isType(message, "drones") && message.path("drones").size() == 1);
@@ -109,9 +100,9 @@ class GrantsTest {
 
     @Test
     void endOnAnOpenStreamWhenTheirTimeIsOver() {
-        onlyGranted("users/ann", true);
-        String until = Instant.now().plus(Duration.ofHours(1)).toString();
-        grant("\"user\":\"ann\",\"all\":true,\"until\":\"" + until + "\"", "command");
+        onlyGranted("users/" + ann.name(), true);
+        String until = house.clock().instant().plus(Duration.ofHours(1)).toString();
+        grant("\"user\":\"" + ann.name() + "\",\"all\":true,\"until\":\"" + until + "\"", "command");
         try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
             stream.await(message ->
                     isType(message, "drones") && message.path("drones").size() == 2);
@@ -128,9 +119,9 @@ class GrantsTest {
 
     @Test
     void beginOnAnOpenStreamWhenTheirTimeHasCome() {
-        onlyGranted("users/ann", true);
-        String from = Instant.now().plus(Duration.ofHours(1)).toString();
-        grant("\"user\":\"ann\",\"drones\":[\"" + one.id() + "\"],\"from\":\"" + from + "\"", "view");
+        onlyGranted("users/" + ann.name(), true);
+        String from = house.clock().instant().plus(Duration.ofHours(1)).toString();
+        grant("\"user\":\"" + ann.name() + "\",\"drones\":[\"" + one.id() + "\"],\"from\":\"" + from + "\"", "view");
         try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
             stream.await(message ->
                     isType(message, "drones") && message.path("drones").isEmpty());
@@ -150,9 +141,9 @@ class GrantsTest {
 
     @Test
     void greyTheButtonsOfAnOpenStreamWhenOnlyLookingIsLeft() {
-        onlyGranted("users/ann", true);
-        grant("\"user\":\"ann\",\"all\":true", "view");
-        String taken = grant("\"user\":\"ann\",\"all\":true", "command");
+        onlyGranted("users/" + ann.name(), true);
+        grant("\"user\":\"" + ann.name() + "\",\"all\":true", "view");
+        String taken = grant("\"user\":\"" + ann.name() + "\",\"all\":true", "command");
         try (StreamListener stream = StreamListener.withKey(house, ann.key())) {
             stream.await(message -> isType(message, "drones"));
 
@@ -169,8 +160,8 @@ class GrantsTest {
 
     @Test
     void takeControlFromWhoMayNoLongerCommand() {
-        onlyGranted("users/ann", true);
-        String taken = grant("\"user\":\"ann\",\"all\":true", "command");
+        onlyGranted("users/" + ann.name(), true);
+        String taken = grant("\"user\":\"" + ann.name() + "\",\"all\":true", "command");
         assertThat(ann.http()
                         .post("/api/v1/drones/" + one.id() + "/control/take", "")
                         .status())
@@ -187,9 +178,9 @@ class GrantsTest {
 
     @Test
     void takeControlWhenTheirTimeIsOver() {
-        onlyGranted("users/ann", true);
-        String until = Instant.now().plus(Duration.ofHours(1)).toString();
-        grant("\"user\":\"ann\",\"all\":true,\"until\":\"" + until + "\"", "command");
+        onlyGranted("users/" + ann.name(), true);
+        String until = house.clock().instant().plus(Duration.ofHours(1)).toString();
+        grant("\"user\":\"" + ann.name() + "\",\"all\":true,\"until\":\"" + until + "\"", "command");
         ann.http().post("/api/v1/drones/" + one.id() + "/control/take", "");
         assertThat(control(one)).isEqualTo("held");
         try (StreamListener stream = StreamListener.withKey(house, root.key())) {
@@ -207,126 +198,45 @@ class GrantsTest {
 
     @Test
     void goWithTheUser() {
-        onlyGranted("users/ann", true);
-        grant("\"user\":\"ann\",\"all\":true", "view");
-        assertThat(delete("/api/v1/users/ann")).isEqualTo(204);
+        onlyGranted("users/" + ann.name(), true);
+        grant("\"user\":\"" + ann.name() + "\",\"all\":true", "view");
+        assertThat(delete("/api/v1/users/" + ann.name())).isEqualTo(204);
         assertThat(root.http().get("/api/v1/grants").json().path("grants")).isEmpty();
     }
 
     @Test
     void keepAdministratorsFromShuttingThemselvesOut() {
-        assertThat(put("/api/v1/users/root/only-granted", "{\"onlyGranted\":true}"))
+        assertThat(put("/api/v1/users/" + root.name() + "/only-granted", "{\"onlyGranted\":true}"))
                 .isEqualTo(409);
         String crew = root.http()
-                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"ann\"]}")
+                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"" + ann.name() + "\"]}")
                 .text("id");
         onlyGranted("groups/" + crew, true);
-        assertThat(put("/api/v1/groups/" + crew, "{\"name\":\"Crew\",\"members\":[\"ann\",\"root\"]}"))
+        assertThat(put(
+                        "/api/v1/groups/" + crew,
+                        "{\"name\":\"Crew\",\"members\":[\"" + ann.name() + "\",\"" + root.name() + "\"]}"))
                 .isEqualTo(409);
     }
 
     @Test
     void sayWhatIsWrongWithAGrant() {
-        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true}")).isEqualTo("operations");
-        assertThat(refusedFor("{\"user\":\"ann\",\"operations\":[\"view\"]}")).isEqualTo("drones");
-        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true,\"fleet\":\"x\",\"operations\":[\"view\"]}"))
+        assertThat(refusedFor("{\"user\":\"" + ann.name() + "\",\"all\":true}")).isEqualTo("operations");
+        assertThat(refusedFor("{\"user\":\"" + ann.name() + "\",\"operations\":[\"view\"]}"))
+                .isEqualTo("drones");
+        assertThat(refusedFor(
+                        "{\"user\":\"" + ann.name() + "\",\"all\":true,\"fleet\":\"x\",\"operations\":[\"view\"]}"))
                 .isEqualTo("drones");
         assertThat(refusedFor("{\"all\":true,\"operations\":[\"view\"]}")).isEqualTo("user");
         assertThat(refusedFor("{\"user\":\"nobody\",\"all\":true,\"operations\":[\"view\"]}"))
                 .isEqualTo("user");
-        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true,\"operations\":[\"fly\"]}"))
+        assertThat(refusedFor("{\"user\":\"" + ann.name() + "\",\"all\":true,\"operations\":[\"fly\"]}"))
                 .isEqualTo("operations");
-        assertThat(refusedFor(
-                        "{\"user\":\"ann\",\"all\":true,\"operations\":[\"view\"],\"until\":\"2020-01-01T00:00:00Z\"}"))
+        assertThat(refusedFor("{\"user\":\"" + ann.name()
+                        + "\",\"all\":true,\"operations\":[\"view\"],\"until\":\"2020-01-01T00:00:00Z\"}"))
                 .isEqualTo("until");
-        assertThat(refusedFor("{\"user\":\"ann\",\"all\":true,\"operations\":[\"view\"],\"from\":\"soon\"}"))
+        assertThat(refusedFor(
+                        "{\"user\":\"" + ann.name() + "\",\"all\":true,\"operations\":[\"view\"],\"from\":\"soon\"}"))
                 .isEqualTo("from");
-    }
-
-    @Test
-    void letAnOrganisationBeginByAnInvitation() {
-        String rescue = root.http()
-                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
-                .text("id");
-        String code = root.http()
-                .post(
-                        "/api/v1/invitations",
-                        "{\"label\":\"Bea\",\"role\":\"administrator\",\"organisation\":\"" + rescue + "\"}")
-                .text("code");
-        new Http(house, "")
-                .post(
-                        "/api/v1/registrations",
-                        "{\"name\":\"bea\",\"password\":\"a-long-password\",\"invitation\":\"" + code + "\"}");
-        assertThat(put("/api/v1/organisations/" + rescue + "/drones/" + one.id(), ""))
-                .isEqualTo(204);
-
-        assertThat(drones(root)).containsExactly(two.id());
-        JsonNode organisation = root.http()
-                .get("/api/v1/organisations")
-                .json()
-                .path("organisations")
-                .path(1);
-        assertThat(organisation.path("users").asInt()).isEqualTo(1);
-        assertThat(organisation.path("drones").asInt()).isEqualTo(1);
-        assertThat(root.http().get("/api/v1/users").json().toString()).doesNotContain("bea");
-        assertThat(delete("/api/v1/organisations/" + rescue)).isEqualTo(409);
-    }
-
-    @Test
-    void letNobodyInviteIntoAnotherOrganisationWhoDoesNotRunTheServer() {
-        String rescue = root.http()
-                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
-                .text("id");
-        Member bea = house.member(new OrganisationId(rescue), "bea", Role.ADMINISTRATOR);
-
-        for (String organisation : List.of(OrganisationId.HOME.value(), "nosuchorganisation")) {
-            String body = "{\"label\":\"Eve\",\"role\":\"administrator\",\"organisation\":\"" + organisation + "\"}";
-            assertThat(bea.http().post("/api/v1/invitations", body).status()).isEqualTo(403);
-        }
-        String own = "{\"label\":\"Cleo\",\"role\":\"viewer\"}";
-        assertThat(bea.http().post("/api/v1/invitations", own).status()).isEqualTo(201);
-    }
-
-    @Test
-    void bindOtherOrganisationsByZonesOfTheServerAndNotByThoseOfEachOther() {
-        String rescue = root.http()
-                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
-                .text("id");
-        Member bea = house.member(new OrganisationId(rescue), "bea", Role.SUPERVISOR);
-        put("/api/v1/organisations/" + rescue + "/drones/" + two.id(), "");
-        String theirs = zone(bea, "theirs");
-        assertThat(mayGo(ann, one)).isTrue();
-        assertThat(mayGo(bea, two)).isFalse();
-        bea.http().send("/api/v1/zones/" + theirs, HttpRequest.Builder::DELETE);
-        assertThat(mayGo(bea, two)).isTrue();
-        String everybodys = zone(root, "airport");
-        assertThat(mayGo(ann, one)).isFalse();
-        assertThat(mayGo(bea, two)).isFalse();
-        assertThat(bea.http().get("/api/v1/zones/" + everybodys).status()).isEqualTo(200);
-        assertThat(bea.http()
-                        .send("/api/v1/zones/" + everybodys, HttpRequest.Builder::DELETE)
-                        .status())
-                .isEqualTo(403);
-    }
-
-    private static String zone(Member by, String name) {
-        return by.http()
-                .post(
-                        "/api/v1/zones",
-                        "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[8.55,47.41]},"
-                                + "\"properties\":{\"name\":\"" + name + "\",\"kind\":\"exclusion\",\"radius\":300}}")
-                .text("id");
-    }
-
-    /** Whether no zone speaks against it; the drone is disarmed, so it goes nowhere. */
-    private boolean mayGo(Member by, ScriptedVehicle drone) {
-        String detail = by.http()
-                .post(
-                        "/api/v1/drones/" + drone.id() + "/commands",
-                        "{\"type\":\"uploadMission\",\"items\":[{\"type\":\"waypoint\",\"latitude\":47.41,"
-                                + "\"longitude\":8.55,\"altitude\":20}]}")
-                .text("detail");
-        return !detail.contains("zone");
     }
 
     private String refusedFor(String body) {

@@ -3,25 +3,23 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.List;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Groups of users and fleets of drones, and what those see who come and go. */
 class GroupsTest {
-    @TempDir
-    private Path data;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
 
-    private TestHouse house;
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle one;
     private ScriptedVehicle two;
     private Member root;
@@ -29,22 +27,16 @@ class GroupsTest {
 
     @BeforeEach
     void open() {
-        house = new TestHouse(data, false);
-        one = ScriptedVehicle.connect(house.cloud(), 15833);
-        two = ScriptedVehicle.connect(house.cloud(), 15834);
-        root = house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR);
-        ann = house.member(OrganisationId.HOME, "ann", Role.OPERATOR);
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+        one = tenant.vehicle();
+        two = tenant.vehicle();
+        root = tenant.member("root", Role.ADMINISTRATOR);
+        ann = tenant.member("ann", Role.OPERATOR);
     }
 
     @Test
     void reachThroughGroupsAndFleetsAsTheyAreNow() {
         String crew = root.http()
-                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"ann\"]}")
+                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"" + ann.name() + "\"]}")
                 .text("id");
         String fleet = root.http()
                 .post("/api/v1/fleets", "{\"name\":\"Trucks\",\"drones\":[\"" + one.id() + "\"]}")
@@ -62,7 +54,7 @@ class GroupsTest {
         put("/api/v1/groups/" + crew, "{\"name\":\"Crew\",\"members\":[]}");
         assertThat(drones(ann)).isEmpty();
 
-        bind("users/ann", false);
+        bind("users/" + ann.name(), false);
         assertThat(drones(ann)).containsExactlyInAnyOrder(one.id(), two.id());
     }
 
@@ -79,7 +71,7 @@ class GroupsTest {
     /** Sees only what was granted, which is one drone. */
     private String groupOfAnn() {
         String crew = root.http()
-                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"ann\"]}")
+                .post("/api/v1/groups", "{\"name\":\"Crew\",\"members\":[\"" + ann.name() + "\"]}")
                 .text("id");
         bind("groups/" + crew, true);
         grant("\"group\":\"" + crew + "\",\"drones\":[\"" + one.id() + "\"]");

@@ -27,8 +27,8 @@ import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -41,8 +41,6 @@ import tools.jackson.databind.JsonNode;
  */
 class HiddenDroneTest {
     private static final String PATH = "/api/v1/virtual-drones";
-    private static final DroneKey KEY = new DroneKey("10.9.8.7", 14607, 217);
-    private static final String NAME = "Falcon";
     private static final String ABSENT = "absent-thing";
     private static final String MISSION = "\"items\":[{\"type\":\"waypoint\",\"latitude\":47.398,\"longitude\":8.5456,"
             + "\"altitude\":20},{\"type\":\"waypoint\",\"latitude\":47.399,\"longitude\":8.5456,\"altitude\":20}]";
@@ -54,31 +52,36 @@ class HiddenDroneTest {
             Pattern.compile("(PUT|DELETE|POST) " + PATH + "/.*|.*/session.*|.*/access-keys/.*");
 
     private final Map<String, String> heard = new LinkedHashMap<>();
-    private TestHouse house;
-    private Faces faces;
-    private Http supervisor;
+    private static TestHouse house;
+    private static Faces faces;
+    private static Http supervisor;
+    private DroneKey key;
+    private String name;
 
-    @BeforeEach
-    void open(@TempDir Path data) {
+    @BeforeAll
+    static void open(@TempDir Path data) {
         house = new TestHouse(data, false);
         faces = new Faces(house);
         supervisor = new Http(house, house.key(Role.SUPERVISOR));
     }
 
-    @AfterEach
-    void close() {
+    @AfterAll
+    static void close() {
         house.close();
     }
 
     @ParameterizedTest
     @EnumSource(names = {"OPERATOR", "ADMINISTRATOR"})
     void isToldByNoAnswerMessageErrorOrExport(Role role) {
-        String key = house.key(role);
-        Http holder = new Http(house, key);
+        String secret = house.key(role);
+        Http holder = new Http(house, secret);
         grantVirtualDronesAlone(holder);
-        WillingCopter falcon = new WillingCopter(house.cloud(), KEY, NAME, new Geodetic(47.3977, 8.5456));
+        // Each has words of its own, that no other one is found by.
+        key = new DroneKey("10.9.8." + (7 + role.ordinal()), 14_607 + role.ordinal(), 217 + role.ordinal());
+        name = "Falcon of " + role;
+        WillingCopter falcon = new WillingCopter(house.cloud(), key, name, new Geodetic(47.3977, 8.5456));
         record(falcon);
-        try (StreamListener stream = StreamListener.withKey(house, key)) {
+        try (StreamListener stream = StreamListener.withKey(house, secret)) {
             fly(holder, falcon, stream);
             List<JsonNode> all = stream.heard();
             assertThat(all).hasSizeGreaterThan(10);
@@ -98,6 +101,11 @@ class HiddenDroneTest {
                         .raw()
                         .body();
         assertThat(tells("", known, falcon)).isTrue();
+        // Nothing of the next one is to be served by it.
+        assertThat(supervisor
+                        .send("/api/v1/warehouse/" + falcon.id(), HttpRequest.Builder::DELETE)
+                        .status())
+                .isLessThan(300);
     }
 
     private void fly(Http holder, WillingCopter falcon, StreamListener stream) {
@@ -185,10 +193,10 @@ class HiddenDroneTest {
     }
 
     /** Its id is an answer only where it was not in the question. */
-    private static boolean tells(String question, String text, WillingCopter falcon) {
-        Stream<String> whole = Stream.of(KEY.address(), String.valueOf(KEY.port()), String.valueOf(KEY.systemId()));
+    private boolean tells(String question, String text, WillingCopter falcon) {
+        Stream<String> whole = Stream.of(key.address(), String.valueOf(key.port()), String.valueOf(key.systemId()));
         boolean asked = question.endsWith(" of it") || question.startsWith("stream ");
-        return text.contains(NAME)
+        return text.contains(name)
                 || text.contains("uid-of-")
                 || whole.anyMatch(word -> isIn(word, text))
                 || (!asked && isIn(falcon.id(), text));
@@ -210,7 +218,7 @@ class HiddenDroneTest {
     private void record(WillingCopter falcon) {
         FrameTap tap = house.recorder().open(1);
         tap.bound(new DroneId(falcon.id()));
-        byte[] heartbeat = new FrameWriter(KEY.systemId(), 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
+        byte[] heartbeat = new FrameWriter(key.systemId(), 1, 2).frame(new Heartbeat(2, 3, 0x81, 4, 4, 3));
         new FrameReader().read(ByteBuffer.wrap(heartbeat), tap::heard);
         Waiting.until(
                 "it is recorded",
@@ -219,13 +227,13 @@ class HiddenDroneTest {
     }
 
     private void grantVirtualDronesAlone(Http holder) {
-        String name = holder.get("/api/v1/session").text("name");
+        String user = holder.get("/api/v1/session").text("name");
         Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
-        assertThat(put(administrator, "/api/v1/users/" + name + "/only-granted", "{\"onlyGranted\":true}")
+        assertThat(put(administrator, "/api/v1/users/" + user + "/only-granted", "{\"onlyGranted\":true}")
                         .status())
                 .isEqualTo(204);
         String operations = "[\"view\",\"plan\",\"command\",\"administer\"]";
-        String grant = "{\"user\":\"" + name + "\",\"virtual\":true,\"operations\":" + operations + "}";
+        String grant = "{\"user\":\"" + user + "\",\"virtual\":true,\"operations\":" + operations + "}";
         assertThat(administrator.post("/api/v1/grants", grant).status()).isEqualTo(201);
     }
 

@@ -16,8 +16,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
@@ -35,18 +36,15 @@ class HostileXmlTest {
     @TempDir
     private static Path data;
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Http supervisor;
 
     @BeforeAll
     void open() {
-        house = new TestHouse(data, false);
-        supervisor = new Http(house, house.key(Role.SUPERVISOR));
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
+        supervisor = tenant.http(Role.SUPERVISOR);
     }
 
     private static String soap(String inside) {

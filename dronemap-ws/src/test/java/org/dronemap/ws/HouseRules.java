@@ -41,6 +41,8 @@ final class HouseRules {
 
     static final ArchRule FLOORS_OF_CORE = layeredArchitecture()
             .consideringOnlyDependenciesInLayers()
+            .layer("time")
+            .definedBy("org.dronemap.core.time..")
             .layer("geo")
             .definedBy("org.dronemap.core.geo..")
             .layer("mission")
@@ -67,6 +69,8 @@ final class HouseRules {
             .definedBy("org.dronemap.core.conduct..")
             .layer("history")
             .definedBy("org.dronemap.core.history..")
+            .whereLayer("time")
+            .mayNotAccessAnyLayer()
             .whereLayer("conduct")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("history")

@@ -6,7 +6,6 @@ import java.io.ByteArrayInputStream;
 import java.net.URLEncoder;
 import java.net.http.HttpRequest;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -21,14 +20,13 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Injections;
 import org.dronemap.ws.house.Sample;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -51,16 +49,11 @@ class InjectionTest {
     private int places;
 
     @BeforeAll
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15_702);
+    void open() {
+        house = SharedServer.get();
+        vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         key = house.key(Role.ADMINISTRATOR);
         administrator = new Http(house, key);
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
     }
 
     /** Each place is tried with an eighth of the texts, the next place with the next eighth. */

@@ -3,34 +3,28 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
-import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 class LinkSecurityTest {
     private static final String GIVEN = "0123456789abcdef0123456789ABCDEF0123456789abcdef0123456789abcdef";
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Http administrator;
     private String drone;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        drone = "/api/v1/drones/"
-                + ScriptedVehicle.connect(house.cloud(), 15401).id();
-        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+    void open() {
+        drone = "/api/v1/drones/" + tenant.vehicle().id();
+        administrator = tenant.http(Role.ADMINISTRATOR);
     }
 
     private static Http.Answer put(Http http, String path, String body) {
@@ -42,7 +36,7 @@ class LinkSecurityTest {
 
     @Test
     void everybodyMayLookAtCountsAndPolicy() {
-        Http.Answer answer = new Http(house, house.key(Role.VIEWER)).get(drone + "/link-security");
+        Http.Answer answer = tenant.http(Role.VIEWER).get(drone + "/link-security");
 
         assertThat(answer.status()).isEqualTo(200);
         assertThat(answer.text("policy")).isEqualTo("off");
@@ -52,7 +46,7 @@ class LinkSecurityTest {
 
     @Test
     void onlyAnAdministratorTouchesKeysAndPolicy() {
-        Http operator = new Http(house, house.key(Role.OPERATOR));
+        Http operator = tenant.http(Role.OPERATOR);
 
         assertThat(operator.post(drone + "/link-key", "{}").status()).isEqualTo(403);
         assertThat(operator.post(drone + "/link-key/install", "{}").status()).isEqualTo(403);

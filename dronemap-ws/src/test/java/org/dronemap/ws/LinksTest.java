@@ -3,35 +3,25 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.HexFormat;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ListedLinks;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Endpoints, keys of vehicles and metrics over HTTP. */
 class LinksTest {
-    @TempDir
-    static Path data;
-
     private static TestHouse house;
     private static Http administrator;
 
     @BeforeAll
     static void open() {
-        house = new TestHouse(data, false);
+        house = SharedServer.get();
         administrator = new Http(house, house.key(Role.ADMINISTRATOR));
-    }
-
-    @AfterAll
-    static void close() {
-        house.close();
     }
 
     private static Http.Answer delete(Http http, String path) {
@@ -133,7 +123,8 @@ class LinksTest {
 
     @Test
     void makesTheKeyOfAKnownDroneUnderItsOwnId() {
-        String drone = ScriptedVehicle.connect(house.cloud(), 14699).id();
+        String drone =
+                ScriptedVehicle.connect(house.cloud(), 20_000 + house.number()).id();
 
         Http.Answer made = administrator.post("/api/v1/dtls-keys", "{\"drone\":\"" + drone + "\"}");
 
@@ -149,6 +140,9 @@ class LinksTest {
     void givesMetricsToAnyKeyButToNobodyWithoutOne() {
         Http viewer = new Http(house, house.key(Role.VIEWER));
 
+        int attached =
+                administrator.get("/api/v1/outlet").json().path("clients").size();
+
         Http.Answer metrics = viewer.get("/metrics");
 
         assertThat(metrics.status()).isEqualTo(200);
@@ -160,7 +154,7 @@ class LinksTest {
                 .contains("dronemap_endpoint_kernel_drops_total")
                 .contains("dronemap_vehicle_received_total{drone=\"drone-1\",session=\"127.0.0.1:14601:1\"")
                 .contains("dronemap_drones{state=\"live\"}")
-                .contains("dronemap_outlet_clients 0.0")
+                .contains("dronemap_outlet_clients " + attached + ".0")
                 .contains("dronemap_robot_refused_total{why=\"notBelieved\"} 4.0")
                 .contains("dronemap_outlet_refused_total{why=\"badSignature\"} ")
                 .contains("jvm_memory_heap_used_bytes");

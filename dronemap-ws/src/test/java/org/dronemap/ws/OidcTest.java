@@ -16,6 +16,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.StandInProvider;
 import org.dronemap.ws.house.StandInProvider.Signature;
 import org.dronemap.ws.house.TestHouse;
@@ -250,17 +251,15 @@ class OidcTest {
     }
 
     @Test
-    void tellsThePageOfTheProviderOnlyWhereThereIsOne(@TempDir Path data) {
+    void tellsThePageOfTheProviderOnlyWhereThereIsOne() {
         assertThat(nobody.get("/api/v1/registrations").text("signInWith")).isEqualTo("the stand-in");
-        try (TestHouse without = new TestHouse(data, false)) {
-            Http browser = new Http(without, "");
-            assertThat(browser.get("/api/v1/registrations")
-                            .json()
-                            .path("signInWith")
-                            .isNull())
-                    .isTrue();
-            assertThat(browser.get("/api/v1/session/oidc").status()).isEqualTo(404);
-            assertThat(browser.get(CALLBACK).status()).isEqualTo(404);
-        }
+        Http browser = new Http(SharedServer.get(), "");
+        assertThat(browser.get("/api/v1/registrations")
+                        .json()
+                        .path("signInWith")
+                        .isNull())
+                .isTrue();
+        assertThat(browser.get("/api/v1/session/oidc").status()).isEqualTo(404);
+        assertThat(browser.get(CALLBACK).status()).isEqualTo(404);
     }
 }

@@ -3,7 +3,6 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Set;
@@ -13,30 +12,21 @@ import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** One's own passphrase for the outlet. */
 class OwnOutletTest {
     private static final String PATH = "/api/v1/outlet/passphrase";
     private static final String PORTS = "/api/v1/outlet/ports";
 
-    @TempDir
-    static Path data;
-
     private static TestHouse house;
 
     @BeforeAll
     static void open() {
-        house = new TestHouse(data, false);
-    }
-
-    @AfterAll
-    static void close() {
-        house.close();
+        house = SharedServer.get();
     }
 
     private static Http.Answer set(Http who, String body) {

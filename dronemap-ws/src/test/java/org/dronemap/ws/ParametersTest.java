@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.List;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
@@ -14,32 +13,29 @@ import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 class ParametersTest {
     private static final List<Parameter> HELD = List.of(
             new Parameter("RTL_ALT", ParameterType.INT16, 1500), new Parameter("RATE_P", ParameterType.REAL32, 0.1f));
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle vehicle;
     private Http operator;
     private String path;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15682);
-        operator = new Http(house, house.key(Role.OPERATOR));
+    void open() {
+        vehicle = tenant.vehicle();
+        operator = tenant.http(Role.OPERATOR);
         path = "/api/v1/drones/" + vehicle.id() + "/parameters";
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
     }
 
     private void read() {
@@ -117,7 +113,7 @@ class ParametersTest {
     @Test
     void letsAViewerLookButNotChange() {
         read();
-        Http viewer = new Http(house, house.key(Role.VIEWER));
+        Http viewer = tenant.http(Role.VIEWER);
 
         assertThat(viewer.get(path + "?search=rtl").json().path("parameters").size())
                 .isEqualTo(1);

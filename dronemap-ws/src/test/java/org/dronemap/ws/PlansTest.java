@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,7 +11,6 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
@@ -20,6 +18,7 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
@@ -29,10 +28,9 @@ import org.dronemap.ws.soap.SoapPlan;
 import org.dronemap.ws.soap.SoapStop;
 import org.dronemap.ws.soap.SoapTour;
 import org.dronemap.ws.soap.SoapVisit;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** Waypoints shared out among several drones: asked for, looked at, accepted, started. */
@@ -42,30 +40,25 @@ class PlansTest {
     private static final double LONGITUDE = 8.5456;
     private static final int WAYPOINTS = 6;
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private String key;
     private Http operator;
     private WillingCopter falcon;
     private WillingCopter heron;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        key = house.key(Role.OPERATOR);
+    void open() {
+        key = tenant.key(Role.OPERATOR);
         operator = new Http(house, key);
-        falcon = copter(14_601, "Falcon", LONGITUDE);
-        heron = copter(14_602, "Heron", LONGITUDE + 0.0008);
+        falcon = copter("Falcon", LONGITUDE);
+        heron = copter("Heron", LONGITUDE + 0.0008);
     }
 
-    @AfterEach
-    void close() {
-        house.close();
-    }
-
-    private WillingCopter copter(int port, String name, double longitude) {
-        return new WillingCopter(
-                        house.cloud(), new DroneKey("10.9.8.7", port, 1), name, new Geodetic(LATITUDE, longitude))
-                .wellHeard(house.cloud());
+    private WillingCopter copter(String name, double longitude) {
+        return tenant.copter(name, new Geodetic(LATITUDE, longitude)).wellHeard(house.cloud());
     }
 
     /** So many waypoints in a row to the north of the drones, 30 m above home. */
@@ -173,7 +166,7 @@ class PlansTest {
 
     @Test
     void startNobodyElseOnceTheStartIsStopped() {
-        WillingCopter kestrel = copter(14_603, "Kestrel", LONGITUDE + 0.00004);
+        WillingCopter kestrel = copter("Kestrel", LONGITUDE + 0.00004);
         Http.Answer asked = operator.post(
                 PATH,
                 "{\"drones\":[\"" + falcon.id() + "\",\"" + kestrel.id() + "\"],\"seconds\":0.1,"
@@ -215,7 +208,7 @@ class PlansTest {
 
     @Test
     void leadRoundTheZonesThatBindTheDrones() {
-        Http supervisor = new Http(house, house.key(Role.SUPERVISOR));
+        Http supervisor = tenant.http(Role.SUPERVISOR);
         String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[" + LONGITUDE + ","
                 + (LATITUDE + 0.001) + "]},\"properties\":{\"name\":\"Crane\",\"kind\":\"exclusion\",\"radius\":40}}";
         assertThat(supervisor.post("/api/v1/zones", zone).status()).isEqualTo(201);
@@ -236,11 +229,11 @@ class PlansTest {
 
     @Test
     void sayWhichFactOfWhichDroneIsMissing() {
-        ScriptedVehicle stranger = ScriptedVehicle.connect(house.cloud(), 14_609);
+        ScriptedVehicle stranger = tenant.vehicle();
         Http.Answer answer = operator.post(PATH, "{\"drones\":[\"" + stranger.id() + "\"]," + waypoints(1) + "}");
 
         assertThat(answer.status()).isEqualTo(409);
-        assertThat(answer.text("detail")).isEqualTo("Where the home of “Copter 14609” is, is not known.");
+        assertThat(answer.text("detail")).isEqualTo("Where the home of “" + stranger.name() + "” is, is not known.");
     }
 
     @Test
@@ -271,7 +264,7 @@ class PlansTest {
     void belongToWhoAskedForThem() {
         String id = ask(waypoints(1) + ",\"seconds\":0.1");
         finished(id);
-        Http other = new Http(house, house.key(Role.ADMINISTRATOR));
+        Http other = tenant.http(Role.ADMINISTRATOR);
 
         Http.Answer foreign = other.get(PATH + "/" + id);
         Http.Answer absent = other.get(PATH + "/absentabsentabse");
@@ -282,7 +275,7 @@ class PlansTest {
         assertThat(delete(other, id)).isEqualTo(404);
         assertThat(other.get(PATH).json().path("plans").size()).isZero();
         assertThat(operator.get(PATH).json().path("plans").size()).isEqualTo(1);
-        Http viewer = new Http(house, house.key(Role.VIEWER));
+        Http viewer = tenant.http(Role.VIEWER);
         assertThat(viewer.post(PATH, "{}").status()).isEqualTo(403);
         Http.Answer absentDrone = operator.post(PATH, "{\"drones\":[\"nosuchdrone\"]," + waypoints(1) + "}");
         assertThat(absentDrone.text("detail")).isEqualTo("There is no drone nosuchdrone.");
@@ -290,7 +283,7 @@ class PlansTest {
 
     @Test
     void areStartedOnlyByOperators() {
-        Http planner = new Http(house, house.key(Role.PLANNER));
+        Http planner = tenant.http(Role.PLANNER);
         String id = planner.post(PATH, "{" + drones() + "," + waypoints(2) + ",\"seconds\":0.1}")
                 .text("id");
         Waiting.until(
@@ -359,7 +352,7 @@ class PlansTest {
     @Test
     void areToldOnTheStreamToWhoAskedForThem() {
         try (StreamListener mine = StreamListener.withKey(house, key);
-                StreamListener others = StreamListener.withKey(house, house.key(Role.ADMINISTRATOR))) {
+                StreamListener others = StreamListener.withKey(house, tenant.key(Role.ADMINISTRATOR))) {
             mine.await(message -> message.path("type").asString().equals("drones"));
             others.await(message -> message.path("type").asString().equals("drones"));
             String id = ask(waypoints(12) + ",\"seconds\":1");

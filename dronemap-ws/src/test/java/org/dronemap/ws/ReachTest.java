@@ -97,9 +97,11 @@ class ReachTest extends ReachTrial {
                 ours.get(role).http().post("/api/v1/zones", "{}");
                 String seenByUs = rest(ours.get(role), form, ABSENT).raw().body();
                 String seenByThem = rest(theirs.get(role), form, ABSENT).raw().body();
-                assertThat(seenByThem).contains("their-" + role).doesNotContain("our-");
-                assertThat(seenByUs).contains("our-" + role);
-                assertThat(seenByUs.contains("their-" + role)).as(form + role).isEqualTo(role == Role.ADMINISTRATOR);
+                assertThat(seenByThem).contains(foreign.word() + "-" + role).doesNotContain(own.word() + "-");
+                assertThat(seenByUs).contains(own.word() + "-" + role);
+                assertThat(seenByUs.contains(foreign.word() + "-" + role))
+                        .as(form + role)
+                        .isEqualTo(role == Role.ADMINISTRATOR);
             }
         }
     }
@@ -165,9 +167,12 @@ class ReachTest extends ReachTrial {
         bodies.put("POST /api/v1/groups users", "{\"name\":\"x\",\"members\":[\"%s\"]}");
         bodies.put("POST /api/v1/grants users", "{\"user\":\"%s\",\"all\":true,\"operations\":[\"view\"]}");
         bodies.put("POST /api/v1/grants groups", "{\"group\":\"%s\",\"all\":true,\"operations\":[\"view\"]}");
-        bodies.put("POST /api/v1/grants fleets", "{\"user\":\"our-root\",\"fleet\":\"%s\",\"operations\":[\"view\"]}");
         bodies.put(
-                "POST /api/v1/grants drones", "{\"user\":\"our-root\",\"drones\":[\"%s\"],\"operations\":[\"view\"]}");
+                "POST /api/v1/grants fleets",
+                "{\"user\":\"" + own.administrator().name() + "\",\"fleet\":\"%s\",\"operations\":[\"view\"]}");
+        bodies.put(
+                "POST /api/v1/grants drones",
+                "{\"user\":\"" + own.administrator().name() + "\",\"drones\":[\"%s\"],\"operations\":[\"view\"]}");
         bodies.put("POST /api/v1/drones/" + drone + "/control/hand-over users", "{\"user\":\"%s\"}");
         String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[10,60]},\"properties\":"
                 + "{\"name\":\"x\",\"kind\":\"exclusion\",\"radius\":50,";

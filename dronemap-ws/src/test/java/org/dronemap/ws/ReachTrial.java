@@ -3,7 +3,6 @@ package org.dronemap.ws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -18,13 +17,12 @@ import org.dronemap.ws.house.Faces;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.WhoseTable;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A house with two organisations that have one thing of each kind, somebody in each role in both, and what it takes to try
@@ -48,21 +46,20 @@ abstract class ReachTrial {
     private String foreignId;
 
     @BeforeAll
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
+    void open() {
+        house = SharedServer.get();
         faces = new Faces(house);
         whose = new WhoseTable();
-        ScriptedVehicle ourDrone = vehicle(15801);
-        ScriptedVehicle theirDrone = vehicle(15802);
-        spare = vehicle(15803);
-        Http root =
-                house.member(OrganisationId.HOME, "root", Role.ADMINISTRATOR).http();
-        foreignId = root.post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
+        ScriptedVehicle ourDrone = vehicle();
+        ScriptedVehicle theirDrone = vehicle();
+        spare = vehicle();
+        Http root = new Http(house, house.key(Role.ADMINISTRATOR));
+        foreignId = root.post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
                 .text("id");
         String given = "/api/v1/organisations/" + foreignId + "/drones/" + theirDrone.id();
         assertThat(put(root, given, "").status()).isEqualTo(204);
-        own = new Estate(house, "our", OrganisationId.HOME, ourDrone);
-        foreign = new Estate(house, "their", new OrganisationId(foreignId), theirDrone);
+        own = new Estate(house, "our" + house.number(), OrganisationId.HOME, ourDrone);
+        foreign = new Estate(house, "their" + house.number(), new OrganisationId(foreignId), theirDrone);
         for (Role role : Role.values()) {
             ours.put(role, own.member(role.name(), role));
             theirs.put(role, foreign.member(role.name(), role));
@@ -72,11 +69,6 @@ abstract class ReachTrial {
     @AfterEach
     void forgetWhatWasWrong() {
         wrong.clear();
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
     }
 
     void judge(String cell, boolean promised, Http.Answer answer) {
@@ -151,8 +143,8 @@ abstract class ReachTrial {
                         .PUT(HttpRequest.BodyPublishers.ofString(body)));
     }
 
-    ScriptedVehicle vehicle(int port) {
-        ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), port);
+    ScriptedVehicle vehicle() {
+        ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
         return vehicle;
     }

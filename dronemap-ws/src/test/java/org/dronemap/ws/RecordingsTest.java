@@ -7,7 +7,6 @@ import java.io.InputStream;
 import java.net.http.HttpRequest;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Mandate;
@@ -19,13 +18,12 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.record.LineTap;
 import org.dronemap.proxy.session.FrameTap;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Recordings over REST: listed, downloaded, played and deleted by those who may. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -37,15 +35,10 @@ class RecordingsTest {
     private Http operator;
 
     @BeforeAll
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
+    void open() {
+        house = SharedServer.get();
         viewer = new Http(house, house.key(Role.VIEWER));
         operator = new Http(house, house.key(Role.OPERATOR));
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
     }
 
     @Test
@@ -128,7 +121,7 @@ class RecordingsTest {
         Http.Answer replay = operator.post(path + "/replays", "");
         assertThat(replay.status()).isEqualTo(409);
         assertThat(replay.text("detail")).contains("cannot be played");
-        Http stranger = house.member(new OrganisationId("others"), "stranger", Role.ADMINISTRATOR)
+        Http stranger = house.member(new OrganisationId("others"), "stranger-" + house.number(), Role.ADMINISTRATOR)
                 .http();
         assertThat(stranger.get(path).status()).isEqualTo(404);
         assertThat(stranger.get(path + "/file").status()).isEqualTo(404);

@@ -2,64 +2,85 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.http.HttpRequest;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.Map;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.house.AddressedHttp;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.service.Registration;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** How people whom nobody knows yet come to an account. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class RegistrationTest {
     private static final String PASSWORD = "a word of my own";
 
     @TempDir
-    private Path data;
+    private static Path data;
+
+    /** One for each policy, for all tests. */
+    private final Map<Registration, TestHouse> servers = new EnumMap<>(Registration.class);
 
     private TestHouse house;
     private Http administrator;
     private Http nobody;
+    private AddressedHttp newcomer;
 
     private void open(Registration registration) {
-        house = new TestHouse(data, false, registration);
+        house = servers.computeIfAbsent(registration, RegistrationTest::server);
         administrator = new Http(house, house.key(Role.ADMINISTRATOR));
         nobody = new Http(house, "");
+        newcomer = new AddressedHttp(house);
     }
 
-    @AfterEach
+    private static TestHouse server(Registration policy) {
+        try {
+            return new TestHouse(Files.createDirectory(data.resolve(policy.name())), false, policy);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @AfterAll
     void close() {
-        house.close();
+        servers.values().forEach(TestHouse::close);
     }
 
     @Test
     void letsNobodyInBeforeAnAdministratorDoes() {
         open(Registration.APPROVAL);
 
-        Http.Answer asked = register("carol", null);
+        AddressedHttp.Answer asked = register("wanda", null);
 
         assertThat(asked.status()).isEqualTo(202);
         assertThat(asked.text("state")).isEqualTo("waiting");
-        Http.Answer early = signIn("carol");
+        Http.Answer early = signIn("wanda");
         assertThat(early.status()).isEqualTo(403);
         assertThat(early.text("detail")).startsWith("Your account waits until an administrator lets you in");
         assertThat(administrator.get("/api/v1/users").raw().body())
-                .contains("{\"name\":\"carol\",\"role\":\"viewer\",\"state\":\"waiting\",\"mustChangePassword\":false,"
+                .contains("{\"name\":\"wanda\",\"role\":\"viewer\",\"state\":\"waiting\",\"mustChangePassword\":false,"
                         + "\"onlyGranted\":false}");
 
         administrator.send(
-                "/api/v1/users/carol",
+                "/api/v1/users/wanda",
                 request -> request.header("Content-Type", "application/json")
                         .method(
                                 "PATCH",
                                 HttpRequest.BodyPublishers.ofString("{\"role\":\"operator\",\"state\":\"active\"}")));
 
-        Http.Answer session = signIn("carol");
+        Http.Answer session = signIn("wanda");
         assertThat(session.status()).isEqualTo(200);
         assertThat(session.text("role")).isEqualTo("operator");
     }
@@ -75,11 +96,11 @@ class RegistrationTest {
                 .contains("Dave of the fire brigade")
                 .doesNotContain(invitation.text("code"));
 
-        Http.Answer joined = register("dave", invitation.text("code"));
+        AddressedHttp.Answer joined = register("dave", invitation.text("code"));
 
         assertThat(joined.status()).isEqualTo(201);
         assertThat(signIn("dave").text("role")).isEqualTo("planner");
-        Http.Answer again = register("eve", invitation.text("code"));
+        AddressedHttp.Answer again = register("eve", invitation.text("code"));
         assertThat(again.status()).isEqualTo(422);
         assertThat(again.text("field")).isEqualTo("invitation");
         assertThat(administrator
@@ -96,7 +117,7 @@ class RegistrationTest {
         register("carol", null);
         Http.Answer invitation = invite("{\"label\":\"Carol\",\"role\":\"viewer\"}");
 
-        Http.Answer taken = register("carol", invitation.text("code"));
+        AddressedHttp.Answer taken = register("carol", invitation.text("code"));
 
         assertThat(taken.status()).isEqualTo(409);
         assertThat(taken.text("detail"))
@@ -120,10 +141,10 @@ class RegistrationTest {
     void slowsDownWhoMakesManyAccounts() {
         open(Registration.APPROVAL);
         for (int i = 0; i < 10; i++) {
-            assertThat(register("carol" + i, null).status()).isEqualTo(202);
+            assertThat(register("many-" + i, null).status()).isEqualTo(202);
         }
 
-        Http.Answer one = register("carol10", null);
+        AddressedHttp.Answer one = register("many-10", null);
 
         assertThat(one.status()).isEqualTo(429);
         assertThat(one.text("detail"))
@@ -135,11 +156,11 @@ class RegistrationTest {
         open(Registration.APPROVAL);
         Http.Answer invitation = invite("{\"label\":\"Dave\",\"role\":\"viewer\"}");
         for (int i = 0; i < 10; i++) {
-            register("carol" + i, null);
+            register("others-" + i, null);
         }
-        assertThat(register("carol10", "no code of ours").status()).isEqualTo(429);
+        assertThat(register("others-10", "no code of ours").status()).isEqualTo(429);
 
-        assertThat(register("dave", invitation.text("code")).status()).isEqualTo(201);
+        assertThat(register("invited-dave", invitation.text("code")).status()).isEqualTo(201);
     }
 
     @Test
@@ -201,9 +222,9 @@ class RegistrationTest {
         return administrator.post("/api/v1/invitations", body);
     }
 
-    private Http.Answer register(String name, @Nullable String invitation) {
+    private AddressedHttp.Answer register(String name, @Nullable String invitation) {
         String code = invitation == null ? "null" : "\"" + invitation + "\"";
-        return nobody.post(
+        return newcomer.post(
                 "/api/v1/registrations",
                 "{\"name\":\"" + name + "\",\"password\":\"" + PASSWORD + "\",\"invitation\":" + code + "}");
     }

@@ -2,7 +2,6 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -18,13 +17,12 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.RightsTable;
 import org.dronemap.ws.house.RightsTable.Caller;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.StreamListener;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** Tries all that the running server exposes as everybody, and compares with what docs/security.md says. */
@@ -53,20 +51,15 @@ class RightsTest {
     private Faces faces;
 
     @BeforeAll
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15690);
+    void open() {
+        house = SharedServer.get();
+        vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         vehicle.says(new DroneEvent.ParametersRead(List.of(new Parameter("RTL_ALT", ParameterType.INT16, 1500))));
         for (Caller caller : Caller.values()) {
             keys.put(caller, caller.key(house));
             callers.put(caller, new Http(house, keys.get(caller)));
         }
         faces = new Faces(house);
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
     }
 
     @Test

@@ -4,40 +4,30 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.SharedServer;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.MAVLinkController;
 import org.dronemap.ws.soap.SoapRobotKey;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Keys of robots over HTTP: issued once, kept as hashes, void when replaced or revoked, and each of its organisation. */
 class RobotKeysTest {
     private static final String PATH = "/api/v1/robot-keys";
-
-    @TempDir
-    static Path data;
 
     private static TestHouse house;
     private static Http administrator;
 
     @BeforeAll
     static void open() {
-        house = new TestHouse(data, false);
+        house = SharedServer.get();
         administrator = new Http(house, house.key(Role.ADMINISTRATOR));
-    }
-
-    @AfterAll
-    static void close() {
-        house.close();
     }
 
     private static int delete(Http http, String id) {
@@ -137,7 +127,7 @@ class RobotKeysTest {
     @Test
     void aRobotBelongsToTheOrganisationOfItsKeyBeforeItEverCalledIn() {
         String organisation = administrator
-                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue\"}")
+                .post("/api/v1/organisations", "{\"name\":\"Mountain rescue " + house.number() + "\"}")
                 .text("id");
         OrganisationId theirs = new OrganisationId(organisation);
         Http root = house.member(theirs, "their-root", Role.ADMINISTRATOR).http();

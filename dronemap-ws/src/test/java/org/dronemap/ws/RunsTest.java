@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -13,7 +12,6 @@ import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.Tenure;
@@ -25,6 +23,7 @@ import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.Member;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
@@ -34,10 +33,9 @@ import org.dronemap.ws.soap.SoapRun;
 import org.dronemap.ws.soap.SoapRunDrone;
 import org.dronemap.ws.soap.SoapRunWaypoint;
 import org.dronemap.ws.soap.SoapVisit;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** Plans that the cloud has several drones fly. */
@@ -46,30 +44,25 @@ class RunsTest {
     private static final double LATITUDE = 47.3977;
     private static final double LONGITUDE = 8.5456;
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private String key;
     private Http operator;
     private WillingCopter falcon;
     private WillingCopter heron;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        key = house.key(Role.OPERATOR);
+    void open() {
+        key = tenant.key(Role.OPERATOR);
         operator = new Http(house, key);
-        falcon = copter(14_601, "Falcon", LONGITUDE);
-        heron = copter(14_602, "Heron", LONGITUDE + 0.0008);
+        falcon = copter("Falcon", LONGITUDE);
+        heron = copter("Heron", LONGITUDE + 0.0008);
     }
 
-    @AfterEach
-    void close() {
-        house.close();
-    }
-
-    private WillingCopter copter(int port, String name, double longitude) {
-        return new WillingCopter(
-                        house.cloud(), new DroneKey("10.9.8.7", port, 1), name, new Geodetic(LATITUDE, longitude))
-                .wellHeard(house.cloud());
+    private WillingCopter copter(String name, double longitude) {
+        return tenant.copter(name, new Geodetic(LATITUDE, longitude)).wellHeard(house.cloud());
     }
 
     private static String waypoint(int number) {
@@ -186,7 +179,7 @@ class RunsTest {
     @Test
     void doNotBeginWhileSomebodyElseHasOneOfTheDrones() {
         String plan = planned();
-        Http another = new Http(house, house.key(Role.OPERATOR));
+        Http another = tenant.http(Role.OPERATOR);
         another.post("/api/v1/drones/" + heron.id() + "/control/take", "");
 
         Http.Answer refused = operator.post(PATH, "{\"plan\":\"" + plan + "\"}");
@@ -230,7 +223,7 @@ class RunsTest {
         String id = start("");
         String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[" + LONGITUDE + ","
                 + (LATITUDE + 0.003) + "]},\"properties\":{\"name\":\"Crane\",\"radius\":20}}";
-        new Http(house, house.key(Role.SUPERVISOR)).post("/api/v1/zones", zone);
+        tenant.http(Role.SUPERVISOR).post("/api/v1/zones", zone);
         Waiting.until(
                 "the run has heard of it",
                 () -> Optional.of(run(id).toString())
@@ -242,8 +235,9 @@ class RunsTest {
     void areThereForTheirOrganisationAlone() {
         String id = start("");
         OrganisationId others = new OrganisationId("others");
-        Http supervisor = new Http(house, house.key(Role.SUPERVISOR));
-        Http stranger = house.member(others, "stranger", Role.SUPERVISOR).http();
+        Http supervisor = tenant.http(Role.SUPERVISOR);
+        Http stranger =
+                house.member(others, tenant.unique("stranger"), Role.SUPERVISOR).http();
 
         assertThat(supervisor.get(PATH + "/" + id).status()).isEqualTo(200);
         assertThat(stranger.get(PATH + "/" + id).status()).isEqualTo(404);
@@ -299,7 +293,7 @@ class RunsTest {
 
     @Test
     void areToldOnTheStreamToWhoMaySeeThem() {
-        Member stranger = house.member(new OrganisationId("others"), "stranger", Role.SUPERVISOR);
+        Member stranger = house.member(new OrganisationId("others"), tenant.unique("stranger"), Role.SUPERVISOR);
         try (StreamListener mine = StreamListener.withKey(house, key);
                 StreamListener theirs = StreamListener.withKey(house, stranger.key())) {
             mine.await(message -> isOf(message, "drones"));

@@ -4,20 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.Method;
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.soap.MAVLinkController;
-import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -27,20 +26,17 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SoapFaultsTest {
     private static final String OF_THE_CALLER = "<faultcode>\\w+:Client</faultcode>";
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle vehicle;
     private Http operator;
 
     @BeforeAll
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15681);
-        operator = new Http(house, house.key(Role.OPERATOR));
-    }
-
-    @AfterAll
-    void close() {
-        house.close();
+    void open() {
+        vehicle = tenant.vehicle();
+        operator = tenant.http(Role.OPERATOR);
     }
 
     private static Http.Answer call(Http caller, String operation) {
@@ -165,7 +161,7 @@ class SoapFaultsTest {
     @Test
     void takesAKeyInTheHeaderBesideTheCall() {
         String envelope = "<s:Envelope xmlns:s=\"http://schemas.xmlsoap.org/soap/envelope/\""
-                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Header><w:accessKey>" + house.key(Role.VIEWER)
+                + " xmlns:w=\"http://cloud.dronemap.org/wsdl\"><s:Header><w:accessKey>" + tenant.key(Role.VIEWER)
                 + "</w:accessKey></s:Header><s:Body><w:getDrone><droneId>" + vehicle.id()
                 + "</droneId></w:getDrone></s:Body></s:Envelope>";
         Http.Answer answer = new Http(house, "")

@@ -8,7 +8,6 @@ import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
@@ -23,31 +22,28 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.ScriptedVehicle;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.stream.StreamFace;
 import org.dronemap.ws.wiring.StreamPort;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 class StreamTest {
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private ScriptedVehicle vehicle;
     private String key;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        vehicle = ScriptedVehicle.connect(house.cloud(), 15682);
-        key = house.key(Role.OPERATOR);
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+    void open() {
+        vehicle = tenant.vehicle();
+        key = tenant.key(Role.OPERATOR);
     }
 
     @Test
@@ -166,6 +162,7 @@ class StreamTest {
                 null,
                 null,
                 null);
+        Waiting.until("those of earlier tests have left", () -> clients() == 0 ? Optional.of(true) : Optional.empty());
         try (Socket deaf = new Socket();
                 StreamListener other = StreamListener.withKey(house, key)) {
             deaf.setReceiveBufferSize(1024);

@@ -20,22 +20,19 @@ import org.awaitility.Awaitility;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.OwnCertificate;
 import org.dronemap.ws.house.RawClient;
+import org.dronemap.ws.house.ServerLog;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.wiring.Settings;
 import org.dronemap.ws.wiring.StreamPort;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.MethodOrderer;
-import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
-import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.io.TempDir;
 
 /** With a certificate, page, interfaces and stream speak TLS and nothing else, and a renewed one is used without a restart. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
-@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class TlsTest {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
@@ -77,7 +74,6 @@ class TlsTest {
     }
 
     @Test
-    @Order(1)
     void serves() throws Exception {
         HttpResponse<String> answer = get("/api/v1/drones");
 
@@ -105,7 +101,6 @@ class TlsTest {
     }
 
     @Test
-    @Order(2)
     void marksTheSessionForEncryptedConnectionsOnly() throws Exception {
         String password =
                 Files.readString(data.resolve("first-password.txt")).strip().split(" ", 2)[1];
@@ -124,7 +119,6 @@ class TlsTest {
     }
 
     @Test
-    @Order(3)
     void tellsNothingToWhoDoesNotEncrypt() {
         for (int port : new int[] {house.httpPort(), streamPort()}) {
             try (RawClient plain = new RawClient(port)) {
@@ -135,7 +129,6 @@ class TlsTest {
     }
 
     @Test
-    @Order(4)
     void usesARenewedCertificateWithoutARestart() throws Exception {
         X509Certificate before = shown(house.httpPort());
         assertThat(before).isEqualTo(certificate.certificate());
@@ -161,15 +154,20 @@ class TlsTest {
     }
 
     @Test
-    @Order(5)
     void keepsTheCertificateWhenTheNewFilesAreBroken() throws Exception {
         Files.writeString(data.resolve("tls").resolve("key.pem"), "this is no key");
 
-        Awaitility.await("it has been looked at")
-                .during(Duration.ofSeconds(6))
-                .atMost(PATIENCE)
-                .pollInterval(Duration.ofSeconds(1))
-                .until(() -> shown(streamPort()).equals(certificate.certificate()));
+        try (ServerLog log = new ServerLog()) {
+            // It is looked at while somebody comes.
+            Awaitility.await("it has been looked at")
+                    .atMost(PATIENCE)
+                    .pollInterval(Duration.ofMillis(300))
+                    .until(() -> {
+                        assertThat(shown(streamPort())).isEqualTo(certificate.certificate());
+                        return log.has("The former one stays in use.");
+                    });
+        }
+        assertThat(shown(streamPort())).isEqualTo(certificate.certificate());
         assertThat(get("/api/v1/drones").statusCode()).isEqualTo(200);
     }
 

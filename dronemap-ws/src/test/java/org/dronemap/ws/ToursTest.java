@@ -2,19 +2,17 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.access.Role;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.WillingCopter;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** The waypoints of one drone, put into a good order for who edits its mission. */
@@ -23,21 +21,17 @@ class ToursTest {
     private static final double LATITUDE = 47.3977;
     private static final double LONGITUDE = 8.5456;
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Http planner;
     private WillingCopter falcon;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        planner = new Http(house, house.key(Role.PLANNER));
-        falcon = new WillingCopter(
-                house.cloud(), new DroneKey("10.9.8.7", 14_601, 1), "Falcon", new Geodetic(LATITUDE, LONGITUDE));
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+    void open() {
+        planner = tenant.http(Role.PLANNER);
+        falcon = tenant.copter("Falcon", new Geodetic(LATITUDE, LONGITUDE));
     }
 
     /** So many times 100 m or so to the north of it. */
@@ -86,9 +80,7 @@ class ToursTest {
     void putWhatCannotBeVisitedLastAndSayWhy() {
         String zone = "{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[" + LONGITUDE + ","
                 + (LATITUDE + 0.001) + "]},\"properties\":{\"name\":\"Crane\",\"kind\":\"exclusion\",\"radius\":40}}";
-        assertThat(new Http(house, house.key(Role.SUPERVISOR))
-                        .post("/api/v1/zones", zone)
-                        .status())
+        assertThat(tenant.http(Role.SUPERVISOR).post("/api/v1/zones", zone).status())
                 .isEqualTo(201);
 
         Http.Answer answer = ask("\"waypoints\":[" + north(1) + "," + north(3) + "," + north(2) + "]");
@@ -107,8 +99,7 @@ class ToursTest {
         assertThat(ask("\"waypoints\":[{\"latitude\":95,\"longitude\":8,\"altitude\":20}]")
                         .text("field"))
                 .isEqualTo("waypoints[0].latitude");
-        assertThat(new Http(house, house.key(Role.VIEWER)).post(PATH, "{}").status())
-                .isEqualTo(403);
+        assertThat(tenant.http(Role.VIEWER).post(PATH, "{}").status()).isEqualTo(403);
         assertThat(planner.post(PATH, "{\"drone\":\"nosuchdrone\",\"waypoints\":[" + north(1) + "]}")
                         .status())
                 .isEqualTo(404);

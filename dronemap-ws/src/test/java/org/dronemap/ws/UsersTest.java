@@ -4,53 +4,47 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.Map;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SoapClient;
 import org.dronemap.ws.house.StreamListener;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** What administrators do with users, and that it takes effect at once. */
 class UsersTest {
     private static final String FIRST = "first password";
     private static final String OWN = "a word of my own";
 
-    @TempDir
-    private Path data;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
 
-    private TestHouse house;
+    private final TestHouse house = tenant.server();
+    private final String bob = tenant.unique("bob");
     private Http administrator;
     private Http nobody;
 
     @BeforeEach
     void open() {
-        house = new TestHouse(data, false);
-        administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        administrator = tenant.http(Role.ADMINISTRATOR);
         nobody = new Http(house, "");
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
     }
 
     @Test
     void letsANewUserDoNothingBeforeThePasswordIsTheirOwn() {
-        add("bob", "operator");
-        String cookie = cookie(signIn("bob", FIRST));
+        add(bob, "operator");
+        String cookie = cookie(signIn(bob, FIRST));
 
         Http.Answer closed = with(cookie, "GET", "/api/v1/drones", "");
 
         assertThat(closed.status()).isEqualTo(403);
         assertThat(closed.text("detail")).startsWith("Somebody else has seen your password");
         assertThatThrownBy(() ->
-                        SoapClient.withHeader(house, Http.basic("bob", FIRST)).getDronesList())
+                        SoapClient.withHeader(house, Http.basic(bob, FIRST)).getDronesList())
                 .hasMessageStartingWith("Somebody else has seen your password");
         assertThat(takeOwnPassword(cookie).status()).isEqualTo(204);
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(200);
@@ -58,7 +52,7 @@ class UsersTest {
 
     @Test
     void shutsADisabledUserOutOfEveryFaceAtOnceAndLetsThemInAgain() {
-        String cookie = join("bob", "operator");
+        String cookie = join(bob, "operator");
         String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
                 .text("key");
         try (StreamListener byKey = StreamListener.withKey(house, key);
@@ -66,7 +60,7 @@ class UsersTest {
             byKey.await(message -> message.path("type").asString().equals("drones"));
             byTicket.await(message -> message.path("type").asString().equals("drones"));
 
-            assertThat(change("bob", "{\"state\":\"disabled\"}").text("state")).isEqualTo("disabled");
+            assertThat(change(bob, "{\"state\":\"disabled\"}").text("state")).isEqualTo("disabled");
 
             assertThat(byKey.awaitClose()).startsWith("This session has ended");
             assertThat(byTicket.awaitClose()).startsWith("This session has ended");
@@ -74,26 +68,26 @@ class UsersTest {
         assertThat(with(cookie, "GET", "/api/v1/drones", "").status()).isEqualTo(401);
         assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(401);
         assertThatThrownBy(() -> SoapClient.withKey(house, key).getDronesList()).hasMessageContaining("not valid");
-        Http.Answer again = signIn("bob", OWN);
+        Http.Answer again = signIn(bob, OWN);
         assertThat(again.status()).isEqualTo(403);
         assertThat(again.text("detail")).isEqualTo("Your account has been disabled; ask an administrator.");
-        assertThat(signIn("bob", "a wrong password").status()).isEqualTo(401);
+        assertThat(signIn(bob, "a wrong password").status()).isEqualTo(401);
 
-        change("bob", "{\"state\":\"active\"}");
+        change(bob, "{\"state\":\"active\"}");
 
-        assertThat(signIn("bob", OWN).status()).isEqualTo(200);
+        assertThat(signIn(bob, OWN).status()).isEqualTo(200);
         assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(200);
     }
 
     @Test
     void givesAChangedRoleToSessionsKeysAndOpenStreamsAtOnce() {
-        String cookie = join("bob", "administrator");
+        String cookie = join(bob, "administrator");
         String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
                 .text("key");
         try (StreamListener stream = StreamListener.withKey(house, key)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
 
-            change("bob", "{\"role\":\"viewer\"}");
+            change(bob, "{\"role\":\"viewer\"}");
 
             assertThat(stream.awaitClose()).isEqualTo("Your role was changed; connect again.");
         }
@@ -109,15 +103,15 @@ class UsersTest {
 
     @Test
     void endsSessionsAndTheirStreamsWhenAPasswordIsReset() {
-        String cookie = join("bob", "operator");
+        String cookie = join(bob, "operator");
         try (StreamListener stream = ticketed(cookie)) {
             stream.await(message -> message.path("type").asString().equals("drones"));
 
-            Http.Answer reset = administrator.post("/api/v1/users/bob/password", "");
+            Http.Answer reset = administrator.post("/api/v1/users/" + bob + "/password", "");
 
             assertThat(stream.awaitClose()).startsWith("This session has ended");
-            assertThat(signIn("bob", OWN).status()).isEqualTo(401);
-            assertThat(signIn("bob", reset.text("password"))
+            assertThat(signIn(bob, OWN).status()).isEqualTo(401);
+            assertThat(signIn(bob, reset.text("password"))
                             .json()
                             .path("mustChangePassword")
                             .asBoolean())
@@ -127,8 +121,8 @@ class UsersTest {
 
     @Test
     void signsOutEverywhereByTheUserOrAnAdministratorAndKeepsKeys() {
-        String one = join("bob", "operator");
-        String other = cookie(signIn("bob", OWN));
+        String one = join(bob, "operator");
+        String other = cookie(signIn(bob, OWN));
         String key = with(one, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}")
                 .text("key");
         try (StreamListener stream = ticketed(other)) {
@@ -142,8 +136,8 @@ class UsersTest {
         }
         assertThat(with(one, "GET", "/api/v1/session", "").status()).isEqualTo(401);
         assertThat(with(other, "GET", "/api/v1/session", "").status()).isEqualTo(401);
-        String third = cookie(signIn("bob", OWN));
-        assertThat(administrator.post("/api/v1/users/bob/sign-out", "").status())
+        String third = cookie(signIn(bob, OWN));
+        assertThat(administrator.post("/api/v1/users/" + bob + "/sign-out", "").status())
                 .isEqualTo(204);
         assertThat(with(third, "GET", "/api/v1/session", "").status()).isEqualTo(401);
         assertThat(new Http(house, key).get("/api/v1/drones").status()).isEqualTo(200);
@@ -151,7 +145,7 @@ class UsersTest {
 
     @Test
     void silencesAStreamWhoseKeyIsRemoved() {
-        String cookie = join("bob", "operator");
+        String cookie = join(bob, "operator");
         Http.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
         try (StreamListener byKey = StreamListener.withKey(house, made.text("key"));
                 StreamListener byTicket = ticketed(cookie)) {
@@ -168,14 +162,13 @@ class UsersTest {
 
     @Test
     void letsAnAdministratorSeeAndRemoveTheKeysOfAUser() {
-        String cookie = join("bob", "operator");
+        String cookie = join(bob, "operator");
         Http.Answer made = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"}");
-        String path = "/api/v1/users/bob/access-keys";
+        String path = "/api/v1/users/" + bob + "/access-keys";
 
         String listed = administrator.get(path).raw().body();
         assertThat(listed).contains("\"label\":\"script\"").doesNotContain(made.text("key"));
-        assertThat(new Http(house, house.key(Role.SUPERVISOR)).get(path).status())
-                .isEqualTo(403);
+        assertThat(tenant.http(Role.SUPERVISOR).get(path).status()).isEqualTo(403);
         assertThat(administrator
                         .send(path + "/" + made.text("id"), HttpRequest.Builder::DELETE)
                         .status())
@@ -193,7 +186,7 @@ class UsersTest {
 
     @Test
     void showsReportersNoDroneThroughAnyFace() {
-        String key = house.key(Role.REPORTER);
+        String key = tenant.key(Role.REPORTER);
         String sentence = "Your role may send reports, not see drones; ask an administrator for the viewer role.";
 
         assertThat(new Http(house, key).get("/api/v1/drones").text("detail")).isEqualTo(sentence);
@@ -207,32 +200,31 @@ class UsersTest {
 
     @Test
     void refusesWhatWouldLeaveNobodyToManageTheServer() {
-        String own = join("root", "administrator");
+        String root = tenant.unique("root");
+        String own = join(root, "administrator");
 
-        Http.Answer answer = with(own, "PATCH", "/api/v1/users/root", "{\"role\":\"viewer\"}");
+        Http.Answer answer = with(own, "PATCH", "/api/v1/users/" + root, "{\"role\":\"viewer\"}");
 
         assertThat(answer.status()).isEqualTo(409);
         assertThat(answer.text("detail")).isEqualTo("You cannot do this to yourself; ask another administrator.");
-        assertThat(with(own, "PATCH", "/api/v1/users/root", "{\"state\":\"disabled\"}")
+        assertThat(with(own, "PATCH", "/api/v1/users/" + root, "{\"state\":\"disabled\"}")
                         .status())
                 .isEqualTo(409);
-        assertThat(with(own, "DELETE", "/api/v1/users/root", "").status()).isEqualTo(409);
+        assertThat(with(own, "DELETE", "/api/v1/users/" + root, "").status()).isEqualTo(409);
     }
 
     @Test
     void namesWhatIsWrongWithAChange() {
-        add("bob", "operator");
+        add(bob, "operator");
 
-        assertThat(change("bob", "{}").text("field")).isEqualTo("role");
-        assertThat(change("bob", "{\"role\":\"king\"}").text("detail"))
+        assertThat(change(bob, "{}").text("field")).isEqualTo("role");
+        assertThat(change(bob, "{\"role\":\"king\"}").text("detail"))
                 .contains("administrator, supervisor, operator, planner, viewer or reporter");
-        assertThat(change("bob", "{\"state\":\"waiting\"}").text("detail")).contains("active or disabled");
+        assertThat(change(bob, "{\"state\":\"waiting\"}").text("detail")).contains("active or disabled");
         assertThat(change("carol", "{\"state\":\"active\"}").status()).isEqualTo(404);
         assertThat(administrator.post("/api/v1/users/carol/password", "").status())
                 .isEqualTo(404);
-        assertThat(new Http(house, house.key(Role.SUPERVISOR))
-                        .get("/api/v1/users")
-                        .text("detail"))
+        assertThat(tenant.http(Role.SUPERVISOR).get("/api/v1/users").text("detail"))
                 .isEqualTo("Only an administrator may do this; you are signed in as supervisor.");
     }
 

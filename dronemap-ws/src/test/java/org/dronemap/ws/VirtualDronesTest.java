@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
-import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -15,10 +14,10 @@ import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.house.Http;
 import org.dronemap.ws.house.SoapClient;
+import org.dronemap.ws.house.Tenant;
 import org.dronemap.ws.house.TestHouse;
 import org.dronemap.ws.house.Waiting;
 import org.dronemap.ws.house.WillingCopter;
@@ -26,36 +25,31 @@ import org.dronemap.ws.soap.DronemapFault;
 import org.dronemap.ws.soap.MAVLinkController;
 import org.dronemap.ws.soap.SoapVirtualDrone;
 import org.dronemap.ws.soap.SoapWaypoint;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 class VirtualDronesTest {
     private static final String PATH = "/api/v1/virtual-drones";
     private static final String MISSION = "\"items\":[{\"type\":\"waypoint\",\"latitude\":47.398,\"longitude\":8.5456,"
             + "\"altitude\":20},{\"type\":\"waypoint\",\"latitude\":47.399,\"longitude\":8.5456,\"altitude\":20}]";
-    private static final DroneKey KEY = new DroneKey("10.9.8.7", 14607, 217);
 
-    private TestHouse house;
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final TestHouse house = tenant.server();
     private Http operator;
     private Http supervisor;
 
     @BeforeEach
-    void open(@TempDir Path data) {
-        house = new TestHouse(data, false);
-        operator = new Http(house, house.key(Role.OPERATOR));
-        supervisor = new Http(house, house.key(Role.SUPERVISOR));
-    }
-
-    @AfterEach
-    void close() {
-        house.close();
+    void open() {
+        operator = tenant.http(Role.OPERATOR);
+        supervisor = tenant.http(Role.SUPERVISOR);
     }
 
     private WillingCopter falcon() {
-        return new WillingCopter(house.cloud(), KEY, "Falcon", new Geodetic(47.3977, 8.5456));
+        return tenant.copter("Falcon", new Geodetic(47.3977, 8.5456));
     }
 
     private void offer(WillingCopter copter) {
@@ -112,8 +106,7 @@ class VirtualDronesTest {
         await(operator, id, "queued");
         assertThat(run(operator, id).path("unfit").toString()).doesNotContain("null");
 
-        WillingCopter heron = new WillingCopter(
-                house.cloud(), new DroneKey("10.9.8.8", 14608, 218), "Heron", new Geodetic(47.3990, 8.5470));
+        WillingCopter heron = tenant.copter("Heron", new Geodetic(47.3990, 8.5470));
         offer(heron);
         await(operator, id, "flying");
         Command first = heron.performed().get(0);
@@ -167,7 +160,7 @@ class VirtualDronesTest {
 
     @Test
     void belongToWhoMadeThem() {
-        Http other = new Http(house, house.key(Role.OPERATOR));
+        Http other = tenant.http(Role.OPERATOR);
         String id = make(operator, "Mine");
 
         assertThat(other.get(PATH + "/" + id).status()).isEqualTo(404);
@@ -177,7 +170,7 @@ class VirtualDronesTest {
         assertThat(start(supervisor, id).status()).isEqualTo(403);
         Http narrow = new Http(
                 house,
-                house.key(new KeyRights(
+                tenant.key(new KeyRights(
                         Role.OPERATOR,
                         new KeyScope(Set.of(new DroneId("drone-1")), EnumSet.allOf(Permission.class)),
                         null)));
@@ -216,7 +209,7 @@ class VirtualDronesTest {
     void flyTheSameWayThroughSoap() throws DronemapFault {
         WillingCopter falcon = falcon();
         offer(falcon);
-        MAVLinkController soap = SoapClient.withKey(house, house.key(Role.OPERATOR));
+        MAVLinkController soap = SoapClient.withKey(house, tenant.key(Role.OPERATOR));
         List<SoapWaypoint> way = List.of(SoapWaypoint.at(47.398, 8.5456, 20.0), SoapWaypoint.at(47.399, 8.5456, 20.0));
         assertThatThrownBy(() -> soap.createVirtualDrone("Survey", "bird", null, null, way))
                 .hasMessageContaining("needs.kind");
@@ -255,9 +248,9 @@ class VirtualDronesTest {
 
     @Test
     void keepThoseOutWhoSeeOnlyWhatWasGrantedUntilVirtualDronesAre() {
-        Http holder = new Http(house, house.key(Role.OPERATOR));
+        Http holder = tenant.http(Role.OPERATOR);
         String name = holder.get("/api/v1/session").text("name");
-        Http administrator = new Http(house, house.key(Role.ADMINISTRATOR));
+        Http administrator = tenant.http(Role.ADMINISTRATOR);
         String only = "/api/v1/users/" + name + "/only-granted";
         assertThat(put(administrator, only, "{\"onlyGranted\":true}").status()).isEqualTo(204);
         assertThat(holder.post(PATH, "{\"name\":\"A\"}").status()).isEqualTo(403);

@@ -51,8 +51,7 @@ final class DatagramSeats<K> {
                 from,
                 address.host(),
                 now,
-                welcome ->
-                        new Seat(way.place(), address, frame -> way.out().test(from, frame), welcome));
+                welcome -> new Seat(way.place(), address, frame -> way.out().test(from, frame), welcome));
     }
 
     List<PeerStatus> status() {

@@ -104,10 +104,7 @@ final class DialledEndpoint implements Endpoint {
     private void serve(Line open) throws IOException {
         Seat.Place place = new Seat.Place(url, open.isLocal(), url.kind().isDatagram());
         Seat seat = peers.add(
-                ONLY,
-                open.address().host(),
-                time.nanos(),
-                welcome -> new Seat(place, open.address(), open, welcome));
+                ONLY, open.address().host(), time.nanos(), welcome -> new Seat(place, open.address(), open, welcome));
         if (seat == null) {
             throw new IOException("an earlier line is still held");
         }

@@ -138,8 +138,8 @@ final class TcpServerEndpoint implements Endpoint {
             SelectionKey key = channel.register(selector, SelectionKey.OP_READ);
             PeerAddress address = PeerAddress.of((InetSocketAddress) channel.getRemoteAddress());
             TcpWire wire = new TcpWire(channel);
-            Seat seat = peers.add(
-                    key, address.host(), time.nanos(), welcome -> new Seat(place, address, wire, welcome));
+            Seat seat =
+                    peers.add(key, address.host(), time.nanos(), welcome -> new Seat(place, address, wire, welcome));
             if (seat == null) {
                 channel.close();
             }

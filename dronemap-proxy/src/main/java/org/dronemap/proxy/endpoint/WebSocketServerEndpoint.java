@@ -75,7 +75,8 @@ final class WebSocketServerEndpoint implements Endpoint {
             throw SocketAddresses.cannotListen(url, cause instanceof IOException io ? io : new IOException(cause));
         } catch (TimeoutException e) {
             close();
-            throw new IOException("Cannot listen on " + url + ": it took more than " + LONGEST_OPENING.toSeconds() + " s.", e);
+            throw new IOException(
+                    "Cannot listen on " + url + ": it took more than " + LONGEST_OPENING.toSeconds() + " s.", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IOException("Interrupted while opening " + url + ".", e);
@@ -156,8 +157,8 @@ final class WebSocketServerEndpoint implements Endpoint {
             PeerAddress address = PeerAddress.of(remote);
             WebSocketQueue queue = new WebSocketQueue(socket, handlers.speech().text());
             Seat.Place at = place.at(handshake.getResourceDescriptor());
-            Seat seat = peers.add(
-                    socket, address.host(), time.nanos(), welcome -> new Seat(at, address, queue, welcome));
+            Seat seat =
+                    peers.add(socket, address.host(), time.nanos(), welcome -> new Seat(at, address, queue, welcome));
             if (seat == null) {
                 socket.close(CloseFrame.TRY_AGAIN_LATER, "there is no room for more vehicles");
             }

@@ -35,8 +35,8 @@ final class Orders implements CloudListener, AutoCloseable {
     private final OutletControl control;
     private final Consumer<Runnable> answering;
     private final Map<CommandId, Answer> open = new ConcurrentHashMap<>();
-    private final Time time;
     private final Worker thread;
+    private final Time time;
 
     /** Hears what becomes of a command, where clients are answered. */
     interface Answer {

@@ -84,8 +84,8 @@ class EndpointTest {
     @ParameterizedTest
     @ValueSource(strings = {"udpserver", "tcpserver", "wsserver", "dtlsserver"})
     void saysThatAPortIsTaken(String scheme) throws IOException {
-        try (Endpoint first =
-                Endpoint.open(EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, Doors.of(DtlsKeys.none()), new SystemTime())) {
+        try (Endpoint first = Endpoint.open(
+                EndpointUrl.parse(scheme + "://127.0.0.1:0"), counting, Doors.of(DtlsKeys.none()), new SystemTime())) {
             EndpointUrl taken = first.url();
 
             assertThatThrownBy(() -> Endpoint.open(taken, counting, Doors.of(DtlsKeys.none()), new SystemTime()))
@@ -97,8 +97,8 @@ class EndpointTest {
 
     @Test
     void answersATcpPeerAndNoticesThatItLeft() throws IOException {
-        try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, Doors.of(DtlsKeys.none()), new SystemTime())) {
+        try (Endpoint endpoint = Endpoint.open(
+                EndpointUrl.parse("tcpserver://127.0.0.1:0"), counting, Doors.of(DtlsKeys.none()), new SystemTime())) {
             try (Socket socket = new Socket("127.0.0.1", endpoint.url().port())) {
                 socket.getOutputStream().write(new byte[] {1, 2, 3});
                 assertThat(socket.getInputStream().read()).isEqualTo(1);

@@ -46,7 +46,10 @@ class SerialLineTest {
         Process cable = cable();
         String device = line(cable);
         try (Endpoint endpoint = Endpoint.open(
-                EndpointUrl.parse("serial://" + device + "?baud=115200"), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
+                EndpointUrl.parse("serial://" + device + "?baud=115200"),
+                gathering,
+                Doors.of(DtlsKeys.none()),
+                new SystemTime())) {
             byte[] greeting = cable.getInputStream().readNBytes(Gathering.GREETING.length);
             cable.getOutputStream().write(new byte[] {1, 2, 3});
             cable.getOutputStream().flush();
@@ -67,8 +70,8 @@ class SerialLineTest {
     void saysThatTheDeviceIsGoneAndKeepsTrying() throws IOException {
         Process cable = cable();
         String device = line(cable);
-        try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
+        try (Endpoint endpoint = Endpoint.open(
+                EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
             TestCloud.await(PATIENCE, () -> endpoint.state().equals(EndpointState.OPEN), () -> "not open");
             cable.destroy();
             TestCloud.await(
@@ -85,8 +88,8 @@ class SerialLineTest {
     void dropsAndCountsFramesThatTheDeviceDoesNotTake() throws IOException {
         Process cable = cable();
         String device = line(cable);
-        try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
+        try (Endpoint endpoint = Endpoint.open(
+                EndpointUrl.parse("serial://" + device), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
             TestCloud.await(PATIENCE, () -> !gathering.guests().isEmpty(), () -> "not open");
             Peer peer = gathering.guests().get(0).peer();
             // Nobody reads the other end's output: its pipe fills, then the terminal, then the queue.
@@ -103,8 +106,8 @@ class SerialLineTest {
 
     @Test
     void saysThatThereIsNoDevice() throws IOException {
-        try (Endpoint endpoint =
-                Endpoint.open(EndpointUrl.parse("serial:///dev/ttyNONE9"), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
+        try (Endpoint endpoint = Endpoint.open(
+                EndpointUrl.parse("serial:///dev/ttyNONE9"), gathering, Doors.of(DtlsKeys.none()), new SystemTime())) {
             TestCloud.await(
                     PATIENCE,
                     () -> endpoint.state().phase() == EndpointState.Phase.FAILED,

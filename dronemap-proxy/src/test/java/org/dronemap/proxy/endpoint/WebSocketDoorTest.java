@@ -34,7 +34,10 @@ class WebSocketDoorTest {
 
     private Endpoint open(WebSocketDoor.Limits limits) throws IOException {
         return Endpoint.open(
-                EndpointUrl.parse("wsserver://127.0.0.1:0"), gathering, new Doors(DtlsKeys.none(), () -> null, limits), new SystemTime());
+                EndpointUrl.parse("wsserver://127.0.0.1:0"),
+                gathering,
+                new Doors(DtlsKeys.none(), () -> null, limits),
+                new SystemTime());
     }
 
     private static WebSocket connect(Endpoint endpoint) throws Exception {
@@ -119,7 +122,8 @@ class WebSocketDoorTest {
     void carriesBytesOverTlsWithTheCertificateOfTheMoment(@TempDir Path directory) throws Exception {
         SSLContext certificate = certificate(directory);
         Doors doors = new Doors(DtlsKeys.none(), () -> certificate, WebSocketDoor.Limits.DEFAULT);
-        try (Endpoint endpoint = Endpoint.open(EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, doors, new SystemTime())) {
+        try (Endpoint endpoint =
+                Endpoint.open(EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, doors, new SystemTime())) {
             WebSocket vehicle = HttpClient.newBuilder()
                     .sslContext(certificate)
                     .build()
@@ -183,7 +187,10 @@ class WebSocketDoorTest {
     @Test
     void doesNotOpenAnEncryptedPortWithoutACertificate() {
         assertThatThrownBy(() -> Endpoint.open(
-                        EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, Doors.of(DtlsKeys.none()), new SystemTime()))
+                        EndpointUrl.parse("wssserver://127.0.0.1:0"),
+                        gathering,
+                        Doors.of(DtlsKeys.none()),
+                        new SystemTime()))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("no certificate");
     }

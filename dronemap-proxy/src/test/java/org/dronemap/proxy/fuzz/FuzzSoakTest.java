@@ -17,14 +17,15 @@ class FuzzSoakTest {
             "translators", TranslatorFuzz::run,
             "procedures", ProcedureFuzz::run,
             "signing", SigningFuzz::run,
-            "sessions", SessionFuzz::run);
+            "sessions", SessionFuzz::run,
+            "messages of robots", PacketFuzz::run);
 
     @ParameterizedTest
-    @ValueSource(strings = {"frame reader", "translators", "procedures", "signing", "sessions"})
+    @ValueSource(strings = {"frame reader", "translators", "procedures", "signing", "sessions", "messages of robots"})
     void survivesHoursOfHostileInput(String target) {
         Duration length =
                 Duration.ofMinutes(Long.parseLong(System.getenv().getOrDefault("DRONEMAP_FUZZ_MINUTES", "60")));
 
-        assertThat(TARGETS.get(target).apply(new Budget(target, length))).isPositive();
+        assertThat(TARGETS.get(target).apply(Budget.lasting(target, length))).isPositive();
     }
 }

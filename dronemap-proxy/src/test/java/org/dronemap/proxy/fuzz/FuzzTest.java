@@ -2,40 +2,37 @@ package org.dronemap.proxy.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
-/** Half a minute of hostile input, another one each time; a failure names the seed that repeats it. */
+/** Some hostile input, the same each time; {@link FuzzSoakTest} goes on with others for hours. */
 class FuzzTest {
-    private static final Duration SHORT = Duration.ofSeconds(5);
-
     @Test
     void theFrameReaderFindsGoodFramesBehindAnything() {
-        assertThat(ReaderFuzz.run(new Budget("frame reader", SHORT))).isPositive();
+        assertThat(ReaderFuzz.run(Budget.rounds("frame reader", 100_000))).isPositive();
     }
 
     @Test
     void theTranslatorsMakeSenseOfAnyPayload() {
-        assertThat(TranslatorFuzz.run(new Budget("translators", SHORT))).isPositive();
+        assertThat(TranslatorFuzz.run(Budget.rounds("translators", 80_000))).isPositive();
     }
 
     @Test
     void everyCommandEndsWhateverTheVehicleAnswers() {
-        assertThat(ProcedureFuzz.run(new Budget("procedures", SHORT))).isPositive();
+        assertThat(ProcedureFuzz.run(Budget.rounds("procedures", 1_500))).isPositive();
     }
 
     @Test
     void onlyARightSignatureThatIsNewIsBelieved() {
-        assertThat(SigningFuzz.run(new Budget("signing", SHORT))).isPositive();
+        assertThat(SigningFuzz.run(Budget.rounds("signing", 60_000))).isPositive();
     }
 
     @Test
     void sessionsSurviveHostileVehicles() {
-        assertThat(SessionFuzz.run(new Budget("sessions", SHORT))).isPositive();
+        assertThat(SessionFuzz.run(Budget.rounds("sessions", 30_000))).isPositive();
     }
 
     @Test
     void anythingInJsonIsAMessageOfARobotOrSaysWhyItIsNone() {
-        assertThat(PacketFuzz.run(new Budget("messages of robots", SHORT))).isPositive();
+        assertThat(PacketFuzz.run(Budget.rounds("messages of robots", 6_000))).isPositive();
     }
 }

@@ -15,6 +15,7 @@ public final class ControlCommands {
             sensor <sysid|all> <name> <value>     has a sensor that measures that from now on; off instead of name and
                                                   value: has none any more
             signing                               who has a signing key, and how many frames each did not listen to
+            wake <sysid|all>                      talks and listens from now on
             fault <sysid|all> silent <seconds>s   stops talking and listening for a while
             fault <sysid|all> gps off|on          loses or regains GPS
             fault <sysid|all> battery <percent>   sets what the battery has left
@@ -39,6 +40,7 @@ public final class ControlCommands {
             case "payload" -> payload(vehicles);
             case "signing" -> signing(vehicles);
             case "sensor" -> sensor(words, line.trim().split("\\s+"), vehicles);
+            case "wake" -> wake(words, vehicles);
             case "fault" -> fault(words, vehicles);
             default -> "err unknown word '" + words[0] + "': say help";
         };
@@ -60,6 +62,14 @@ public final class ControlCommands {
                     craft.battery().remainingPercent()));
         }
         return text + "ok " + vehicles.size() + " vehicles";
+    }
+
+    private static String wake(String[] words, List<SimulatedVehicle> vehicles) {
+        List<SimulatedVehicle> chosen = words.length == 2 ? chosen(words[1], vehicles) : List.of();
+        chosen.forEach(vehicle -> vehicle.silence(0));
+        return chosen.isEmpty()
+                ? "err say wake <sysid|all>, of vehicles that there are"
+                : "ok " + chosen.size() + " vehicles";
     }
 
     private static String payload(List<SimulatedVehicle> vehicles) {

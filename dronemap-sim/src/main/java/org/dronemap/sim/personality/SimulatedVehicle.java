@@ -89,7 +89,8 @@ public final class SimulatedVehicle {
         }
         bannerDue = false;
         if (now >= nextBeat) {
-            nextBeat += BEAT_MILLIS;
+            // Beats that were missed while it could not speak are not made up for.
+            nextBeat += BEAT_MILLIS * ((now - nextBeat) / BEAT_MILLIS + 1);
             beatNow();
             send(new Timesync(0, now * 1_000_000, 0, 0));
         }

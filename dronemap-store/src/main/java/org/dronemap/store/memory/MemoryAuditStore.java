@@ -2,8 +2,10 @@ package org.dronemap.store.memory;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.dronemap.core.audit.AuditChain;
@@ -20,6 +22,10 @@ import org.jspecify.annotations.Nullable;
 public final class MemoryAuditStore implements AuditStore {
     private final AuditChain chain;
     private final List<AuditRecord> records = new ArrayList<>();
+    /** By the numbers of the records that they end: whoever reads all of them would look through all for each. */
+    private final Map<Long, AuditRecord> endings = new HashMap<>();
+
+    private final Map<String, AuditRecord> commands = new HashMap<>();
 
     public MemoryAuditStore(AuditChain chain) {
         this.chain = chain;
@@ -38,6 +44,13 @@ public final class MemoryAuditStore implements AuditStore {
         }
         AuditRecord next = chain.next(head(), placed);
         records.add(next);
+        Long ends = placed.ends();
+        String command = placed.command();
+        if (ends != null) {
+            endings.putIfAbsent(ends, next);
+        } else if (command != null) {
+            commands.putIfAbsent(command, next);
+        }
         return next;
     }
 
@@ -78,11 +91,7 @@ public final class MemoryAuditStore implements AuditStore {
     }
 
     private @Nullable AuditRecord endingOf(AuditRecord call) {
-        return records.stream()
-                .filter(record ->
-                        Long.valueOf(call.sequence()).equals(record.entry().ends()))
-                .findFirst()
-                .orElse(null);
+        return endings.get(call.sequence());
     }
 
     private static boolean fits(AuditQuery query, AuditLine line) {
@@ -105,10 +114,7 @@ public final class MemoryAuditStore implements AuditStore {
 
     @Override
     public synchronized Optional<AuditRecord> ofCommand(String command) {
-        return records.stream()
-                .filter(record -> record.entry().ends() == null
-                        && command.equals(record.entry().command()))
-                .findFirst();
+        return Optional.ofNullable(commands.get(command));
     }
 
     @Override

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -119,9 +118,9 @@ public final class BroadcastService {
                         ends.stream().map(CompletableFuture::join).toList()));
     }
 
-    private static String id(@Nullable String given) {
+    private String id(@Nullable String given) {
         if (given == null) {
-            return "all-" + UUID.randomUUID().toString().substring(0, 18);
+            return "all-" + commands.newId().substring(0, 18);
         }
         if (!given.matches("[A-Za-z0-9_-]{8,36}")) {
             throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");

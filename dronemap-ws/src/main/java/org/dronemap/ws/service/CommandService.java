@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
@@ -119,7 +120,13 @@ public final class CommandService {
 
     /** The command once it has ended, or as it stands when there was no news of it for so long (twice as long at most). */
     CompletableFuture<CommandView> awaitEndOrSilence(CommandView command, Duration silence) {
-        return awaitEnd(command, silence)
+        return awaitEndOrSilence(command, now -> awaitEnd(now, silence));
+    }
+
+    /** The same where one silence is as long as that function says. */
+    static CompletableFuture<CommandView> awaitEndOrSilence(
+            CommandView command, Function<CommandView, CompletableFuture<CommandView>> silence) {
+        return silence.apply(command)
                 .thenCompose(now -> now.outcome() != null || now.equals(command)
                         ? CompletableFuture.completedFuture(now)
                         : awaitEndOrSilence(now, silence));
@@ -150,9 +157,13 @@ public final class CommandService {
         return drones.find(principal, droneId).map(DroneState::name).orElse(null);
     }
 
+    String newId() {
+        return time.newId();
+    }
+
     private CommandId id(@Nullable String given) {
         if (given == null) {
-            return new CommandId(time.newId());
+            return new CommandId(newId());
         }
         if (!isId(given)) {
             throw InvalidInput.outside("id", ID_FORM, "\"" + given + "\"");

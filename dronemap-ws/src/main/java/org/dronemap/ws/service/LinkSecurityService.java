@@ -1,12 +1,12 @@
 package org.dronemap.ws.service;
 
 import java.security.SecureRandom;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.access.LinkPolicy;
@@ -14,6 +14,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,10 +24,11 @@ public final class LinkSecurityService {
     private static final Logger LOG = LoggerFactory.getLogger(LinkSecurityService.class);
     private static final String POLICIES = "off, optional or required";
     private static final String KEY_FORM = "64 hexadecimal digits, not all zero";
-    private static final int LONGEST_CHANGE_SECONDS = 25;
+    private static final Duration LONGEST_CHANGE = Duration.ofSeconds(25);
 
     private final LinkSecurityControl links;
     private final DroneService drones;
+    private final Time time;
     private final SecureRandom random = new SecureRandom();
 
     /** A change of the policy. */
@@ -54,9 +56,10 @@ public final class LinkSecurityService {
         }
     }
 
-    public LinkSecurityService(LinkSecurityControl links, DroneService drones) {
+    public LinkSecurityService(LinkSecurityControl links, DroneService drones, Time time) {
         this.links = links;
         this.drones = drones;
+        this.time = time;
     }
 
     public LinkSecurityView look(Principal principal, String id) {
@@ -125,9 +128,9 @@ public final class LinkSecurityService {
         return links.view(drone);
     }
 
-    private static Optional<String> await(CompletableFuture<Optional<String>> end) {
+    private Optional<String> await(CompletableFuture<Optional<String>> end) {
         try {
-            return end.get(LONGEST_CHANGE_SECONDS, TimeUnit.SECONDS);
+            return time.await(end, LONGEST_CHANGE);
         } catch (TimeoutException stillUnderWay) {
             return Optional.empty();
         } catch (ExecutionException e) {

@@ -4,30 +4,26 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleLog;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.time.Worker;
 
 /** Logs fetched from vehicles, a file each, in a folder for each drone. Any thread; one thread of its own writes. */
 public final class LogShelf implements AutoCloseable {
     private static final int MOST_WAITING = 4_096;
     private static final long ROOM_TO_LEAVE_BYTES = 200L * 1024 * 1024;
+    private static final Duration LONGEST_CLOSING = Duration.ofSeconds(5);
 
     private final Path folder;
-    private final ThreadPoolExecutor writer;
+    private final Worker writer;
 
-    public LogShelf(Path folder) {
+    public LogShelf(Path folder, Time time) {
         this.folder = folder;
-        this.writer =
-                new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new ArrayBlockingQueue<>(MOST_WAITING), task -> {
-                    Thread thread = new Thread(task, "log-writer");
-                    thread.setDaemon(true);
-                    return thread;
-                });
+        this.writer = time.worker("log-writer", MOST_WAITING);
     }
 
     /** Opens a log for writing; what an earlier attempt left is kept. */
@@ -71,6 +67,6 @@ public final class LogShelf implements AutoCloseable {
 
     @Override
     public void close() {
-        writer.shutdown();
+        writer.finish(LONGEST_CLOSING);
     }
 }

@@ -240,8 +240,8 @@ public class ServiceConfiguration {
     }
 
     @Bean
-    LogShelf logShelf(Settings settings) {
-        return new LogShelf(settings.dataDirectory().resolve("vehicle-logs"));
+    LogShelf logShelf(House house, Settings settings) {
+        return new LogShelf(settings.dataDirectory().resolve("vehicle-logs"), house.time());
     }
 
     @Bean
@@ -279,7 +279,7 @@ public class ServiceConfiguration {
 
     @Bean
     LinkSecurityService linkSecurityService(House house, DroneService drones) {
-        return new LinkSecurityService(house.linkSecurity(), drones);
+        return new LinkSecurityService(house.linkSecurity(), drones, house.time());
     }
 
     @Bean

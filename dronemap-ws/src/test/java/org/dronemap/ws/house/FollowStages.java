@@ -11,21 +11,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.geo.Geodetic;
 
-/** Follows of one house, each with a copter of its own, brought to the stages that docs/following.md has. */
+/** Follows of one tenant, each with a copter of its own, brought to the stages that docs/following.md has. */
 public final class FollowStages {
     public static final String PATH = "/api/v1/follows";
 
     private static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
 
-    private final TestHouse house;
+    private final Tenant tenant;
     private final Http supervisor;
     private final List<Staged> all = new ArrayList<>();
 
-    public FollowStages(TestHouse house, Http supervisor) {
-        this.house = house;
+    public FollowStages(Tenant tenant, Http supervisor) {
+        this.tenant = tenant;
         this.supervisor = supervisor;
     }
 
@@ -59,10 +58,8 @@ public final class FollowStages {
 
     /** It is brought to its stage with all others. */
     public Staged open(String stage, Http owner) {
-        int number = house.number();
-        WillingCopter copter = new WillingCopter(
-                        house.cloud(), new DroneKey("10.9.8.7", 14_800 + number, 1), "Copter " + number, HOME)
-                .wellHeard(house.cloud());
+        WillingCopter copter = tenant.copter(tenant.unique("Copter"), HOME)
+                .wellHeard(tenant.server().cloud());
         if (stage.equals("starting")) {
             copter.staysDown();
         }
@@ -116,7 +113,7 @@ public final class FollowStages {
         assertThat(taken.status()).as(taken.raw().body()).isEqualTo(200);
     }
 
-    /** As its house's supervisor sees it. */
+    /** As the supervisor sees it. */
     public String state(Staged one) {
         return supervisor.get(one.path()).text("state");
     }

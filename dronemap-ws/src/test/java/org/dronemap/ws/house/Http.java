@@ -13,7 +13,9 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** Speaks to a test house's HTTP port with one access key, or as nobody. */
 public final class Http {
-    private final HttpClient client = HttpClient.newHttpClient();
+    /** Costs threads and time to make: all share one. */
+    private static final HttpClient CLIENT = HttpClient.newHttpClient();
+
     private final JsonMapper json = new JsonMapper();
     private final String base;
     private final String key;
@@ -58,7 +60,7 @@ public final class Http {
         }
         try {
             HttpResponse<String> response =
-                    client.send(how.apply(builder).build(), HttpResponse.BodyHandlers.ofString());
+                    CLIENT.send(how.apply(builder).build(), HttpResponse.BodyHandlers.ofString());
             boolean isJson = response.headers()
                     .firstValue("Content-Type")
                     .map(type -> type.contains("json") && !type.contains("jsonl"))

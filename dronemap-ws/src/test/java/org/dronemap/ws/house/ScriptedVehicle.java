@@ -41,9 +41,11 @@ public final class ScriptedVehicle implements VehicleChannel {
     private volatile @Nullable Report underWay;
     private final DroneLink link;
     private final DroneKey key;
+    private final String name;
 
     private ScriptedVehicle(CloudManager cloud, DroneKey key, String name, Identification identification) {
         this.key = key;
+        this.name = name;
         LinkSession session = new LinkSession(key, "udp", false, name, this);
         if (!(cloud.admit(new Claim(session, identification, null, true, 0)) instanceof Admission.Bound bound)) {
             throw new AssertionError("it was not let in");
@@ -116,6 +118,10 @@ public final class ScriptedVehicle implements VehicleChannel {
         public void probe() {
             // nobody is there to be asked
         }
+    }
+
+    public String name() {
+        return name;
     }
 
     public String id() {

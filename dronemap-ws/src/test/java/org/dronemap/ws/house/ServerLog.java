@@ -36,6 +36,11 @@ public final class ServerLog extends AppenderBase<ILoggingEvent> implements Auto
                 .toList();
     }
 
+    /** Whether one of them has these words in it. */
+    public boolean has(String words) {
+        return events.stream().anyMatch(event -> event.getFormattedMessage().contains(words));
+    }
+
     @Override
     public void close() {
         root.detachAppender(this);

@@ -152,6 +152,7 @@ public final class TestHouse implements AutoCloseable {
     }
 
     public TestHouse(Path data, Choices choices) {
+        ServerStarts.count();
         this.data = data;
         audit = auditSide();
         cloud = new CloudManager(lanes, PATIENT, time, keeping(), () -> new DroneId("drone-" + ids.incrementAndGet()));
@@ -339,15 +340,24 @@ public final class TestHouse implements AutoCloseable {
 
     /** An access key with these rights, of a new user with their role. */
     public String key(KeyRights rights) {
+        return key(OrganisationId.HOME, rights);
+    }
+
+    /** The same of a new user of that organisation. */
+    public String key(OrganisationId organisation, KeyRights rights) {
         String name = "user" + ids.incrementAndGet();
+        return keyOf(new User(name, rights.role(), AccountState.ACTIVE, "none", false, organisation), rights);
+    }
+
+    private String keyOf(User user, KeyRights rights) {
         String secret = new Secrets().token();
-        if (!access.addUser(new User(name, rights.role(), AccountState.ACTIVE, "none", false))) {
-            throw new IllegalStateException("the user " + name + " was there already");
+        if (!access.addUser(user)) {
+            throw new IllegalStateException("the user " + user.name() + " was there already");
         }
         access.addAccessKey(new AccessKey(
-                "key-" + name,
+                "key-" + user.name(),
                 "test",
-                name,
+                user.name(),
                 null,
                 rights,
                 Secrets.hash(secret),
@@ -363,19 +373,8 @@ public final class TestHouse implements AutoCloseable {
 
     /** A new user of an organisation, with this role and a key that may as much. */
     public Member member(OrganisationId organisation, String name, Role role) {
-        String secret = new Secrets().token();
-        if (!access.addUser(new User(name, role, AccountState.ACTIVE, "none", false, organisation))) {
-            throw new IllegalStateException("the user " + name + " was there already");
-        }
-        access.addAccessKey(new AccessKey(
-                "key-" + name,
-                "test",
-                name,
-                null,
-                new KeyRights(role, KeyScope.ALL, null),
-                Secrets.hash(secret),
-                Clock.systemUTC().instant(),
-                null));
+        User user = new User(name, role, AccountState.ACTIVE, "none", false, organisation);
+        String secret = keyOf(user, new KeyRights(role, KeyScope.ALL, null));
         return new Member(name, secret, new Http(this, secret));
     }
 

@@ -50,11 +50,12 @@ public final class WillingCopter {
     private volatile boolean armed;
     private volatile boolean grounded;
 
-    /** It stands there, with that system id, name and hardware id. */
+    /** It stands there, with that system id and name, and a hardware id that goes with both its name and its port. */
     public WillingCopter(CloudManager cloud, DroneKey key, String name, Geodetic stand) {
         this.stand = stand;
+        String hardware = "uid-of-" + name + "-" + key.port();
         Identification identification =
-                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", "uid-of-" + name);
+                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", hardware);
         vehicle = ScriptedVehicle.silent(cloud, key, name, identification);
         vehicle.ends(this::obey);
         vehicle.says(new DroneEvent.Identified(identification, ALL));

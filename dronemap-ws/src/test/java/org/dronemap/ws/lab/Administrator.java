@@ -43,7 +43,11 @@ public final class Administrator {
         List<String> ids =
                 Arrays.stream(drones).map(drone -> drone.id().value()).toList();
         GrantRequest request = new GrantRequest(user.name(), null, null, null, ids, null, operations, null, null);
-        return lab.server().accounts().grants().add(account.principal(), request).id();
+        return lab.server()
+                .accounts()
+                .grants()
+                .add(account.principal(), request)
+                .id();
     }
 
     public void takesBack(String grant) {

@@ -1,12 +1,13 @@
 package org.dronemap.ws.lab;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.sim.flight.Craft;
 import org.dronemap.sim.flight.Navigation;
 import org.dronemap.sim.personality.SimulatedVehicle;
@@ -14,15 +15,18 @@ import org.dronemap.sim.physics.Battery;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.Position;
 import org.dronemap.sim.physics.Wind;
+import org.jspecify.annotations.Nullable;
 
 /** One vehicle of the laboratory: what it truly does, its wire, and the drone that the server takes it for. */
-public final class LabDrone {
+public final class LabDrone implements LabVehicle {
     /** Where the first one stands; altitude in m AMSL. */
     public static final LocalFrame FIELD = new LocalFrame(47.3977, 8.5456, 488);
 
     private static final double SPACING_METERS = 60;
     private static final double MILLIAMP_HOURS = 5_200;
     private static final int FIRST_PORT = 20_000;
+    private static final int PORTS_APART = 250;
+    private static final long SEED_OF_ANOTHER_WIRE = 7_919;
     private static final double MILLIS = 1_000;
 
     private final Laboratory lab;
@@ -31,9 +35,11 @@ public final class LabDrone {
     /** It says only when it is not ready. */
     private final boolean isPx4;
 
-    private final Wire wire;
+    private final List<Wire> wires = new ArrayList<>();
     private final SimulatedVehicle vehicle;
     private final LocalFrame start;
+    private final long seed;
+    private final FlightRecord record;
 
     LabDrone(Laboratory lab, VehicleKit kit, int number, int systemId, long seed, FlightRecord record) {
         this.lab = lab;
@@ -41,24 +47,48 @@ public final class LabDrone {
         this.isPx4 = kit.kind().name().equals("px4");
         this.name = kit.kind().name() + " " + number;
         this.start = FIELD.shifted(new Position(0, (number - 1) * SPACING_METERS, 0));
-        this.wire = new Wire(
-                name,
-                FIRST_PORT + number,
-                lab.time(),
-                seed,
-                record,
-                frame -> this.vehicle().receive(frame));
+        this.seed = seed;
+        this.record = record;
+        wires.add(newWire(name, FIRST_PORT + number));
         Craft craft =
                 new Craft(start, new Battery(MILLIAMP_HOURS), new Wind(kit.windSpeed(), 0, seed), new Navigation((long)
                         (kit.readySeconds() * MILLIS)));
         this.vehicle = new SimulatedVehicle(
-                kit.settings(systemId, number, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, wire::up);
+                kit.settings(systemId, number, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, this::say);
+    }
+
+    private Wire newWire(String label, int port) {
+        return new Wire(
+                label,
+                port,
+                lab.time(),
+                seed + wires.size() * SEED_OF_ANOTHER_WIRE,
+                record,
+                frame -> this.vehicle().receive(frame));
+    }
+
+    /** It speaks over one more from now on, always the same on all, and hears on each. */
+    public Wire addWire(Wire.Kind kind) {
+        int number = wires.size();
+        Wire added = newWire(name + " by wire " + number, FIRST_PORT + number * PORTS_APART + systemId);
+        added.is(kind);
+        wires.add(added);
+        added.attach(lab.server().links());
+        return added;
+    }
+
+    private void say(byte[] bytes) {
+        wires.forEach(wire -> wire.up(bytes));
+    }
+
+    void attach(PeerHandler.@Nullable Factory server) {
+        wires.forEach(wire -> wire.attach(server));
     }
 
     void beat() {
         vehicle.advance(lab.time().nanos() / Duration.ofMillis(1).toNanos());
         if (vehicle.takeNewAddress()) {
-            wire.move();
+            wires.forEach(Wire::move);
         }
     }
 
@@ -70,8 +100,10 @@ public final class LabDrone {
         return name;
     }
 
+    /** The first one, or the only one. */
+    @Override
     public Wire wire() {
-        return wire;
+        return wires.get(0);
     }
 
     /** What it truly is and does. */
@@ -111,23 +143,16 @@ public final class LabDrone {
                 .horizontalDistanceTo(start.locate(place.latitudeDegrees(), place.longitudeDegrees(), 0));
     }
 
-    /** As the server has it; empty: it knows no such drone. */
+    @Override
     public Optional<DroneState> known() {
         List<DroneState> named = lab.server().house().cloud().drones().stream()
                 .filter(state -> state.link().key().systemId() == systemId)
                 .toList();
         Optional<DroneState> own = named.stream()
-                .filter(state -> state.link().key().port() == wire.port())
+                .filter(state -> wires.stream()
+                        .anyMatch(wire -> wire.port() == state.link().key().port()))
                 .findFirst();
         return own.isPresent() || lab.hasTwins(systemId) ? own : named.stream().findFirst();
-    }
-
-    public DroneState state() {
-        return known().orElseThrow(() -> new AssertionError("The server does not know " + name));
-    }
-
-    public DroneId id() {
-        return state().id();
     }
 
     public boolean isLost() {
@@ -145,7 +170,8 @@ public final class LabDrone {
                 .isPresent();
     }
 
-    String words() {
+    @Override
+    public String words() {
         return name + ": truly " + (craft().armed() ? "armed" : "disarmed")
                 + String.format(", %.1f m up, %.1f m away; ", height(), away())
                 + "for the server "

@@ -13,15 +13,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.SteppedTime;
+import org.dronemap.mavlink.Frame;
 import org.dronemap.store.memory.MemoryStores;
 import org.dronemap.ws.wiring.SteppedServer;
 import org.jspecify.annotations.Nullable;
@@ -35,6 +38,8 @@ public final class Laboratory implements AutoCloseable {
     private static final Instant BEGAN = Instant.parse("2026-05-01T10:00:00Z");
     private static final int MOST_OPERATIONS = 1_000;
     private static final int MOST_ENTRIES = 1_000_000;
+    private static final int FIRST_PORT_OF_PEERS = 40_000;
+    private static final int FIRST_PEER_PORT = 40_500;
     private static final Duration BEAT = Duration.ofMillis(20);
     private static final Duration LONGEST_PREPARATION = Duration.ofSeconds(60);
 
@@ -45,6 +50,8 @@ public final class Laboratory implements AutoCloseable {
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
     private final List<Line> lines = new ArrayList<>();
+    private final List<ScriptedPeer> peers = new ArrayList<>();
+    private final List<SigningPeer> signingPeers = new ArrayList<>();
     private SteppedTime.@Nullable Killable process;
     private @Nullable SteppedServer server;
 
@@ -65,7 +72,9 @@ public final class Laboratory implements AutoCloseable {
     public void startServer() {
         process = time.killable();
         server = new SteppedServer(data, process, stores);
-        drones.forEach(drone -> drone.wire().attach(server().links()));
+        drones.forEach(drone -> drone.attach(server().links()));
+        peers.forEach(peer -> peer.wire().attach(server().links()));
+        signingPeers.forEach(peer -> peer.wire().attach(server().links()));
         lines.forEach(line -> line.attach(server));
     }
 
@@ -74,9 +83,18 @@ public final class Laboratory implements AutoCloseable {
         if (process != null) {
             process.kill();
         }
-        drones.forEach(drone -> drone.wire().attach(null));
+        drones.forEach(drone -> drone.attach(null));
+        peers.forEach(peer -> peer.wire().attach(null));
+        signingPeers.forEach(peer -> peer.wire().attach(null));
         lines.forEach(line -> line.attach(null));
         server = null;
+    }
+
+    /** In the place of a server that has crashed, until there is one again. */
+    public OtherStation otherStation(LabDrone drone, List<Geodetic> places, double meters) {
+        OtherStation station = new OtherStation(places, meters);
+        drone.attach(station);
+        return station;
     }
 
     public SteppedServer server() {
@@ -110,13 +128,44 @@ public final class Laboratory implements AutoCloseable {
         int number = drones.size() + 1;
         LabDrone drone = new LabDrone(this, kit, number, systemId, seed * 1_000_003 + number, record);
         drones.add(drone);
-        drone.wire().attach(server().links());
+        drone.attach(server().links());
         return drone;
     }
 
     /** Several vehicles have that system id. */
     boolean hasTwins(int systemId) {
         return drones.stream().filter(drone -> drone.systemId() == systemId).count() > 1;
+    }
+
+    /** Somebody of whom the test says what they answer. */
+    public ScriptedPeer peer(int systemId, ScriptedPeer.Kind kind, ScriptedPeer.Answers answers) {
+        ScriptedPeer peer = new ScriptedPeer(this, FIRST_PORT_OF_PEERS + peers.size(), systemId, kind, answers);
+        peers.add(peer);
+        peer.wire().attach(server().links());
+        return peer;
+    }
+
+    Wire wire(String name, int port, Consumer<Frame> vehicle) {
+        return new Wire(name, port, time, seed * 1_000_003 + port, record, vehicle);
+    }
+
+    /** What the test speaks for, over such a wire; it says nothing before {@link SigningPeer#begin}. */
+    public SigningPeer signingPeer(int systemId, Wire.Kind kind) {
+        int number = signingPeers.size() + 1;
+        long chance = seed * 1_000_003 + FIRST_PEER_PORT + number;
+        SigningPeer peer = new SigningPeer(
+                this,
+                systemId,
+                hear -> new Wire("peer " + number, FIRST_PEER_PORT + number, time, chance, record, hear));
+        peer.wire().is(kind);
+        peer.wire().attach(server().links());
+        signingPeers.add(peer);
+        return peer;
+    }
+
+    /** The same over datagrams of this machine. */
+    public SigningPeer signingPeer(int systemId) {
+        return signingPeer(systemId, Wire.Kind.UDP);
     }
 
     /** Waits until the server knows it with its home, and it says that it may be armed. */
@@ -188,8 +237,12 @@ public final class Laboratory implements AutoCloseable {
 
     /** The same for what appears. */
     public <T> T until(String what, Duration longest, Supplier<Optional<T>> appears) {
-        until(what, longest, () -> appears.get().isPresent());
-        return appears.get().orElseThrow();
+        List<T> found = new ArrayList<>(1);
+        until(what, longest, () -> {
+            appears.get().ifPresent(found::add);
+            return !found.isEmpty();
+        });
+        return found.get(0);
     }
 
     /** Lets time go by, and holds this all along. */
@@ -208,11 +261,10 @@ public final class Laboratory implements AutoCloseable {
         }
     }
 
-    private String picture() {
+    String picture() {
         StringBuilder text = new StringBuilder("at " + now());
-        for (LabDrone drone : drones) {
-            text.append('\n').append(drone.words());
-        }
+        drones.forEach(drone -> text.append('\n').append(drone.words()));
+        peers.forEach(peer -> text.append('\n').append(peer.words()));
         return text.toString();
     }
 

@@ -7,9 +7,11 @@ import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.service.Caller;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.dronemap.ws.service.ControlAction;
@@ -84,13 +86,22 @@ public final class Pilot {
         return lab.principal(name, role);
     }
 
+    /** As services want it. */
+    public Caller caller() {
+        return new Caller(principal(), FACE);
+    }
+
     /** Gives a command and does not wait; refusals are thrown. */
-    public CommandView give(LabDrone drone, CommandRequest what) {
-        return lab.server().commands().submit(principal(), FACE, drone.id().value(), what);
+    public CommandView give(LabVehicle drone, CommandRequest what) {
+        return give(drone.id(), what);
+    }
+
+    public CommandView give(DroneId drone, CommandRequest what) {
+        return lab.server().commands().submit(principal(), FACE, drone.value(), what);
     }
 
     /** Gives a command, and waits for its end whatever that is. */
-    public CommandView outcome(LabDrone drone, CommandRequest what) {
+    public CommandView outcome(LabVehicle drone, CommandRequest what) {
         return end(give(drone, what));
     }
 
@@ -102,22 +113,42 @@ public final class Pilot {
                 () -> Optional.of(now(given)).filter(command -> command.outcome() != null));
     }
 
-    private CommandView now(CommandView given) {
+    /** How far it is now. */
+    public CommandView now(CommandView given) {
         return lab.server().commands().command(principal(), given.id());
     }
 
     /** Gives a command, waits for its end, and insists on success. */
-    public Pilot does(LabDrone drone, CommandRequest what) {
-        CommandView ended = outcome(drone, what);
+    public Pilot does(LabVehicle drone, CommandRequest what) {
+        return succeeds(give(drone, what));
+    }
+
+    /** Waits for the end of what was given, and insists on success. */
+    public Pilot succeeds(CommandView given) {
+        CommandView ended = end(given);
         CommandView.OutcomeView outcome = Objects.requireNonNull(ended.outcome());
         if (!outcome.result().equals("succeeded")) {
-            throw new AssertionError(ended.summary() + ": " + outcome + "; " + drone.words());
+            throw new AssertionError(ended.summary() + ": " + outcome + "; " + lab.picture());
+        }
+        return this;
+    }
+
+    /** The same for any drone that the server knows. */
+    public Pilot does(DroneId drone, CommandRequest what) {
+        CommandView ended = end(give(drone, what));
+        CommandView.OutcomeView outcome = Objects.requireNonNull(ended.outcome());
+        if (!outcome.result().equals("succeeded")) {
+            throw new AssertionError(ended.summary() + ": " + outcome);
         }
         return this;
     }
 
     /** The sentence that it is refused with before anything is sent. */
-    public String refusal(LabDrone drone, CommandRequest what) {
+    public String refusal(LabVehicle drone, CommandRequest what) {
+        return refusal(drone.id(), what);
+    }
+
+    public String refusal(DroneId drone, CommandRequest what) {
         try {
             CommandView given = give(drone, what);
             throw new AssertionError("Not refused: " + given);

@@ -1,11 +1,8 @@
 package org.dronemap.ws.lab;
 
-import java.nio.ByteBuffer;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.dronemap.mavlink.Frame;
-import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -35,36 +32,27 @@ public final class VehicleLog {
 
     private static final Set<Integer> OWN_COMMANDS = Set.of(SET_MESSAGE_INTERVAL, REQUEST_MESSAGE);
 
-    private final List<Frame> said = new ArrayList<>();
-    private final List<Frame> told = new ArrayList<>();
-    private final FrameReader up = new FrameReader();
-    private final FrameReader down = new FrameReader();
+    private final WireTap tap;
 
     public VehicleLog(LabDrone drone) {
-        drone.wire().tap(new Wire.Tap() {
-            @Override
-            public void said(byte[] frame) {
-                up.read(ByteBuffer.wrap(frame), said::add);
-            }
-
-            @Override
-            public void told(byte[] frame) {
-                down.read(ByteBuffer.wrap(frame), told::add);
-            }
-        });
+        tap = drone.wire().tap();
     }
 
+    /** What it said of that kind. */
     public List<Frame> said(int message) {
-        return said.stream().filter(frame -> frame.messageId() == message).toList();
+        return tap.said(message, frame -> frame);
     }
 
+    /** What it was told of that kind. */
     public List<Frame> told(int message) {
-        return told.stream().filter(frame -> frame.messageId() == message).toList();
+        return tap.told(message, frame -> frame);
     }
 
     /** What it was told beside what the cloud says anyhow: messages by their numbers, and commands by theirs. */
     public List<String> told() {
-        return told.stream()
+        return tap.all().stream()
+                .filter(one -> !one.up())
+                .map(WireTap.Heard::frame)
                 .filter(frame -> !isOwn(frame))
                 .map(VehicleLog::name)
                 .toList();

@@ -2,6 +2,11 @@ package org.dronemap.ws.lab;
 
 import java.nio.ByteBuffer;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import org.dronemap.core.time.Time;
@@ -30,27 +35,19 @@ public final class Wire {
     private final Consumer<Frame> vehicle;
     private final FrameReader reader = new FrameReader();
     private final String name;
-    private Tap tap = Tap.NONE;
+    private final EndpointCounters counters = new EndpointCounters();
+    private final List<Stray> strays = new ArrayList<>();
+    private final Map<Integer, Long> leftAt = new HashMap<>();
+    private Kind kind = Kind.UDP;
     private Quality quality = Quality.GOOD;
+    private final List<WireTap> taps = new ArrayList<>();
+    private double doubled;
     private boolean cut;
     private int port;
+    private @Nullable WireLog log;
+    private @Nullable Far far;
     private @Nullable PeerHandler handler;
     private PeerHandler.@Nullable Factory server;
-
-    /** Hears what the vehicle says, and what it is told, before anything of that gets lost. */
-    interface Tap {
-        Tap NONE = new Tap() {
-            @Override
-            public void said(byte[] frame) {}
-
-            @Override
-            public void told(byte[] frame) {}
-        };
-
-        void said(byte[] frame);
-
-        void told(byte[] frame);
-    }
 
     /**
      * How good it is.
@@ -62,7 +59,63 @@ public final class Wire {
     public record Quality(double loss, Duration delay, Duration scatter) {
         /** Nothing gets lost. */
         public static final Quality GOOD = new Quality(0, USUAL_DELAY, Duration.ZERO);
+
+        /** A tenth gets lost each way, and what arrives is late by 0.3 to 0.7 s. */
+        public static final Quality BAD = new Quality(0.1, Duration.ofMillis(300), Duration.ofMillis(400));
+
+        /** Nothing gets lost, and all is late. */
+        public static Quality late(long millis) {
+            return new Quality(0, Duration.ofMillis(millis), Duration.ZERO);
+        }
     }
+
+    /**
+     * What the server takes it for.
+     *
+     * @param host where the vehicle is, or the device that it hangs on
+     * @param isLocal nobody else can be there
+     * @param identity what the link itself proves; null: nothing
+     */
+    public record Kind(
+            String transport,
+            String host,
+            boolean isLocal,
+            @Nullable String identity) {
+        private static final String HERE = "127.0.0.1";
+
+        public static final Kind UDP = new Kind("udp", HERE, true, null);
+        public static final Kind TCP = new Kind("tcp", HERE, true, null);
+        public static final Kind WEBSOCKET = new Kind("websocket", HERE, true, null);
+
+        public static Kind serial(String device) {
+            return new Kind("serial", device, true, null);
+        }
+
+        /** Opened with the key of that identity. */
+        public static Kind dtls(String identity) {
+            return new Kind("dtls", "198.51.100.7", false, identity);
+        }
+
+        /** Datagrams from somewhere in the network. */
+        public static Kind remote(String host) {
+            return new Kind("udp", host, false, null);
+        }
+
+        boolean isDatagram() {
+            return transport.equals("udp") || transport.equals("dtls");
+        }
+
+        boolean hasPort() {
+            return !transport.equals("serial");
+        }
+    }
+
+    /**
+     * What still came to an address that the vehicle had left.
+     *
+     * @param after how long ago it had left
+     */
+    public record Stray(Duration after, Frame frame) {}
 
     Wire(String name, int port, Time time, long seed, FlightRecord record, Consumer<Frame> vehicle) {
         this.name = name;
@@ -78,11 +131,29 @@ public final class Wire {
     void attach(PeerHandler.@Nullable Factory handlers) {
         server = handlers;
         handler = null;
+        far = null;
+    }
+
+    /** To be said before anything went over it. */
+    public void is(Kind other) {
+        kind = other;
     }
 
     /** From now on. */
     public void is(Quality other) {
         quality = other;
+    }
+
+    /** So large a share of datagrams arrives twice from now on, 0 to 1. */
+    public void doubles(double share) {
+        doubled = share;
+    }
+
+    /** Hears what is said at both ends from now on. */
+    public WireTap tap() {
+        WireTap tap = new WireTap(time::nanos);
+        taps.add(tap);
+        return tap;
     }
 
     /** Nothing goes through from now on. */
@@ -95,44 +166,80 @@ public final class Wire {
         cut = false;
     }
 
-    /** The vehicle has another port from now on, as after a change of its network. */
+    /** The vehicle has another port from now on, as after a change of its network. What proves itself stays the same link. */
     public void move() {
+        leftAt.put(port, time.nanos());
         port += 1_000;
-        handler = null;
+        if (kind.identity() == null) {
+            handler = null;
+            far = null;
+        }
     }
 
-    int port() {
-        return port;
+    /** The connection ends, and the vehicle opens another one when it speaks next. */
+    public void reconnect() {
+        if (handler != null) {
+            handler.closed();
+        }
+        move();
     }
 
-    /** Hears both directions from now on. */
-    void tap(Tap listener) {
-        tap = listener;
+    /** Where the vehicle is now; 0 where there are no ports. */
+    public int port() {
+        return kind.hasPort() ? port : 0;
+    }
+
+    /** What came to addresses after they were left, in the order of time. */
+    public List<Stray> strays() {
+        return List.copyOf(strays);
+    }
+
+    /** What the server's side of it has counted. */
+    public EndpointCounters.Counts counts() {
+        return counters.counts();
+    }
+
+    /** All that goes over it from now on. */
+    public WireLog log() {
+        WireLog begun = new WireLog(time);
+        log = begun;
+        return begun;
     }
 
     /** What the vehicle says. */
     void up(byte[] bytes) {
         record.said(name, bytes);
-        tap.said(bytes);
+        taps.forEach(tap -> tap.said(bytes));
         carry(() -> {
             PeerHandler there = handler();
             if (there != null) {
+                note(true, bytes);
                 there.received(ByteBuffer.wrap(bytes));
             }
         });
     }
 
+    private void note(boolean up, byte[] bytes) {
+        if (log != null) {
+            log.add(up, bytes);
+        }
+    }
+
     private @Nullable PeerHandler handler() {
         if (handler == null && server != null) {
-            handler = server.opened(
-                    new Far(new PeerAddress("127.0.0.1", port)), new PeerCounters(new EndpointCounters()));
+            far = new Far();
+            handler = server.opened(far, new PeerCounters(counters));
+        }
+        if (far != null) {
+            far.address = new PeerAddress(kind.host(), port());
         }
         return handler;
     }
 
     private void down(byte[] bytes) {
         record.told(name, bytes);
-        tap.told(bytes);
+        taps.forEach(tap -> tap.told(bytes));
+        note(false, bytes);
         carry(() -> reader.read(ByteBuffer.wrap(bytes), frame -> {
             if (frame.verified()) {
                 vehicle.accept(frame);
@@ -144,6 +251,13 @@ public final class Wire {
         if (cut || chance.nextDouble() < quality.loss()) {
             return;
         }
+        deliver(delivery);
+        if (doubled > 0 && chance.nextDouble() < doubled) {
+            deliver(delivery);
+        }
+    }
+
+    private void deliver(Runnable delivery) {
         long scatter = quality.scatter().toNanos();
         Duration delay = quality.delay().plusNanos(scatter == 0 ? 0 : chance.nextLong(scatter));
         var unused = transit.after(delay, () -> {
@@ -153,13 +267,14 @@ public final class Wire {
         });
     }
 
+    private void stray(byte[] bytes, long leftNanos) {
+        Duration after = Duration.ofNanos(time.nanos() - leftNanos);
+        new FrameReader().read(ByteBuffer.wrap(bytes), frame -> strays.add(new Stray(after, frame)));
+    }
+
     /** The vehicle as the server sees it. */
     private final class Far implements Peer {
-        private final PeerAddress address;
-
-        Far(PeerAddress address) {
-            this.address = address;
-        }
+        private PeerAddress address = new PeerAddress(kind.host(), port());
 
         @Override
         public PeerAddress address() {
@@ -168,23 +283,31 @@ public final class Wire {
 
         @Override
         public String transport() {
-            return "udp";
+            return kind.transport();
+        }
+
+        @Override
+        public Optional<String> authenticatedIdentity() {
+            return Optional.ofNullable(kind.identity());
         }
 
         @Override
         public boolean isLocal() {
-            return true;
+            return kind.isLocal();
         }
 
         @Override
         public boolean isDatagram() {
-            return true;
+            return kind.isDatagram();
         }
 
         @Override
         public void send(byte[] frame) {
-            if (address.port() == port) {
+            Long left = leftAt.get(address.port());
+            if (left == null) {
                 down(frame);
+            } else {
+                stray(frame, left);
             }
         }
     }

@@ -14,13 +14,18 @@ import org.dronemap.proxy.outlet.PortRange;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
 import org.dronemap.ws.guard.ClientLimits;
+import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
+import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FollowReliefs;
 import org.dronemap.ws.service.FollowService;
+import org.dronemap.ws.service.LogService;
+import org.dronemap.ws.service.LogShelf;
+import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PlanDesk;
 import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.service.Rates;
@@ -47,15 +52,21 @@ public final class SteppedServer implements AutoCloseable {
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
     private final SteppedAccounts accounts;
+    private final BroadcastService broadcasts;
+    private final ParameterService parameters;
+    private final FenceService fences;
+    private final LogService logs;
+    private final SteppedOffice office;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
-        builder = new HouseBuilder(settings(data), closing, time);
+        Settings settings = settings(data);
+        builder = new HouseBuilder(settings, closing, time);
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);
-        drones = new DroneService(
-                house.cloud(), new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed));
+        DroneViews shown = new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed);
+        drones = new DroneService(house.cloud(), shown);
         commands = new ServiceConfiguration().commandService(house, drones, budgets);
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);
         zones = new ServiceConfiguration().zoneService(house, drones, time.clock());
@@ -75,6 +86,13 @@ public final class SteppedServer implements AutoCloseable {
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
         accounts = new SteppedAccounts(house, drones, time, closing);
+        broadcasts = new ServiceConfiguration().broadcastService(house, commands);
+        parameters = new ServiceConfiguration().parameterService(house, drones, commands);
+        fences = new ServiceConfiguration().fenceService(house, drones, commands);
+        LogShelf shelf = new LogShelf(data.resolve("vehicle-logs"), time);
+        closing.add("the logs of vehicles", shelf);
+        logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
+        office = SteppedOffice.of(house, settings, drones, shown, zones);
         builder.hear();
         builder.serve();
     }
@@ -166,6 +184,26 @@ public final class SteppedServer implements AutoCloseable {
 
     public WarehouseService warehouse() {
         return warehouse;
+    }
+
+    public BroadcastService broadcasts() {
+        return broadcasts;
+    }
+
+    public ParameterService parameters() {
+        return parameters;
+    }
+
+    public FenceService fences() {
+        return fences;
+    }
+
+    public LogService logs() {
+        return logs;
+    }
+
+    public SteppedOffice office() {
+        return office;
     }
 
     @Override

@@ -1,0 +1,188 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.net.http.HttpRequest;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.LogSink;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.VehicleLog;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.ws.house.Http;
+import org.dronemap.ws.house.ScriptedVehicle;
+import org.dronemap.ws.house.Tenant;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What a vehicle keeps on board, through REST: fence, rally points, logs and files of parameters. */
+class OnBoardFacesTest {
+    private static final String LOG = "0123456789".repeat(9);
+    private static final String CORNER = "{\"latitude\":47.39,\"longitude\":8.54}";
+
+    @AutoClose
+    private final Tenant tenant = new Tenant();
+
+    private final Http operator = tenant.http(Role.OPERATOR);
+    private final ScriptedVehicle vehicle = tenant.vehicle();
+    private final String path = "/api/v1/drones/" + vehicle.id();
+
+    @BeforeEach
+    void connect() {
+        vehicle.ends(this::obey);
+    }
+
+    private Outcome obey(Command command) {
+        if (command instanceof Command.SetFence set) {
+            vehicle.says(new DroneEvent.FenceRead(set.zones()));
+        } else if (command instanceof Command.SetRallyPoints set) {
+            vehicle.says(new DroneEvent.RallyPointsRead(set.points()));
+        } else if (command instanceof Command.ReadLogs) {
+            vehicle.says(new DroneEvent.LogsRead(List.of(new VehicleLog(2, null, LOG.length()))));
+        } else if (command instanceof Command.DownloadLog download) {
+            LogSink sink = download.sink();
+            assertThat(sink.put(0, LOG.getBytes(StandardCharsets.US_ASCII))).isTrue();
+            assertThat(sink.complete(LOG.length())).isTrue();
+        }
+        return new Outcome.Succeeded();
+    }
+
+    private Http.Answer put(String where, String body) {
+        return operator.send(
+                path + where,
+                request -> request.header("Content-Type", "application/json")
+                        .PUT(HttpRequest.BodyPublishers.ofString(body)));
+    }
+
+    private Http.Answer delete(String where) {
+        return operator.send(path + where, HttpRequest.Builder::DELETE);
+    }
+
+    private void succeeds(Http.Answer given) {
+        assertThat(given.status()).as(given.raw().body()).isBetween(200, 202);
+        await().until(
+                        () -> operator.get("/api/v1/commands/" + given.text("id"))
+                                .json()
+                                .path("outcome")
+                                .path("result")
+                                .asString(""),
+                        "succeeded"::equals);
+    }
+
+    @Test
+    void aFenceGoesRoundAndIsTakenAway() {
+        String zones = "{\"zones\":[{\"type\":\"polygon\",\"inside\":true,\"corners\":[" + CORNER
+                + ",{\"latitude\":47.41,\"longitude\":8.54},{\"latitude\":47.4,\"longitude\":8.56}],"
+                + "\"center\":null,\"radius\":null},"
+                + "{\"type\":\"circle\",\"inside\":false,\"corners\":null,\"center\":" + CORNER
+                + ",\"radius\":50.0}]}";
+        assertThat(operator.get(path + "/fence").raw().body()).isEqualTo("{\"zones\":null}");
+
+        succeeds(put("/fence", zones));
+        assertThat(operator.get(path + "/fence").raw().body()).isEqualTo(zones);
+
+        Http.Answer broken = put("/fence", "{\"zones\":[{\"type\":\"circle\",\"inside\":true}]}");
+        assertThat(broken.status()).isEqualTo(422);
+        assertThat(broken.text("field")).isEqualTo("zones[0].center.latitude");
+        succeeds(delete("/fence"));
+        succeeds(operator.post(path + "/fence/refresh", ""));
+        assertThat(operator.get(path + "/fence").raw().body()).isEqualTo("{\"zones\":[]}");
+    }
+
+    @Test
+    void rallyPointsGoRoundAndAreTakenAway() {
+        String points = "{\"points\":[{\"latitude\":47.395,\"longitude\":8.545,\"altitude\":25.0}]}";
+
+        succeeds(put("/rally-points", points));
+        assertThat(operator.get(path + "/rally-points").raw().body()).isEqualTo(points);
+
+        succeeds(delete("/rally-points"));
+        assertThat(operator.get(path + "/rally-points").raw().body()).isEqualTo("{\"points\":[]}");
+    }
+
+    @Test
+    void aLogIsListedFetchedSavedAndTakenAway() {
+        assertThat(operator.get(path + "/logs").raw().body()).isEqualTo("{\"logs\":null}");
+        succeeds(operator.post(path + "/logs/refresh", ""));
+        assertThat(operator.get(path + "/logs")
+                        .json()
+                        .path("logs")
+                        .path(0)
+                        .path("sizeBytes")
+                        .asLong())
+                .isEqualTo(LOG.length());
+        assertThat(operator.get(path + "/logs/2/file").status()).isEqualTo(409);
+
+        succeeds(operator.post(path + "/logs/2/download", ""));
+        await().until(() -> operator.get(path + "/logs/2/file").status() == 200);
+        assertThat(operator.get(path + "/logs/2/file").raw().body()).isEqualTo(LOG);
+        assertThat(operator.get(path + "/logs")
+                        .json()
+                        .path("logs")
+                        .path(0)
+                        .path("here")
+                        .asBoolean())
+                .isTrue();
+        assertThat(operator.post(path + "/logs/2/download", "").status()).isEqualTo(409);
+
+        assertThat(delete("/logs/2/file").status()).isEqualTo(204);
+        assertThat(operator.get(path + "/logs/2/file").status()).isEqualTo(409);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"list", "table"})
+    void aFileOfParametersIsTheSameAsTheVehicle(String form) {
+        vehicle.says(new DroneEvent.ParametersRead(List.of(
+                new Parameter("RTL_ALT", ParameterType.INT16, 1500),
+                new Parameter("RATE_P", ParameterType.REAL32, 0.1f))));
+        await().until(() ->
+                operator.get(path + "/parameters").json().path("total").asInt() == 2);
+
+        Http.Answer saved = operator.get(path + "/parameters/file?form=" + form);
+        Http.Answer compared = operator.send(
+                path + "/parameters/file?dryRun=true",
+                request -> request.header("Content-Type", "text/plain")
+                        .POST(HttpRequest.BodyPublishers.ofString(saved.raw().body())));
+
+        assertThat(saved.status()).isEqualTo(200);
+        assertThat(compared.json().path("same").asInt()).isEqualTo(2);
+        assertThat(compared.json().path("different").isEmpty()).isTrue();
+        assertThat(compared.json().path("unknown").isEmpty()).isTrue();
+        assertThat(compared.json().path("unfit").isEmpty()).isTrue();
+        assertThat(compared.json().path("command").isNull()).isTrue();
+        assertThat(vehicle.performed()).isEmpty();
+    }
+
+    static Stream<Arguments> badCommandsForAll() {
+        return Stream.of(
+                Arguments.of("{\"command\":{\"type\":\"arm\"}}", "drones"),
+                Arguments.of("{\"drones\":[],\"command\":{\"type\":\"arm\"}}", "drones"),
+                Arguments.of("{\"drones\":\"all\"}", "command"),
+                Arguments.of("{\"drones\":\"all\",\"command\":{\"type\":\"takeOff\"}}", "command.altitude"),
+                Arguments.of("{\"drones\":\"all\",\"command\":{\"type\":\"fly\"}}", "command.type"),
+                Arguments.of("{\"drones\":\"all\",\"command\":{\"type\":\"arm\"},\"id\":\"x\"}", "id"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("badCommandsForAll")
+    void aBadCommandForAllIsSentToNobody(String body, String field) {
+        Http.Answer refused = operator.post("/api/v1/commands", body);
+
+        assertThat(refused.status()).isEqualTo(422);
+        assertThat(refused.text("field")).isEqualTo(field);
+        assertThat(operator.get(path + "/commands").json().path("commands").isEmpty())
+                .isTrue();
+        assertThat(vehicle.performed()).isEmpty();
+    }
+}

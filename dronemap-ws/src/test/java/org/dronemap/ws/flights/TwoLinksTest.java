@@ -1,0 +1,125 @@
+package org.dronemap.ws.flights;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.LinkKeys;
+import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.VehicleKit;
+import org.dronemap.ws.lab.Wire;
+import org.dronemap.ws.service.CommandRequest;
+import org.dronemap.ws.service.DtlsKeyService.DtlsKeyRequest;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** One vehicle on two links at once: one drone, spoken to over the better link, whichever of them breaks. */
+class TwoLinksTest {
+    private static final Wire.Quality WORSE = new Wire.Quality(0.2, Duration.ofMillis(150), Duration.ofMillis(50));
+    private static final Wire.Quality FAR = new Wire.Quality(0, Duration.ofMillis(100), Duration.ZERO);
+    /** The share of lost messages is looked at over some seconds before the way is changed. */
+    private static final Duration LONGEST_CHOICE = Duration.ofSeconds(30);
+
+    private static final Duration LONGER_THAN_LOST = Duration.ofSeconds(7);
+
+    private final Laboratory lab = new Laboratory(1);
+    private final Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);
+    private final LabDrone copter = lab.add(VehicleKit.COPTER.insisting());
+
+    @AfterEach
+    void close() {
+        lab.close();
+    }
+
+    @Test
+    void aDtlsVehicleIsOneDroneOnTheBetterLink() {
+        String identity = copterKey();
+        copter.wire().is(Wire.Kind.dtls(identity));
+        Wire other = copter.addWire(Wire.Kind.dtls(identity));
+        lab.ready(copter);
+        lab.until("both links are known", Duration.ofSeconds(10), this::isOnBoth);
+
+        fliesOnWhicheverLinkIsLeft(copter.wire(), other);
+    }
+
+    /** Of a key that was made for a vehicle on DTLS. */
+    private String copterKey() {
+        return lab.server()
+                .office()
+                .dtlsKeys()
+                .make(ada.principal(), new DtlsKeyRequest("copter on two links", null))
+                .identity();
+    }
+
+    @Test
+    void aSignedVehicleIsOneDroneOnTheBetterLink() {
+        lab.ready(copter);
+        LinkKeys keys = new LinkKeys(lab, ada, copter.id());
+        keys.install();
+        keys.policy("required");
+        // The first to bring a signed message has shown something; copies that come later have not.
+        copter.wire().is(FAR);
+        Wire other = copter.addWire(Wire.Kind.UDP);
+        lab.until("both links are known", Duration.ofSeconds(30), this::isOnBoth);
+        copter.wire().is(Wire.Quality.GOOD);
+
+        fliesOnWhicheverLinkIsLeft(copter.wire(), other);
+        assertThat(keys.counts().badSignature()).isZero();
+        assertThat(keys.counts().unsigned()).isZero();
+    }
+
+    private boolean isOnBoth() {
+        return copter.state().link().others().size() == 1;
+    }
+
+    private boolean uses(Wire wire) {
+        return copter.state().link().key().port() == wire.port();
+    }
+
+    private void staysTheOnlyOne() {
+        lab.throughout("it is one drone, and never lost", LONGER_THAN_LOST, () -> {
+            List<DroneState> drones = lab.server().house().cloud().drones();
+            return drones.size() == 1 && drones.get(0).link().state() != LinkState.LOST;
+        });
+    }
+
+    private void fliesOnWhicheverLinkIsLeft(Wire one, Wire other) {
+        ada.takesOff(copter, 8);
+        lab.until("it hovers", Duration.ofSeconds(30), () -> copter.height() > 7);
+        Wire used = uses(one) ? one : other;
+        Wire spare = used == one ? other : one;
+
+        // The way in use becomes the worse one: the other is taken.
+        used.is(WORSE);
+        lab.until("the better link is used", LONGEST_CHOICE, () -> uses(spare));
+
+        // The worse one is cut: nothing changes for anybody.
+        used.cut();
+        ada.does(copter, CommandRequest.simple("hold"));
+        staysTheOnlyOne();
+        assertThat(uses(spare)).isTrue();
+
+        // It comes back, and the better one is cut in flight: the command given at that moment arrives.
+        used.mend();
+        lab.until("the worse link is heard again", Duration.ofSeconds(30), this::isOnBoth);
+        spare.cut();
+        ada.does(copter, CommandRequest.setMode("GUIDED"));
+        staysTheOnlyOne();
+        assertThat(uses(used)).isTrue();
+
+        ada.fliesTo(copter, copter.place(22, 0), 8);
+        lab.until("it is there", Duration.ofMinutes(1), () -> copter.distanceTo(copter.place(22, 0)) < 2);
+        ada.does(copter, CommandRequest.simple("land"));
+        lab.until("it is down", Duration.ofMinutes(1), copter::isDown);
+        lab.until(
+                "the server knows",
+                Duration.ofSeconds(10),
+                () -> Boolean.FALSE.equals(copter.state().armed()));
+        assertThat(lab.server().house().cloud().drones()).hasSize(1);
+    }
+}

@@ -1,0 +1,123 @@
+package org.dronemap.ws.house;
+
+import java.net.http.HttpRequest;
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.access.KeyRights;
+import org.dronemap.core.access.KeyScope;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.organisation.OrganisationId;
+
+/**
+ * An organisation on the shared server, with users and drones that no other test has. What it began is stopped, and its drones
+ * are on the ground, once it is closed.
+ */
+public final class Tenant implements AutoCloseable {
+    private static final int FIRST_PORT = 20_000;
+
+    private final TestHouse server = SharedServer.get();
+    private final OrganisationId organisation;
+    private final List<ScriptedVehicle> vehicles = new ArrayList<>();
+    private final List<WillingCopter> copters = new ArrayList<>();
+
+    public Tenant() {
+        Http.Answer made = SharedServer.administrator()
+                .post("/api/v1/organisations", "{\"name\":\"Tenant " + server.number() + "\"}");
+        if (made.status() != 201) {
+            throw new IllegalStateException(made.raw().body());
+        }
+        organisation = new OrganisationId(made.text("id"));
+    }
+
+    public TestHouse server() {
+        return server;
+    }
+
+    public OrganisationId organisation() {
+        return organisation;
+    }
+
+    /** An access key of a new user with this role. */
+    public String key(Role role) {
+        return key(new KeyRights(role, KeyScope.ALL, null));
+    }
+
+    /** An access key with these rights, of a new user with their role. */
+    public String key(KeyRights rights) {
+        return server.key(organisation, rights);
+    }
+
+    /** As a new user with this role. */
+    public Http http(Role role) {
+        return new Http(server, key(role));
+    }
+
+    /** A new user whose name begins like this. */
+    public Member member(String name, Role role) {
+        return server.member(organisation, unique(name), role);
+    }
+
+    /** A name that nobody else has and that begins like this. */
+    public String unique(String name) {
+        return name + "-" + server.number();
+    }
+
+    /** A vehicle in contact that does as the test says. */
+    public ScriptedVehicle vehicle() {
+        ScriptedVehicle vehicle = ScriptedVehicle.connect(server.cloud(), FIRST_PORT + server.number());
+        vehicles.add(vehicle);
+        own(vehicle.id());
+        return vehicle;
+    }
+
+    /** A copter that does what it is told, and stands there. */
+    public WillingCopter copter(String name, Geodetic stand) {
+        DroneKey key = new DroneKey("10.9.8.7", FIRST_PORT + server.number(), 1);
+        WillingCopter copter = new WillingCopter(server.cloud(), key, name, stand);
+        copters.add(copter);
+        own(copter.id());
+        return copter;
+    }
+
+    private void own(String drone) {
+        HttpRequest.BodyPublisher nothing = HttpRequest.BodyPublishers.noBody();
+        Http.Answer given = SharedServer.administrator()
+                .send(
+                        "/api/v1/organisations/" + organisation.value() + "/drones/" + drone,
+                        request -> request.PUT(nothing));
+        if (given.status() != 204) {
+            throw new IllegalStateException(given.raw().body());
+        }
+    }
+
+    @Override
+    public void close() {
+        if (!copters.isEmpty()) {
+            Http supervisor = http(Role.SUPERVISOR);
+            for (String kind : List.of("runs", "follows", "virtual-drones")) {
+                stop(supervisor, "/api/v1/" + kind);
+            }
+            copters.forEach(WillingCopter::isOnGround);
+        }
+        for (ScriptedVehicle vehicle : vehicles) {
+            vehicle.says(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
+            vehicle.says(new DroneEvent.ModeHeard("GUIDED", false));
+        }
+    }
+
+    private static void stop(Http supervisor, String path) {
+        // The one member of each list is named after what it lists.
+        supervisor
+                .get(path)
+                .json()
+                .valueStream()
+                .forEach(list -> list.forEach(one -> {
+                    String id = one.path("id").asString("");
+                    supervisor.post(path + "/" + id + "/stop", "");
+                }));
+    }
+}

@@ -1,0 +1,76 @@
+"""Orders beside flying through SOAP; judged by what the vehicle itself did."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+import zeep.exceptions
+
+from dronemap_e2e.api import Api
+from dronemap_e2e.impairer import Impairer
+from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.server import Server
+from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.soap import soap
+from dronemap_e2e.waiting import wait_for
+
+from .conftest import SYSTEM_IDS
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One simulated copter, ready to arm, with a station plugged into it."""
+
+    simulator: Simulator
+    station: PluggedStation
+    system_id: int
+    drone: str
+
+    def payload(self) -> str:
+        return self.simulator.payload(self.system_id)
+
+
+@pytest.fixture
+def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
+    system_id = next(SYSTEM_IDS)
+    link = Impairer(server.udp_port, seed=system_id)
+    address = f"udp://127.0.0.1:{link.port}"
+    simulator = Simulator(tmp_path / "sim.log", address, "--sysid", str(system_id))
+    station = PluggedStation(link, system_id)
+    drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)["id"]
+    yield Bench(simulator, station, system_id, drone)
+    simulator.stop()
+    link.close()
+
+
+def fault(service: Any, operation: str, *arguments: object) -> zeep.exceptions.Fault:
+    with pytest.raises(zeep.exceptions.Fault) as raised:
+        getattr(service, operation)(*arguments)
+    return raised.value
+
+
+def test_zeep_gives_orders_and_reads_answers_and_faults(server: Server, api: Api, bench: Bench) -> None:
+    """End to end because zeep makes calls, and reads answers and faults, by the service's own WSDL."""
+    service = soap(server, server.local_key())
+    assert service.setHome(bench.drone, 47.4013, 8.5502, 502.0).result == "succeeded"
+    assert bench.station.home() == (474_013_000, 85_502_000, 502_000)
+    assert service.takePicture(bench.drone).result == "succeeded"
+    assert service.setRelay(bench.drone, 4, "toggle").result == "succeeded"
+    assert bench.payload() == "pictures 1 relays on: 4"
+    assert service.readParameters(bench.drone).result == "succeeded"
+    assert service.setParameter(bench.drone, "RTL_ALT", 33.0).result == "succeeded"
+    found = service.getParameters(bench.drone, "RTL_ALT")
+    assert [(p.name, p.value) for p in found] == [("RTL_ALT", 33.0)]
+    assert bench.station.parameters()["RTL_ALT"][0] == 33.0
+
+    bad = {"type": "goTo", "latitude": 95, "longitude": 8, "altitude": 20}
+    by_rest = api.call("POST", f"/drones/{bench.drone}/commands", bad).json()["detail"]
+    latitude = fault(service, "goto", bench.drone, 95, 8, 20)
+    assert latitude.message == by_rest
+    assert latitude.code.endswith(":Client")
+    assert "nosuchdrone" in fault(service, "arm", "nosuchdrone").message
+    for key, words in (("wrong", "key"), (api.new_key("soap viewer", "viewer"), "operator")):
+        assert words in fault(soap(server, key), "arm", bench.drone).message
+    assert api.drone(bench.drone)["armed"] is False

@@ -1,0 +1,375 @@
+"""Trials: what is done is done, what was interrupted goes on, and nothing is called passed that was not."""
+
+import ast
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import trials
+
+from .conftest import ROOT
+
+TABLE = """
+[seeds]
+says = "Three seeds."
+run = "sh unit.sh {unit}"
+units = "1-3"
+
+[names]
+says = "Two names beside a busy process."
+run = "sh unit.sh {unit}"
+units = ["a", "b"]
+busy = 1
+
+[files]
+says = "Each file."
+run = "true {unit}"
+files = "tests/*.py"
+except = ["tests/no.py"]
+needs = "SOMETHING_THAT_IS_NOT_THERE"
+
+[nothing]
+says = "A program that is not there."
+run = "./no-such-program"
+units = "1-2"
+"""
+
+
+class Field:
+    """A checkout with trials of its own, whose units do as `unit.sh` says and are noted in `ran`."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        (root / "scripts").mkdir()
+        (root / "tests").mkdir()
+        for name in ("yes", "no", "also"):
+            (root / "tests" / f"{name}.py").touch()
+        shutil.copy2(ROOT / "scripts" / "trials.py", root / "scripts")
+        (root / "scripts" / "trials.toml").write_text(TABLE)
+        self.does("exit 0")
+
+    def does(self, what: str) -> None:
+        (self.root / "unit.sh").write_text(f'echo "$1" >>ran\n{what}\n')
+
+    def command(self, *arguments: str) -> list[str]:
+        return [sys.executable, str(self.root / "scripts" / "trials.py"), *arguments]
+
+    def run(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            self.command(*arguments), text=True, capture_output=True, check=False, timeout=60
+        )
+
+    @property
+    def ran(self) -> list[str]:
+        file = self.root / "ran"
+        return file.read_text().split() if file.exists() else []
+
+    def state(self, name: str) -> Path:
+        return self.root / ".tools" / "trials" / f"{name}.tsv"
+
+    def results(self, name: str) -> list[str]:
+        return (self.root / "docs" / "trials" / f"{name}.tsv").read_text().splitlines()
+
+
+@pytest.fixture
+def field(tmp_path: Path) -> Field:
+    return Field(tmp_path)
+
+
+def until(holds: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + 30
+    while not holds():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def alive(pid: str) -> bool:
+    stat = Path(f"/proc/{pid}/stat")
+    return stat.exists() and stat.read_text().rpartition(")")[2].split()[0] != "Z"
+
+
+def test_without_a_name_all_are_listed_with_how_far_they_are(field: Field) -> None:
+    field.does("test $1 != 2")
+    assert field.run("seeds").returncode == 1
+    listed = field.run().stdout.splitlines()
+    assert listed[0].split(None, 1) == ["seeds", "3 of 3, 1 failed  Three seeds."]
+    assert listed[1].split(None, 1)[1].startswith("0 of 2 ")
+    assert listed[2].split(None, 1)[1].startswith("0 of 2 ")
+
+
+def test_results_are_shown_where_readers_look(field: Field) -> None:
+    assert field.run("seeds").returncode == 0
+    lines = field.results("seeds")
+    assert lines[0] == "# seeds: Three seeds."
+    assert lines[2] == "# 3 of 3 units done, 0 failed"
+    assert lines[3] == "unit\tresult\tseconds\tload before\tload\tcores\tcommit\tprocessor"
+    for unit, line in zip("123", lines[4:], strict=True):
+        values = line.split("\t")
+        assert values[:2] == [unit, "passed"]
+        assert 0 <= float(values[2]) < 30 and float(values[3]) >= 0 and float(values[4]) >= 0
+        assert values[5] == str(len(os.sched_getaffinity(0)))
+        assert values[7] == trials.processor() != ""
+
+
+def test_the_commit_is_told_and_whether_files_differ_from_it(field: Field) -> None:
+    git = ["git", "-c", "user.name=a", "-c", "user.email=a@b", "-C", str(field.root)]
+    (field.root / ".gitignore").write_text(".tools\nran\n")
+    for words in (["init", "-q"], ["add", "-A"], ["commit", "-qm", "x"]):
+        subprocess.run([*git, *words], check=True)
+    commit = subprocess.run(
+        [*git, "rev-parse", "--short=10", "HEAD"], text=True, capture_output=True, check=True
+    )
+    field.run("seeds")
+    assert [line.split("\t")[6] for line in field.results("seeds")[4:]] == [commit.stdout.strip()] * 3
+    field.does("exit 0 # changed")
+    field.run("seeds", "--again")
+    assert field.results("seeds")[4].split("\t")[6] == commit.stdout.strip() + "+"
+
+
+def test_what_is_done_is_not_run_again_whatever_came_of_it(field: Field) -> None:
+    field.does("test $1 != 2")
+    first = field.run("seeds")
+    assert "unit 2 failed (1)" in first.stdout
+    field.does("exit 0")
+    again = field.run("seeds")
+    assert again.returncode == 1, "a unit that failed once has failed"
+    assert field.ran == ["1", "2", "3"]
+    assert field.results("seeds")[5].startswith("2\tfailed (1)\t")
+
+
+def test_again_forgets_what_was_found(field: Field) -> None:
+    field.does("exit 1")
+    field.run("seeds")
+    field.does("exit 0")
+    assert field.run("seeds", "--again").returncode == 0
+    assert field.ran == ["1", "2", "3"] * 2
+
+
+def in_the_second_unit(field: Field) -> subprocess.Popen[str]:
+    """A trial whose second unit says which process it is, and waits."""
+    field.does('if [ "$1" = 2 ] && [ ! -e resumed ]; then echo $$ >waits; sleep 300; fi')
+    run = subprocess.Popen(
+        field.command("seeds"), text=True, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
+    )
+    until(lambda: (field.root / "waits").exists() and (field.root / "waits").read_text().strip() != "")
+    return run
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
+def test_a_trial_that_was_ended_in_the_middle_goes_on_with_the_unit_that_it_was_at(
+    field: Field, number: signal.Signals
+) -> None:
+    with in_the_second_unit(field) as run:
+        run.send_signal(number)
+        said = run.communicate(timeout=60)[1]
+    assert run.returncode == (-number if number == signal.SIGKILL else trials.INTERRUPTED)
+    assert number == signal.SIGKILL or "run the same command again and it goes on" in said
+    unit = (field.root / "waits").read_text().strip()
+    until(lambda: not alive(unit))
+    assert len(field.state("seeds").read_text().splitlines()) == 1
+    assert field.results("seeds")[2] == "# 1 of 3 units done, 0 failed", "shown at once, not at the end"
+
+    (field.root / "resumed").touch()
+    resumed = field.run("seeds")
+    assert resumed.returncode == 0, resumed.stderr
+    assert field.ran == ["1", "2", "2", "3"]
+    assert field.results("seeds")[2] == "# 3 of 3 units done, 0 failed"
+
+
+def test_a_unit_that_was_ended_from_outside_counts_for_nothing(field: Field) -> None:
+    field.does("exit 143")
+    outcome = field.run("seeds")
+    assert outcome.returncode == 1
+    assert "The unit 1 was ended from outside" in outcome.stderr
+    assert not field.state("seeds").exists()
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda line: line.replace("passed", "failed (1)"),
+        lambda line: line.replace("passed", "pass\x00ed"),
+        lambda line: line[:20],
+        lambda line: line.rpartition("\t")[0],
+        lambda line: "\udcff" + line,
+        lambda line: "3" + line[1:],
+        lambda line: "",
+    ],
+    ids=["changed", "bytes", "cut off", "no sum", "no text", "another unit", "gone"],
+)
+def test_a_damaged_line_is_told_and_its_unit_runs_again(field: Field, damage: Callable[[str], str]) -> None:
+    field.run("seeds")
+    lines = field.state("seeds").read_text().splitlines()
+    lines[1] = damage(lines[1])
+    field.state("seeds").write_bytes("\n".join(lines).encode(errors="surrogateescape"))
+    told = field.run()
+    assert told.returncode == 0 and "2 of 3 " in told.stdout
+    again = field.run("seeds")
+    if lines[1]:
+        for outcome in (told, again):
+            assert f"Line 2 of {field.state('seeds')} is damaged" in outcome.stderr
+    assert field.ran == ["1", "2", "3", "2"]
+    assert again.returncode == 0 and field.run("seeds").stderr == ""
+
+
+def test_what_another_command_found_counts_for_nothing(field: Field) -> None:
+    field.run("seeds")
+    table = field.root / "scripts" / "trials.toml"
+    table.write_text(TABLE.replace('run = "sh unit.sh {unit}"', 'run = "sh unit.sh {unit} more"', 1))
+    assert field.run("seeds").stderr.count("of another command") == 3
+    assert field.ran == ["1", "2", "3"] * 2
+
+
+def test_no_unit_begins_that_would_end_after_the_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Units of 50 s in two minutes are two; a trial with less time than one takes comes on by one."""
+    Field(tmp_path)
+    now = [0.0]
+
+    def fifty_seconds(trial: trials.Trial, unit: str, root: Path, log: Path) -> trials.Finished:
+        now[0] += 50
+        return trials.Finished(unit, "passed", "50.0", "0", "0", "2", "abc", "cpu")
+
+    monkeypatch.setattr(trials, "run_unit", fifty_seconds)
+    monkeypatch.setattr("trials.time.monotonic", lambda: now[0])
+    assert trials.main(["seeds", "--minutes", "2"], tmp_path) == 0
+    assert "2 of 3." in capsys.readouterr().out.splitlines()[-1]
+    assert trials.main(["seeds", "--again", "--minutes", "1"], tmp_path) == 0
+    assert "run the same command again to go on with unit 2" in capsys.readouterr().out
+    assert trials.main(["seeds", "--minutes", "1"], tmp_path) == 0
+    assert "2 of 3." in capsys.readouterr().out.splitlines()[-1]
+
+
+def test_a_busy_process_runs_beside_each_unit_and_ends_with_it(field: Field) -> None:
+    field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >>busy")
+    assert field.run("names").returncode == 0
+    busy = (field.root / "busy").read_text().splitlines()
+    assert len(busy) == 2
+    assert not any(alive(line.split()[0]) for line in busy)
+    assert field.results("names")[1].endswith("beside 1 busy process(es)")
+
+
+def test_busy_processes_end_with_a_trial_that_is_killed(field: Field) -> None:
+    field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >busy; sleep 300")
+    with subprocess.Popen(field.command("names"), stdout=subprocess.DEVNULL) as run:
+        until(lambda: (field.root / "busy").exists() and (field.root / "busy").read_text() != "")
+        run.kill()
+    until(lambda: not alive((field.root / "busy").read_text().split()[0]))
+
+
+def test_files_are_units_but_those_left_out(field: Field, monkeypatch: pytest.MonkeyPatch) -> None:
+    refused = field.run("files")
+    assert refused.returncode == 1 and "needs SOMETHING_THAT_IS_NOT_THERE" in refused.stderr
+    monkeypatch.setenv("SOMETHING_THAT_IS_NOT_THERE", "here")
+    assert field.run("files").returncode == 0
+    assert [line.split("\t")[0] for line in field.results("files")[4:]] == ["tests/also.py", "tests/yes.py"]
+
+
+def test_a_command_that_cannot_be_run_is_no_failed_unit(field: Field) -> None:
+    outcome = field.run("nothing")
+    assert outcome.returncode == 1
+    assert "The command of 'nothing' cannot be run" in outcome.stderr
+    assert not field.state("nothing").exists()
+
+
+def test_a_checkout_in_which_something_else_works_is_no_reason_to_fail_a_unit(
+    field: Field, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (field.root / ".tools").mkdir()
+    monkeypatch.setattr(trials, "END_SECONDS", 0.3)
+    with trials.alone(field.root / ".tools" / "lock", ""):
+        assert trials.main(["seeds"], field.root) == 1
+    assert field.ran == []
+
+
+def test_the_same_trial_runs_once_at_a_time(field: Field) -> None:
+    with in_the_second_unit(field) as run:
+        outcome = field.run("seeds")
+        run.terminate()
+    assert outcome.returncode == 1
+    assert "The trial 'seeds' is being run already" in outcome.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["fly"], "There is no trial 'fly'"),
+        (["seeds", "--minutes", "0"], "'0' must be a number from 1 to 100000"),
+        (["seeds", "--minutes", "soon"], "'soon' must be a number from 1 to 100000"),
+        (["--minutes", "5"], "--minutes and --again need the name of a trial"),
+        (["seeds", "--loud"], "unrecognized arguments: --loud"),
+    ],
+)
+def test_wrong_use_is_answered_with_a_sentence(field: Field, arguments: list[str], sentence: str) -> None:
+    outcome = field.run(*arguments)
+    assert outcome.returncode == trials.USAGE
+    assert outcome.stderr.startswith("dronemap: ") and sentence in outcome.stderr
+
+
+@pytest.mark.parametrize(
+    ("entry", "sentence"),
+    [
+        ('[a]\nsays = "x"\nrun = "y"\nunits = "9-1"', "must be a range such as 1-20"),
+        ('[a]\nsays = "x"\nrun = "y"\nunits = []', "needs units"),
+        ('[a]\nsays = "x"\nrun = "y"\nunits = ["b", "b"]', "each of them once"),
+        ('[a]\nsays = "x"\nunits = "1-2"', "needs what it says and what it runs"),
+        ('[a]\nsays = "x"\nrun = "y"\nunits = "1-2"\nbusy = "much"', "has 'busy = much'"),
+        ('[a]\nsays = "x"\nrun = "y"\nunits = "1-2"\ncolour = 1', "has 'colour = 1'"),
+        ('["../a"]\nsays = "x"\nrun = "y"\nunits = "1-2"', "must have a name of small letters"),
+        ("[a", "is not readable"),
+    ],
+)
+def test_a_table_with_a_mistake_is_refused(field: Field, entry: str, sentence: str) -> None:
+    (field.root / "scripts" / "trials.toml").write_text(entry)
+    outcome = field.run()
+    assert outcome.returncode == 1
+    assert sentence in outcome.stderr
+
+
+# --- what this checkout declares ---
+
+
+def is_marked(node: ast.AST) -> bool:
+    return any(isinstance(part, ast.Attribute) and part.attr == "soak" for part in ast.walk(node))
+
+
+def kinds_of(file: Path) -> tuple[bool, bool]:
+    """Whether it has ordinary tests, and whether long ones."""
+    ordinary = long = False
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
+            direct = any(isinstance(mark, ast.Attribute) and is_marked(mark) for mark in node.decorator_list)
+            ordinary |= not direct
+            long |= any(is_marked(mark) for mark in node.decorator_list)
+    return ordinary, long
+
+
+def test_each_file_with_long_tests_has_its_trial() -> None:
+    commands = [trial.run for trial in trials.declared(ROOT).values()]
+    python = [
+        path for project in ("bench", "e2e", "scripts") for path in (ROOT / project).glob("tests/test_*.py")
+    ]
+    java = [
+        path
+        for path in ROOT.glob("dronemap-*/src/test/java/**/*Test.java")
+        if '@Tag("soak")' in path.read_text() and "dronemap-archive" not in path.parts
+    ]
+    long = [path for path in python if kinds_of(path)[1]]
+    assert len(long) > 20 and len(java) > 4
+    for path in [str(file.relative_to(ROOT)) for file in long] + [f"/{file.name}" for file in java]:
+        assert any(command.endswith(f" {path}::") for command in commands), path
+    assert any(command.endswith("--only dronemap-archive/") for command in commands)
+
+
+def test_each_file_of_ordinary_end_to_end_tests_is_repeated() -> None:
+    units = trials.declared(ROOT)["repeat-e2e"].units
+    files = [path for path in sorted((ROOT / "e2e").glob("tests/test_*.py")) if kinds_of(path)[0]]
+    assert units == [str(path.relative_to(ROOT)) for path in files]
