@@ -63,7 +63,3 @@ class Copter:
 
 def ids(copters: Sequence[Copter]) -> list[str]:
     return [copter.id for copter in copters]
-
-
-def landed(api: Api, drone: str) -> bool:
-    return api.drone(drone)["armed"] is False

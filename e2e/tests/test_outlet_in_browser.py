@@ -23,6 +23,7 @@ def page() -> Iterator[Page]:
 def test_a_program_attaches_with_a_passphrase_of_the_page_and_is_disconnected_there(
     server: Server, api: Api, page: Page
 ) -> None:
+    """End to end because it is about a page in a browser, and pymavlink signs with what is shown there."""
     name, password = f"attached-{secrets.token_hex(4)}", secrets.token_hex(10)
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "administrator"})
     assert answer.status_code == 201, answer.text

@@ -77,6 +77,7 @@ def flown_over_the_outlet(api: Api, copters: list[Copter], user: User) -> list[s
 def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_system_id(
     api: Api, copters: list[Copter], pilot: User, sign: Sign
 ) -> None:
+    """End to end because MAVSDK and the signer are foreign programs."""
     port = sign(pilot)
     ended = subprocess.run(
         [sys.executable, "-m", "dronemap_e2e.mavsdk_pilot", f"udpin://127.0.0.1:{port}", str(len(copters))],
@@ -99,6 +100,7 @@ def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_sys
 def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing_there(
     api: Api, copters: list[Copter], pilot: User
 ) -> None:
+    """End to end because pymavlink speaks, unsigned, to a port that is really opened and closed."""
     opened = pilot.api.call("POST", "/outlet/ports", {"address": "127.0.0.1", "hours": 1})
     assert opened.status_code == 201, opened.text
     endpoint = opened.json()["endpoint"].removeprefix("udpserver://")

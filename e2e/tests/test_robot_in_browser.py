@@ -145,6 +145,7 @@ def succeeded(api: Api, drone: str, kind: str) -> bool:
 def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     api: Api, robot: Json, page: Page, station: Station
 ) -> None:
+    """End to end because it is about what a page draws, and keys pressed on it."""
     station.choose(robot["name"])
     section = page.get_by_role("region", name="Own map")
     section.get_by_role("button", name="Read its map").click()
@@ -260,6 +261,7 @@ def turned(before: float, after: float) -> float:
 def test_a_person_flies_a_drone_that_speaks_as_robots_do(
     server: Server, api: Api, page: Page, station: Station, tmp_path: Path
 ) -> None:
+    """End to end because it is about buttons and keys of a page."""
     options = ("--kind", "drone", "--sysid", str(FLYER_ID), "--key", "a flyer")
     with simulated(server, tmp_path / "flyer.log", *options):
         drone = listed(api, FLYER_ID, lambda d: d["actions"]["arm"]["allowed"])

@@ -1,9 +1,9 @@
-"""The server killed with -9 while robots are steered: ours stop by themselves, others once it is back."""
+"""The server killed with -9 while a robot behind our bridge is steered."""
 
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack, closing
+from contextlib import closing
 
 import pytest
 from roslink_bridge.bridge import Bridge, Identity
@@ -14,14 +14,11 @@ from roslink_bridge.web import WebLine
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.helm import Helm
-from dronemap_e2e.robot import TWIST, Robot
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
 
-FOREIGN_ID, OUR_ID = 3501, 3502
+OUR_ID = 3502
 MOST_SECONDS = 1.0
-# Robots call in once a second, and the server takes them in as soon as it listens.
-BACK_SECONDS = 3.0
 OFTEN = 0.005
 
 
@@ -57,12 +54,6 @@ class Wheels(Machine):
 
 
 @pytest.fixture
-def foreign(own_server: Server) -> Iterator[Robot]:
-    with closing(Robot(own_server.robot_udp_port, FOREIGN_ID, "forever")) as robot:
-        yield robot
-
-
-@pytest.fixture
 def ours(own_server: Server) -> Iterator[Wheels]:
     """On both of its links."""
     wheels = Wheels()
@@ -89,30 +80,21 @@ def linked(api: Api, drone: str) -> bool:
     return link["transport"] == "websocket" and len(link["others"]) == 1
 
 
-def test_a_server_that_dies_in_mid_twist_leaves_no_robot_driving(
-    own_server: Server, foreign: Robot, ours: Wheels
+def test_our_bridge_stops_its_robot_when_the_server_dies_in_mid_twist(
+    own_server: Server, ours: Wheels
 ) -> None:
+    """End to end because our bridge, a program of its own, sees a process killed, and dials again."""
     api = Api(own_server.address, own_server.local_key())
-    key = api.new_key("stick", "operator")
-    drones = [steerable(api, system_id)["id"] for system_id in (FOREIGN_ID, OUR_ID)]
-    wait_for("ours has both links", lambda: linked(api, drones[1]))
-    with ExitStack() as helms:
-        for drone in drones:
-            helms.enter_context(closing(Helm(own_server, key, drone)))
-        wait_for("both drive", lambda: foreign.speed > 0.3 and ours.speed > 0.3, every=OFTEN)
+    drone = steerable(api, OUR_ID)["id"]
+    wait_for("it has both links", lambda: linked(api, drone))
+    with closing(Helm(own_server, api.new_key("stick", "operator"), drone)):
+        wait_for("it drives", lambda: ours.speed > 0.3, every=OFTEN)
         began = time.monotonic()
         own_server.kill()
-        wait_for("ours stands by itself", lambda: ours.speed == 0, every=OFTEN)
+        wait_for("it stands by itself", lambda: ours.speed == 0, every=OFTEN)
         assert time.monotonic() - began <= MOST_SECONDS
-    assert foreign.speed > 0.3, "it repeats what it heard last"
 
-    heard = len(foreign.orders)
     own_server.start()
-    began = time.monotonic()
-    wait_for("the other one stands, too", lambda: foreign.speed == 0, every=OFTEN)
-    print(f"it stood {time.monotonic() - began:.2f} s after the server was up")
-    assert time.monotonic() - began <= BACK_SECONDS
-    assert foreign.orders[heard] == TWIST, "first of all"
     newer = Api(own_server.address, own_server.local_key())
-    wait_for("ours has both links again", lambda: linked(newer, drones[1]), 30)
+    wait_for("it has both links again", lambda: linked(newer, drone), 30)
     assert ours.speed == 0

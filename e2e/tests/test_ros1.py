@@ -65,7 +65,7 @@ def shown(api: Api) -> Json | None:
     return None
 
 
-def test_what_it_publishes_is_seen(api: Api, robot: Robot) -> None:
+def see_what_it_publishes(api: Api, robot: Robot) -> None:
     drone = api.drone(robot.drone)
     assert drone["kind"] == "rover"
     assert drone["battery"]["percent"] == 83
@@ -85,7 +85,7 @@ def test_what_it_publishes_is_seen(api: Api, robot: Robot) -> None:
     )
 
 
-def test_it_is_shown_where_it_is_on_its_map(api: Api, robot: Robot) -> None:
+def see_where_it_is(api: Api, robot: Robot) -> None:
     """Its odometry says that it is at (0.5, 1.5) and turned a quarter to the right."""
 
     def is_there() -> bool:
@@ -101,7 +101,7 @@ def drawn(png: bytes) -> bytes:
     return zlib.decompress(png[start : start + int.from_bytes(png[start - 8 : start - 4], "big")])
 
 
-def test_it_is_driven_and_stands_when_nobody_steers(server: Server, api: Api, robot: Robot) -> None:
+def drive_it(server: Server, api: Api, robot: Robot) -> None:
     before = api.drone(robot.drone)["local"]["x"]
     with closing(Helm(server, api.new_key("stick", "operator"), robot.drone)) as helm:
         wait_for("it is told to drive", lambda: robot.machine.forward == 0.4)
@@ -113,7 +113,7 @@ def test_it_is_driven_and_stands_when_nobody_steers(server: Server, api: Api, ro
         assert time.monotonic() - began < 1
 
 
-def test_it_goes_to_a_place_and_gives_it_up_by_each_face(server: Server, api: Api, robot: Robot) -> None:
+def send_it_somewhere(server: Server, api: Api, robot: Robot) -> None:
     api.do(robot.drone, type="goToLocal", x=2, y=-1)
     goal = robot.machine.told("goal")[-1]
     assert (goal["x"], goal["y"], goal["frame"]) == (2, -1, "map")
@@ -129,6 +129,7 @@ def test_it_goes_to_a_place_and_gives_it_up_by_each_face(server: Server, api: Ap
 
 
 def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> None:
+    """End to end because the packages of ROS 1, and our bridge between them and us, are real programs."""
     copter = ros.copter("copter")
     key = issued(api, COPTER_ID)
     ros.bridge(server, COPTER_ID, key, "--mavros", namespace="copter")
@@ -164,8 +165,8 @@ def test_a_copter_behind_mavros_is_flown(server: Server, api: Api, ros: Ros) -> 
     assert not api.drone(identity)["armed"]
 
 
-def test_it_stands_when_the_bridge_is_ended(server: Server, api: Api, robot: Robot) -> None:
-    """The last, as there is no bridge after it."""
+def end_the_bridge(server: Server, api: Api, robot: Robot) -> None:
+    """It is told to stand."""
     with closing(Helm(server, api.new_key("stick", "operator"), robot.drone)):
         wait_for("it is told to drive", lambda: robot.machine.forward == 0.4)
         robot.bridge.send_signal(signal.SIGTERM)
@@ -173,3 +174,14 @@ def test_it_stands_when_the_bridge_is_ended(server: Server, api: Api, robot: Rob
         wait_for("it is told to stand", lambda: robot.machine.forward == 0, every=0.01)
         assert time.monotonic() - began < 1
         assert robot.bridge.wait(10) == 0
+
+
+def test_a_robot_is_seen_driven_and_sent_somewhere_and_stands_when_its_bridge_is_ended(
+    server: Server, api: Api, robot: Robot
+) -> None:
+    """End to end because the packages of ROS 1, and our bridge between them and us, are real programs."""
+    see_what_it_publishes(api, robot)
+    see_where_it_is(api, robot)
+    drive_it(server, api, robot)
+    send_it_somewhere(server, api, robot)
+    end_the_bridge(server, api, robot)

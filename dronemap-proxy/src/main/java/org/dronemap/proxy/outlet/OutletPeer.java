@@ -47,22 +47,22 @@ final class OutletPeer implements PeerHandler {
     }
 
     private void judge(Frame frame) {
-        UserKey known = key;
-        if (known == null || known.isWithdrawn()) {
-            known = keys.owner(frame).orElse(null);
+        UserKey before = key;
+        UserKey owner = before;
+        Verdict verdict = before == null || before.isWithdrawn() ? Verdict.BAD_SIGNATURE : before.judge(frame);
+        if (verdict == Verdict.BAD_SIGNATURE) {
+            // The address may be another user's program's by now, which does not wait until the one before is
+            // forgotten.
+            owner = keys.owner(frame).orElse(null);
+            verdict = owner != null ? owner.judge(frame) : frame.signed() ? Verdict.BAD_SIGNATURE : Verdict.UNSIGNED;
         }
-        if (known == null) {
-            counts.refused(frame.signed() ? Verdict.BAD_SIGNATURE : Verdict.UNSIGNED);
-            return;
-        }
-        Verdict verdict = known.judge(frame);
-        if (!verdict.isValid()) {
+        if (owner == null || !verdict.isValid()) {
             counts.refused(verdict);
             return;
         }
-        key = known;
+        key = owner;
         taken++;
-        if (!outlet.heard(peer, known, frame)) {
+        if (!outlet.heard(peer, owner, frame)) {
             counters.droppedIn();
         }
     }

@@ -28,6 +28,8 @@ import org.dronemap.proxy.mavlink.translate.Autopilot;
  */
 final class ParameterCounter {
     private static final int AT_ONCE = 32;
+    /** Of a parameter whose place in the list is not known. */
+    private static final int NO_PLACE = 0xFFFF;
 
     private final CloudManager cloud;
     private final Orders orders;
@@ -109,7 +111,11 @@ final class ParameterCounter {
             return;
         }
         Command command = new Command.SetParameters(List.of(new ParameterValue(wanted.paramId(), value)));
-        orders.give(principal, asked.drone(), command, new Setting(asked, wanted.paramId()));
+        orders.give(
+                principal,
+                asked.drone(),
+                command,
+                new Setting(asked, new Parameter(wanted.paramId(), type, type.held(value))));
     }
 
     /** Goes on with what is on its way; false when there is nothing. */
@@ -143,12 +149,15 @@ final class ParameterCounter {
     }
 
     private void tell(Asked asked, List<Parameter> all, int index) {
-        Parameter parameter = all.get(index);
+        tell(asked, all.get(index), all.size(), index);
+    }
+
+    private static void tell(Asked asked, Parameter parameter, int count, int index) {
         asked.answer(new ParamValue(
                 parameter.name(),
                 codec(asked).encode(parameter.type(), parameter.value()),
                 ParameterCodec.number(parameter.type()),
-                all.size(),
+                count,
                 index));
     }
 
@@ -223,11 +232,11 @@ final class ParameterCounter {
     /** Tells what holds after a change, or without it. */
     private final class Setting implements Orders.Answer {
         private final Asked asked;
-        private final String name;
+        private final Parameter wanted;
 
-        Setting(Asked asked, String name) {
+        Setting(Asked asked, Parameter wanted) {
             this.asked = asked;
-            this.name = name;
+            this.wanted = wanted;
         }
 
         @Override
@@ -242,9 +251,12 @@ final class ParameterCounter {
                 asked.explain(why);
             }
             List<Parameter> all = known(asked).all();
-            int index = indexOf(all, name);
+            int index = indexOf(all, wanted.name());
             if (index >= 0) {
                 tell(asked, all, index);
+            } else if (why.isEmpty()) {
+                // It was read back, though nobody has asked for the whole list yet.
+                tell(asked, wanted, all.size(), NO_PLACE);
             }
         }
     }

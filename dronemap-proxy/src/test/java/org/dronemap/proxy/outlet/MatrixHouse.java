@@ -130,7 +130,9 @@ final class MatrixHouse implements AutoCloseable {
         // All that left has arrived.
         await(() -> vehicle.heard().size() == taps.said.size(), "a frame was lost on the way");
         Set<String> kinds = new TreeSet<>();
-        for (Frame frame : vehicle.heard().subList(before, vehicle.heard().size())) {
+        // More may come meanwhile.
+        List<Frame> heard = List.copyOf(vehicle.heard());
+        for (Frame frame : heard.subList(before, heard.size())) {
             if (!isOfTheCloud(frame, before)) {
                 kinds.add(name(frame));
             }

@@ -51,8 +51,8 @@ final class Flyer implements Machine {
     }
 
     @Override
-    public Truth truth() {
-        return new Truth(x, y, height, Math.hypot(vx, vy));
+    public RobotFleet.Truth truth() {
+        return new RobotFleet.Truth(x, y, height, Math.hypot(vx, vy), armed);
     }
 
     @Override

@@ -11,7 +11,7 @@ interface Machine {
     void move(double seconds);
 
     /** Where it truly is, and how fast: metres and m/s. */
-    Truth truth();
+    RobotFleet.Truth truth();
 
     Map<String, Object> status();
 
@@ -24,7 +24,4 @@ interface Machine {
     Map<String, Object> map();
 
     void obey(int order, JsonNode body);
-
-    /** What is true of it. */
-    record Truth(double x, double y, double height, double speed) {}
 }

@@ -21,8 +21,6 @@ import org.slf4j.LoggerFactory;
 public final class RobotFleet implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(RobotFleet.class);
     private static final int TURN_MILLIS = 50;
-    private static final double LATITUDE = 47.3977;
-    private static final double LONGITUDE = 8.5456;
 
     private final List<Bridge> bridges = new ArrayList<>();
     private final ScheduledExecutorService thread =
@@ -33,21 +31,13 @@ public final class RobotFleet implements AutoCloseable {
         InetSocketAddress server =
                 new InetSocketAddress(options.server().host(), options.server().port());
         for (int number = 0; number < options.count(); number++) {
-            Identity identity = options.first().plus(number);
-            Bridge bridge = new Bridge(machine(options, number), options, identity, server);
+            Bridge bridge = new Bridge(options, number, server);
             URI web = options.web();
             if (web != null) {
-                bridge.connect(client, web(web, identity));
+                bridge.connect(client, web(web, SimulatedRobot.identity(options, number)));
             }
             bridges.add(bridge);
         }
-    }
-
-    private static Machine machine(RobotOptions options, int number) {
-        boolean flies = options.kind().equals("drone") || (options.kind().equals("mixed") && number % 2 == 1);
-        return flies
-                ? new Flyer(LATITUDE + number * 1e-4, LONGITUDE)
-                : new Rover(-2, -1 + number % 3, options.quirks());
     }
 
     private static URI web(URI pattern, Identity identity) {
@@ -74,17 +64,15 @@ public final class RobotFleet implements AutoCloseable {
     /** What is true of each robot now: a picture made between two turns. Waits for it. */
     public List<Truth> truths() {
         return CompletableFuture.supplyAsync(
-                        () -> bridges.stream().map(RobotFleet::truth).toList(), thread)
+                        () -> bridges.stream()
+                                .map(bridge -> bridge.robot().truth())
+                                .toList(),
+                        thread)
                 .join();
     }
 
-    private static Truth truth(Bridge bridge) {
-        Machine.Truth now = bridge.machine().truth();
-        return new Truth(now.x(), now.y(), now.height(), now.speed());
-    }
-
-    /** Where a robot truly is, in metres, and how fast it moves or turns, in m/s or rad/s. */
-    public record Truth(double x, double y, double height, double speed) {}
+    /** Where a robot truly is, in metres, and how fast it moves or turns, in m/s or rad/s; what drives is never armed. */
+    public record Truth(double x, double y, double height, double speed, boolean armed) {}
 
     @Override
     public void close() throws IOException {

@@ -87,8 +87,8 @@ final class Rover implements Machine {
     }
 
     @Override
-    public Truth truth() {
-        return new Truth(x, y, 0, Math.max(Math.abs(speed), Math.abs(turn)));
+    public RobotFleet.Truth truth() {
+        return new RobotFleet.Truth(x, y, 0, Math.max(Math.abs(speed), Math.abs(turn)), false);
     }
 
     @Override

@@ -1,4 +1,4 @@
-/** Simulated robots that speak ROSLink over real sockets, with the ways of the bridges in the field. */
+/** Simulated robots that speak ROSLink, over real sockets or any other links, with the ways of the bridges in the field. */
 @NullMarked
 package org.dronemap.sim.robot;
 

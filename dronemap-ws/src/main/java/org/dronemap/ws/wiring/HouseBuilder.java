@@ -170,7 +170,7 @@ final class HouseBuilder {
     }
 
     private FrameTap.Factory taps(Recorder recorder, Outlet clients) {
-        return settings.outlet().urls().isEmpty()
+        return settings.outlet().equals(OutletSettings.OFF)
                 ? recorder
                 : component -> FrameTap.both(recorder.open(component), clients.open(component));
     }
@@ -325,9 +325,14 @@ final class HouseBuilder {
         return Objects.requireNonNull(proxy, "the house is not open yet").handlers();
     }
 
-    /** The same for links to robots. */
+    /** Who takes in what links to robots bring, once the house is open. */
     PeerHandler.Factory robots() {
         return Objects.requireNonNull(robotLinks, "the house is not open yet").handlers();
+    }
+
+    /** Who takes in what ground stations of other makers bring, once the house is open. */
+    PeerHandler.Factory stations() {
+        return Objects.requireNonNull(outlet, "the house is not open yet");
     }
 
     /** Lets ground stations of other makers in. */

@@ -88,6 +88,7 @@ class SteeringStopsTest {
                             .filter(state -> state.capabilities().known())
                             .isPresent());
             lab.server()
+                    .accounts()
                     .grants()
                     .setUserOnlyGranted(root.principal(), "ann", new GrantService.OnlyGrantedRequest(true));
             grant(lab, root, robot);
@@ -111,9 +112,10 @@ class SteeringStopsTest {
             case LEASE_TAKEN -> chief.takesOver(helm.drone, "a child on the floor");
             case GRANT_REVOKED ->
                 lab.server()
+                        .accounts()
                         .grants()
                         .grants(root.principal())
-                        .forEach(grant -> lab.server().grants().takeBack(root.principal(), grant.id()));
+                        .forEach(grant -> lab.server().accounts().grants().takeBack(root.principal(), grant.id()));
         }
     }
 
@@ -129,6 +131,11 @@ class SteeringStopsTest {
     private static void grant(Laboratory lab, Pilot root, Robot robot) {
         GrantService.GrantRequest wanted = new GrantService.GrantRequest(
                 "ann", null, null, null, List.of(robot.id()), null, List.of("view", "command"), null, null);
-        assertThat(lab.server().grants().add(root.principal(), wanted).state()).isEqualTo("inForce");
+        assertThat(lab.server()
+                        .accounts()
+                        .grants()
+                        .add(root.principal(), wanted)
+                        .state())
+                .isEqualTo("inForce");
     }
 }

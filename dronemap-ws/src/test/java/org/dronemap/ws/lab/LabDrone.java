@@ -42,20 +42,26 @@ public final class LabDrone implements LabVehicle {
     private final FlightRecord record;
     private final Track track = new Track();
 
-    LabDrone(Laboratory lab, VehicleKit kit, LocalFrame start, int number, long seed, FlightRecord record) {
+    /** Which one it is, what it calls itself, and what comes by chance to it. */
+    record Numbers(int number, int systemId, long seed) {}
+
+    LabDrone(Laboratory lab, VehicleKit kit, LocalFrame start, Numbers numbers, FlightRecord record) {
         this.lab = lab;
-        this.systemId = number;
+        this.systemId = numbers.systemId();
         this.isPx4 = kit.kind().name().equals("px4");
-        this.name = kit.kind().name() + " " + number;
+        this.name = kit.kind().name() + " " + numbers.number();
         this.start = start;
-        this.seed = seed;
+        this.seed = numbers.seed();
         this.record = record;
-        wires.add(newWire(name, FIRST_PORT + number));
+        wires.add(newWire(name, FIRST_PORT + numbers.number()));
         Craft craft =
                 new Craft(start, new Battery(MILLIAMP_HOURS), new Wind(kit.windSpeed(), 0, seed), new Navigation((long)
                         (kit.readySeconds() * MILLIS)));
         this.vehicle = new SimulatedVehicle(
-                kit.settings(systemId, systemId, lab.now().toEpochMilli() * 1_000), kit.kind(), craft, this::say);
+                kit.settings(systemId, numbers.number(), lab.now().toEpochMilli() * 1_000),
+                kit.kind(),
+                craft,
+                this::say);
     }
 
     private Wire newWire(String label, int port) {
@@ -94,6 +100,10 @@ public final class LabDrone implements LabVehicle {
         if (lab.time().nanos() % FIX_NANOS == 0) {
             track.add(new Track.Fix(lab.time().nanos(), where(), amsl(), height(), craft().armed()));
         }
+    }
+
+    int systemId() {
+        return systemId;
     }
 
     public String name() {
@@ -189,9 +199,14 @@ public final class LabDrone implements LabVehicle {
 
     @Override
     public Optional<DroneState> known() {
-        return lab.server().house().cloud().drones().stream()
+        List<DroneState> named = lab.server().house().cloud().drones().stream()
                 .filter(state -> state.link().key().systemId() == systemId)
+                .toList();
+        Optional<DroneState> own = named.stream()
+                .filter(state -> wires.stream()
+                        .anyMatch(wire -> wire.port() == state.link().key().port()))
                 .findFirst();
+        return own.isPresent() || lab.hasTwins(systemId) ? own : named.stream().findFirst();
     }
 
     public boolean isLost() {

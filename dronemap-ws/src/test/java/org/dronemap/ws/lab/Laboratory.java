@@ -58,6 +58,7 @@ public final class Laboratory implements AutoCloseable {
     private final MemoryStores stores = new MemoryStores();
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
+    private final List<Line> lines = new ArrayList<>();
     private final List<ScriptedPeer> peers = new ArrayList<>();
     private final List<SigningPeer> signingPeers = new ArrayList<>();
     private final List<Hoverer> hoverers = new ArrayList<>();
@@ -86,7 +87,8 @@ public final class Laboratory implements AutoCloseable {
         peers.forEach(peer -> peer.wire().attach(server().links()));
         signingPeers.forEach(peer -> peer.wire().attach(server().links()));
         hoverers.forEach(peer -> peer.wire().attach(server().links()));
-        robots.forEach(robot -> robot.attach(server().robotLinks()));
+        robots.forEach(robot -> robot.attach(server().robots()));
+        lines.forEach(line -> line.attach(server));
     }
 
     /** As by kill -9: nothing more is done, written or said. */
@@ -99,6 +101,7 @@ public final class Laboratory implements AutoCloseable {
         signingPeers.forEach(peer -> peer.wire().attach(null));
         hoverers.forEach(peer -> peer.wire().attach(null));
         robots.forEach(robot -> robot.attach(null));
+        lines.forEach(line -> line.attach(null));
         server = null;
     }
 
@@ -150,11 +153,26 @@ public final class Laboratory implements AutoCloseable {
 
     /** The same with the place where it is put down. */
     public LabDrone add(VehicleKit kit, LocalFrame start) {
+        return add(kit, start, drones.size() + 1);
+    }
+
+    /** The same, by the name of that system id, which others may have, too. */
+    public LabDrone add(VehicleKit kit, int systemId) {
+        return add(kit, LabDrone.FIELD.shifted(new Position(0, drones.size() * SPACING_METERS, 0)), systemId);
+    }
+
+    private LabDrone add(VehicleKit kit, LocalFrame start, int systemId) {
         int number = drones.size() + 1;
-        LabDrone drone = new LabDrone(this, kit, start, number, seed * 1_000_003 + number, record);
+        LabDrone drone = new LabDrone(
+                this, kit, start, new LabDrone.Numbers(number, systemId, seed * 1_000_003 + number), record);
         drones.add(drone);
         drone.attach(server().links());
         return drone;
+    }
+
+    /** Several vehicles have that system id. */
+    boolean hasTwins(int systemId) {
+        return drones.stream().filter(drone -> drone.systemId() == systemId).count() > 1;
     }
 
     /** Somebody of whom the test says what they answer. */
@@ -208,7 +226,7 @@ public final class Laboratory implements AutoCloseable {
         int number = FIRST_ROBOT + robots.size();
         Robot robot = new Robot(this, number, seed * 1_000_003 + number);
         robots.add(robot);
-        robot.attach(server().robotLinks());
+        robot.attach(server().robots());
         return robot;
     }
 
@@ -223,6 +241,39 @@ public final class Laboratory implements AutoCloseable {
             throw new IllegalArgumentException("There is a user " + name + " already.");
         }
         return new Pilot(this, name, role, null);
+    }
+
+    /** Who says what users may do. */
+    public Administrator administrator() {
+        return new Administrator(this);
+    }
+
+    /** A ground station of that user's, by UDP. */
+    public GroundStation station(Pilot user, int systemId) {
+        return station(Line.Kind.UDP, user.passphrase(), systemId);
+    }
+
+    /** One that signs with that passphrase; null: with none. */
+    public GroundStation station(Line.Kind kind, @Nullable String passphrase, int systemId) {
+        return new GroundStation(this, lines.size() + 1, kind, passphrase, systemId);
+    }
+
+    /** A robot that calls in. */
+    public LabRobot robot(RobotKit kit) {
+        return new LabRobot(this, kit, lines.size() + 1);
+    }
+
+    void add(Line line) {
+        lines.add(line);
+        line.attach(server);
+    }
+
+    FlightRecord record() {
+        return record;
+    }
+
+    long seed() {
+        return seed;
     }
 
     Principal principal(String name, Role role) {
@@ -274,7 +325,7 @@ public final class Laboratory implements AutoCloseable {
     /** The same for what appears. */
     public <T> T until(String what, Duration longest, Supplier<Optional<T>> appears) {
         List<T> found = new ArrayList<>(1);
-        untilSeen(what, longest, () -> {
+        until(what, longest, () -> {
             appears.get().ifPresent(found::add);
             return !found.isEmpty();
         });

@@ -19,6 +19,7 @@ import org.dronemap.ws.service.ControlRequestView;
 import org.dronemap.ws.service.ControlView;
 import org.dronemap.ws.service.KeyRequest;
 import org.dronemap.ws.service.MissionItemView;
+import org.dronemap.ws.service.OutletService;
 import org.dronemap.ws.service.Rejection;
 import org.jspecify.annotations.Nullable;
 
@@ -31,6 +32,7 @@ public final class Pilot {
     private final String name;
     private final Role role;
     private final @Nullable String key;
+    private @Nullable String passphrase;
 
     Pilot(Laboratory lab, String name, Role role, @Nullable String key) {
         this.lab = lab;
@@ -43,6 +45,32 @@ public final class Pilot {
         return name;
     }
 
+    public Role role() {
+        return role;
+    }
+
+    /** What the ground stations of this user sign with. */
+    public String passphrase() {
+        if (passphrase == null) {
+            passphrase = choosesPassphrase("the passphrase of " + name);
+        }
+        return passphrase;
+    }
+
+    public String choosesPassphrase(String chosen) {
+        passphrase = chosen;
+        return lab.server()
+                .accounts()
+                .outlet()
+                .setPassphrase(principal(), new OutletService.PassphraseRequest(chosen))
+                .passphrase();
+    }
+
+    public void clearsPassphrase() {
+        passphrase = null;
+        lab.server().accounts().outlet().clearPassphrase(principal());
+    }
+
     public Principal principal() {
         return key == null ? lab.principal(name, role) : lab.principal(name, key);
     }
@@ -50,7 +78,10 @@ public final class Pilot {
     /** The same user with an access key that is made by this one. */
     public Pilot withKey(KeyRequest wanted) {
         return new Pilot(
-                lab, name, role, lab.server().keys().addKey(principal(), wanted).id());
+                lab,
+                name,
+                role,
+                lab.server().accounts().keys().addKey(principal(), wanted).id());
     }
 
     /** Says that about the control of a drone. */
@@ -59,7 +90,11 @@ public final class Pilot {
     }
 
     public ControlView controls(String drone, ControlAction action, ControlRequestView with) {
-        return lab.server().controls().act(principal(), drone, action, with).control();
+        return lab.server()
+                .accounts()
+                .control()
+                .act(principal(), drone, action, with)
+                .control();
     }
 
     public ControlView takesControl(LabDrone drone) {
@@ -80,7 +115,7 @@ public final class Pilot {
     }
 
     public ControlView control(String drone) {
-        return lab.server().controls().control(principal(), drone);
+        return lab.server().accounts().control().control(principal(), drone);
     }
 
     /** The newest first. */

@@ -10,24 +10,19 @@ import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.PortRange;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
 import org.dronemap.ws.guard.ClientLimits;
-import org.dronemap.ws.service.AccessKeyService;
-import org.dronemap.ws.service.Accounts;
 import org.dronemap.ws.service.BroadcastService;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.CommandService;
-import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DronePlaces;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.DroneViews;
 import org.dronemap.ws.service.FenceService;
 import org.dronemap.ws.service.FollowReliefs;
 import org.dronemap.ws.service.FollowService;
-import org.dronemap.ws.service.GrantChanges;
-import org.dronemap.ws.service.GrantService;
-import org.dronemap.ws.service.GroupService;
 import org.dronemap.ws.service.LogService;
 import org.dronemap.ws.service.LogShelf;
 import org.dronemap.ws.service.ParameterService;
@@ -37,7 +32,6 @@ import org.dronemap.ws.service.Rates;
 import org.dronemap.ws.service.Registration;
 import org.dronemap.ws.service.RunJournalService;
 import org.dronemap.ws.service.RunService;
-import org.dronemap.ws.service.Secrets;
 import org.dronemap.ws.service.SteeringService;
 import org.dronemap.ws.service.VirtualDroneService;
 import org.dronemap.ws.service.VirtualDroneViews;
@@ -58,14 +52,12 @@ public final class SteppedServer implements AutoCloseable {
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
+    private final SteppedAccounts accounts;
     private final BroadcastService broadcasts;
     private final ParameterService parameters;
     private final FenceService fences;
     private final LogService logs;
     private final SteppedOffice office;
-    private final ControlService controls;
-    private final GrantService grants;
-    private final AccessKeyService keys;
     private final RunJournalService journals;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
@@ -95,6 +87,7 @@ public final class SteppedServer implements AutoCloseable {
         VirtualDroneViews views = virtual.virtualDroneViews(house);
         virtuals = virtual.virtualDroneService(house, views, time);
         warehouse = virtual.warehouseService(house, drones);
+        accounts = new SteppedAccounts(house, drones, time, closing);
         broadcasts = new ServiceConfiguration().broadcastService(house, commands);
         parameters = new ServiceConfiguration().parameterService(house, drones, commands);
         fences = new ServiceConfiguration().fenceService(house, drones, commands);
@@ -103,15 +96,8 @@ public final class SteppedServer implements AutoCloseable {
         logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
         office = SteppedOffice.of(house, settings, drones, shown, zones);
         journals = running.runJournalService(house, runs);
-        Accounts accounts = new ServiceConfiguration().accounts(house);
-        controls = new ServiceConfiguration().controlService(house, drones, accounts);
-        keys = new ServiceConfiguration().accessKeyService(house, accounts, new Secrets(), time.clock());
-        GrantConfiguration granting = new GrantConfiguration();
-        GrantChanges changes = granting.grantChanges(house);
-        GroupService groups = granting.groupService(house, changes, drones);
-        grants = granting.grantService(house, changes, groups, time.clock());
-        closing.add("the grants", granting.grantRounds(house));
         builder.hear();
+        builder.serve();
     }
 
     private static Settings settings(Path data) {
@@ -121,7 +107,8 @@ public final class SteppedServer implements AutoCloseable {
                 0,
                 0,
                 List.of(),
-                OutletSettings.OFF,
+                // Whoever attaches comes over links of memory.
+                new OutletSettings(List.of(), true, PortRange.NONE),
                 RobotSettings.OFF,
                 Enrolment.LOOPBACK,
                 null,
@@ -147,9 +134,19 @@ public final class SteppedServer implements AutoCloseable {
         return builder.vehicles();
     }
 
-    /** The same for robots. */
-    public PeerHandler.Factory robotLinks() {
+    /** Where links of ground stations of other makers bring theirs. */
+    public PeerHandler.Factory stations() {
+        return builder.stations();
+    }
+
+    /** Where links of robots bring theirs. */
+    public PeerHandler.Factory robots() {
         return builder.robots();
+    }
+
+    /** What users may do, and what they attach. */
+    public SteppedAccounts accounts() {
+        return accounts;
     }
 
     public House house() {
@@ -210,18 +207,6 @@ public final class SteppedServer implements AutoCloseable {
 
     public SteppedOffice office() {
         return office;
-    }
-
-    public ControlService controls() {
-        return controls;
-    }
-
-    public GrantService grants() {
-        return grants;
-    }
-
-    public AccessKeyService keys() {
-        return keys;
     }
 
     public RunJournalService journals() {

@@ -1,0 +1,122 @@
+package org.dronemap.sim.robot;
+
+import java.util.Map;
+import java.util.function.Supplier;
+import org.dronemap.sim.robot.RobotFleet.Truth;
+import org.dronemap.sim.robot.RobotOptions.Identity;
+import tools.jackson.core.JacksonException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/**
+ * One robot and its bridge without a link: says what its machine reports, and has it do what it is told. Not thread-safe: owned
+ * by whoever gives it its turns.
+ */
+public final class SimulatedRobot {
+    private static final int HEARTBEAT = 0;
+    private static final int STATUS = 1;
+    private static final int MOTION = 2;
+    private static final int MAP = 6;
+    private static final double SECONDS_A_BEAT = 1;
+    private static final double LATITUDE = 47.3977;
+    private static final double LONGITUDE = 8.5456;
+
+    private final Machine machine;
+    private final RobotOptions options;
+    private final Speech speech;
+    private final Links links;
+    private double sinceBeat = SECONDS_A_BEAT;
+    private double sinceReport;
+    private boolean deaf;
+
+    /** Its ways to the server. */
+    public interface Links {
+        /** Whether it has a WebSocket now, and speaks by that. */
+        boolean isOnWeb();
+
+        /** What the link has no room for is not even made: it has no number then. */
+        void sayByWeb(Supplier<String> text);
+
+        void sayByUdp(String text);
+    }
+
+    /** {@code number}: which of those that the options tell of, from 0. */
+    public SimulatedRobot(RobotOptions options, int number, Links links) {
+        this.options = options;
+        this.links = links;
+        machine = machine(options, number);
+        speech = new Speech(identity(options, number), options.quirks());
+        deaf = options.quirks().contains(Quirk.IGNORES_ORDERS);
+    }
+
+    static Identity identity(RobotOptions options, int number) {
+        return options.first().plus(number);
+    }
+
+    private static Machine machine(RobotOptions options, int number) {
+        boolean flies = options.kind().equals("drone") || (options.kind().equals("mixed") && number % 2 == 1);
+        return flies
+                ? new Flyer(LATITUDE + number * 1e-4, LONGITUDE)
+                : new Rover(-2, -1 + number % 3, options.quirks());
+    }
+
+    /** What is true of it now. */
+    public Truth truth() {
+        return machine.truth();
+    }
+
+    /** Lives on for so long, and says what is due. */
+    public void turn(double seconds) {
+        machine.move(seconds);
+        sinceBeat += seconds;
+        sinceReport += seconds;
+        if (sinceBeat >= SECONDS_A_BEAT) {
+            sinceBeat -= SECONDS_A_BEAT;
+            beat();
+            say(STATUS, options.quirks().contains(Quirk.STATUS_IS_HEARTBEAT) ? heartbeat() : machine.status());
+            machine.sights().forEach(this::say);
+        }
+        if (sinceReport >= 1 / options.motionHertz()) {
+            sinceReport = 0;
+            say(MOTION, machine.motion());
+        }
+    }
+
+    private void beat() {
+        say(HEARTBEAT, heartbeat());
+        if (links.isOnWeb() && options.quirks().contains(Quirk.BEATS_ON_BOTH)) {
+            links.sayByUdp(speech.text(HEARTBEAT, heartbeat()));
+        }
+    }
+
+    private Map<String, Object> heartbeat() {
+        return Map.of("type", machine.type(), "name", "simulated", "system_status", 2, "mode", 0);
+    }
+
+    private void say(int messageId, Map<String, Object> body) {
+        if (links.isOnWeb()) {
+            links.sayByWeb(() -> speech.text(messageId, body));
+        } else {
+            links.sayByUdp(speech.text(messageId, body));
+        }
+    }
+
+    /** It is told something, by either link. */
+    public void heard(String text) {
+        JsonNode message;
+        try {
+            message = JsonMapper.shared().readTree(text);
+        } catch (JacksonException e) {
+            return;
+        }
+        int order = speech.order(message);
+        if (deaf || order < 0) {
+            return;
+        }
+        if (order == Orders.GET_MAP && !machine.map().isEmpty()) {
+            say(MAP, machine.map());
+        }
+        machine.obey(order, speech.body(message));
+        deaf = order == Orders.STOP && options.quirks().contains(Quirk.DIES_OF_STOP);
+    }
+}

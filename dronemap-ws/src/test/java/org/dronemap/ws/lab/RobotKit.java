@@ -1,0 +1,50 @@
+package org.dronemap.ws.lab;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.dronemap.sim.link.ServerAddress;
+import org.dronemap.sim.robot.Quirk;
+import org.dronemap.sim.robot.RobotOptions;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a robot of the laboratory is made of.
+ *
+ * @param kind rover or drone
+ * @param key what it shows of itself
+ * @param path to which it opens a WebSocket beside UDP; null: it has none
+ */
+public record RobotKit(
+        String kind, int systemId, String key, @Nullable String path, Set<Quirk> quirks) {
+    private static final double MOTION_HERTZ = 5;
+    private static final ServerAddress ANY = new ServerAddress(false, "127.0.0.1", 25_500);
+
+    /** One on wheels that reports as ground robots' bridges do. */
+    public static RobotKit rover(int systemId) {
+        return new RobotKit("rover", systemId, "key-" + systemId, null, Set.of(Quirk.STATUS_IS_HEARTBEAT));
+    }
+
+    /** One whose flight controller stands behind mavros. */
+    public static RobotKit flyer(int systemId) {
+        return new RobotKit("drone", systemId, "key-" + systemId, null, Set.of());
+    }
+
+    public RobotKit with(Quirk... others) {
+        Set<Quirk> all = new HashSet<>(quirks);
+        all.addAll(Set.of(others));
+        return new RobotKit(kind, systemId, key, path, all);
+    }
+
+    public RobotKit showing(String other) {
+        return new RobotKit(kind, systemId, other, path, quirks);
+    }
+
+    public RobotKit onWeb(String opened) {
+        return new RobotKit(kind, systemId, key, opened, quirks);
+    }
+
+    RobotOptions options() {
+        RobotOptions.Identity identity = new RobotOptions.Identity(systemId, key, null);
+        return new RobotOptions(1, kind, ANY, null, identity, MOTION_HERTZ, quirks);
+    }
+}

@@ -1,0 +1,64 @@
+package org.dronemap.ws.wiring;
+
+import java.time.Clock;
+import org.dronemap.core.time.Time;
+import org.dronemap.ws.service.AccessKeyService;
+import org.dronemap.ws.service.Accounts;
+import org.dronemap.ws.service.AuditService;
+import org.dronemap.ws.service.ControlService;
+import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.GrantChanges;
+import org.dronemap.ws.service.GrantService;
+import org.dronemap.ws.service.OutletService;
+import org.dronemap.ws.service.Secrets;
+import org.dronemap.ws.service.UserService;
+
+/** The use cases of a {@link SteppedServer} around users: who they are, what they may do and have done, and what they attach. */
+public final class SteppedAccounts {
+    private final UserService users;
+    private final GrantService grants;
+    private final ControlService control;
+    private final OutletService outlet;
+    private final AuditService audit;
+    private final AccessKeyService keys;
+
+    SteppedAccounts(House house, DroneService drones, Time time, Closing closing) {
+        ServiceConfiguration services = new ServiceConfiguration();
+        GrantConfiguration granting = new GrantConfiguration();
+        Clock clock = time.clock();
+        Secrets secrets = services.secrets();
+        Accounts accounts = services.accounts(house);
+        GrantChanges changes = granting.grantChanges(house);
+        closing.add("the grants", granting.grantRounds(house));
+        users = services.userService(house, accounts, house.passwords(), secrets, changes);
+        grants = granting.grantService(house, changes, granting.groupService(house, changes, drones), clock);
+        control = services.controlService(house, drones, accounts);
+        outlet = services.outletService(house, accounts, secrets);
+        audit = services.auditService(house);
+        keys = services.accessKeyService(house, accounts, secrets, clock);
+    }
+
+    public UserService users() {
+        return users;
+    }
+
+    public GrantService grants() {
+        return grants;
+    }
+
+    public ControlService control() {
+        return control;
+    }
+
+    public OutletService outlet() {
+        return outlet;
+    }
+
+    public AccessKeyService keys() {
+        return keys;
+    }
+
+    public AuditService audit() {
+        return audit;
+    }
+}
