@@ -23,35 +23,38 @@ HARDWARE = itertools.count(5001)
 # The files that take longest begin first, or one process is still at them when the others have nothing left.
 LONGEST = (
     "test_accounts_in_browser",
-    "test_parameters_in_browser",
     "test_flight_in_browser",
-    "test_mission_transfers",
-    "test_crash",
-    "test_durability",
-    "test_control",
-    "test_virtual_drones",
-    "test_run_wishes",
-    "test_parameters",
-    "test_outlet_commands",
-    "test_outlet_tools",
-    "test_outlet_steering",
+    "test_parameters_in_browser",
+    "test_robot_in_browser",
     "test_plans_in_browser",
+    "test_follow_in_browser",
     "test_flight_by_program",
-    "test_identity",
-    "test_links",
-    "test_flights_and_failures",
-    "test_other_vehicles",
-    "test_recordings",
-    "test_link_quality",
-    "test_zone_watch",
-    "test_signing",
+    "test_crash",
     "test_zones_in_browser",
-    "test_home_and_payload",
-    "test_replay",
+    "test_errors_in_browser",
+    "test_control",
+    "test_flights",
+    "test_other_vehicles",
+    "test_flights_and_failures",
+    "test_outlet_in_browser",
+    "test_durability",
+    "test_canaries",
+    "test_grants",
 )
 
 
+# One of these is said by each test that is no long one: why nothing less than whole programs can show it.
+REASONS = ("End to end because ", "Of the judge alone: ")
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        said = getattr(item, "function", None).__doc__ or ""
+        if not any(reason in said for reason in REASONS) and item.get_closest_marker("soak") is None:
+            raise pytest.UsageError(
+                f"{item.nodeid} says not why it is an end-to-end test: say in its docstring "
+                f'"{REASONS[0]}…", or fly it in the laboratory (docs/how-to-add/flight.md)'
+            )
     places = {name: place for place, name in enumerate(LONGEST)}
     items.sort(key=lambda item: places.get(item.path.stem, len(LONGEST)))
 

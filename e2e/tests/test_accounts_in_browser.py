@@ -90,6 +90,7 @@ def reload_users(station: Station) -> None:
 def test_an_invited_viewer_watches_until_disabled(
     request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
 ) -> None:
+    """End to end because two people have pages of their own, and one of them loses what it shows."""
     look = request.node.callspec.id
     chief = administrator(server, api, open_page())
     invitations = card(chief, "Invitations")
@@ -140,6 +141,7 @@ def test_an_invited_viewer_watches_until_disabled(
 def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_password(
     request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
 ) -> None:
+    """End to end because the pages of two people change with what one does on the other."""
     look = request.node.callspec.id
     carol, password = new_name("carol"), secrets.token_hex(10)
     guest = open_page()
@@ -195,6 +197,7 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
 def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
     request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
 ) -> None:
+    """End to end because a key that a page shows once is used by a program."""
     look = request.node.callspec.id
     station = administrator(server, api, open_page())
     keys = card(station, "Access keys")

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from playwright.sync_api import Browser, Playwright, expect, sync_playwright
+from playwright.sync_api import Browser, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.race import Hoverer, Racer, RestClient, StreamClient, judge, race, settle
@@ -148,19 +148,6 @@ def holds_and_returns(sky: Sky, hoverer: Hoverer, drone: str) -> None:
     assert [c["by"] for c in sky.api.get(f"/drones/{drone}/commands")["commands"][:2]] == ["dronemap"] * 2
 
 
-@pytest.fixture(scope="module")
-def player() -> Iterator[Playwright]:
-    with sync_playwright() as playwright:
-        yield playwright
-
-
-@pytest.fixture(scope="module")
-def browser(player: Playwright) -> Iterator[Browser]:
-    started = launch(player)
-    yield started
-    started.close()
-
-
 def kill_browser(mark: str) -> None:
     """Its first process, which all others end with; kill -9."""
     for folder in Path("/proc").glob("[0-9]*"):
@@ -173,12 +160,12 @@ def kill_browser(mark: str) -> None:
 
 
 def test_the_drone_of_a_killed_browser_holds_and_then_returns(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], player: Playwright
+    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], playwright: Playwright
 ) -> None:
     """End to end because a browser that is killed says nothing more, and its real connection is what ends."""
     hoverer, drone = hover()
     mark = f"--doomed={secrets.token_hex(8)}"
-    doomed = launch(player, mark)
+    doomed = launch(playwright, mark)
     station = Station(doomed.new_page(viewport={"width": 1440, "height": 900}), Pointer())
     station.sign_in(sky.server.address, *sky.user("operator"), secrets.token_hex(10))
     station.choose(sky.api.drone(drone)["name"])

@@ -37,6 +37,7 @@ def user(api: Api, role: str) -> tuple[str, str]:
 
 
 def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
+    """End to end because a person reads it on the page."""
     page.goto(server.address)
     page.get_by_label("User name").fill("admin")
     page.get_by_label("Password", exact=True).fill("certainly wrong")
@@ -48,6 +49,7 @@ def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
 def test_a_viewer_reads_why_arming_is_not_for_viewers(
     server: Server, api: Api, wire: Wire, copter: Json, page: Page
 ) -> None:
+    """End to end because a browser holds the button, and nothing goes over the wire."""
     station = Station(page, Pointer())
     station.sign_in(server.address, *user(api, "viewer"), secrets.token_hex(10))
     station.choose(copter["name"])
@@ -61,6 +63,7 @@ def test_a_viewer_reads_why_arming_is_not_for_viewers(
 def test_bad_waypoints_stay_on_the_page(
     server: Server, api: Api, wire: Wire, copter: Json, page: Page
 ) -> None:
+    """End to end because a browser keeps them, and nothing goes over the wire."""
     station = Station(page, Pointer())
     station.sign_in(server.address, *user(api, "operator"), secrets.token_hex(10))
     station.choose(copter["name"])

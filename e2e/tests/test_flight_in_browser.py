@@ -111,6 +111,7 @@ def test_a_person_flies_a_mission(
     dark: bool,
     waypoints: Callable[[Station, Json], None],
 ) -> None:
+    """End to end because hands fly it in a browser, and the judge sees only the wire."""
     name = request.node.callspec.id
     station = open_station(hands, size, dark)
     station.choose(copter["name"])
@@ -138,6 +139,7 @@ def test_a_person_flies_a_mission(
 
 
 def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: Open, api: Api) -> None:
+    """End to end because a browser shows what a vehicle of another maker's program says."""
     sentence = f"PreArm: {secrets.token_hex(6)} not healthy"
 
     def deny(peer: Peer, message: object) -> None:
@@ -158,6 +160,7 @@ def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: O
 def test_every_open_page_shows_a_lost_drone_within_six_seconds(
     server: Server, open_station: Open, api: Api
 ) -> None:
+    """End to end because each browser hears it by a stream of its own."""
     peer = Peer(server.udp_port, system_id=202, handlers=OBEDIENT)
     try:
         drone = wait_for("listed", lambda: _by_port(api, peer.port))

@@ -28,6 +28,7 @@ def straight(east: float, north: float, up: float, until: float = 10) -> list[li
 
 
 def test_the_judge_sees_who_goes_beyond() -> None:
+    """Of the judge alone: it starts nothing."""
     truth = {
         "inside": [-50, -50, 50, 50],
         "discs": [[0, 30, 5]],

@@ -27,6 +27,7 @@ RESOLVE = f"--host-resolver-rules=MAP {NAME} 127.0.0.1"
 def test_a_page_by_plain_http_says_what_to_do_and_has_the_demo(
     server: Server, api: Api, playwright: Playwright, copter: Json
 ) -> None:
+    """End to end because a browser is what withholds the place of a phone."""
     browser = launch(playwright, RESOLVE)
     page = phone(browser)
     sign_in(page, f"http://{NAME}:{server.http_port}/follow", api)
@@ -110,6 +111,7 @@ def away(machine: Machine, place: Point) -> float:
 
 
 def test_a_drone_follows_a_phone_over_tls(machine: Machine, browser: Browser) -> None:
+    """End to end because a browser trusts the certificate, and tells where the phone is."""
     home = machine.drone["home"]
     page = phone(browser, beside(home, Walker.east, Walker.north))
     walker = Walker(page, home)

@@ -23,6 +23,7 @@ def seeds() -> range:
 
 
 def test_who_is_far_away_for_long_is_told_from_who_soon_comes_back() -> None:
+    """Of the judge alone: it starts nothing."""
     assert longest([10, 60, 60, 10, 60], 50) == 2
     assert longest([10, math.inf, 60, 60], 50) == 3
     assert longest([10, 50], 50) == 0

@@ -3,27 +3,18 @@
 import json
 import secrets
 import time
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Locator, Page, expect
 from websockets.sync.client import ClientConnection, connect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Pointer, Station, Touch, launch
+from dronemap_e2e.station import Hands, Pointer, Station, Touch
 
 PATIENCE = 30_000
 SECONDS = 30
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        started = launch(playwright)
-        yield started
-        started.close()
 
 
 def heard(stream: ClientConnection, kind: str, drone: str) -> None:

@@ -4,20 +4,19 @@ import secrets
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.ground import Ground
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.station import Pointer, Station
 
 
 @pytest.fixture
-def page() -> Iterator[Page]:
-    with sync_playwright() as playwright:
-        browser = launch(playwright)
-        yield browser.new_page(viewport={"width": 1440, "height": 900})
-        browser.close()
+def page(browser: Browser) -> Iterator[Page]:
+    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    yield opened
+    opened.close()
 
 
 def test_a_program_attaches_with_a_passphrase_of_the_page_and_is_disconnected_there(

@@ -95,6 +95,7 @@ def picture(page: Page, name: str) -> None:
 def test_a_person_reads_searches_changes_and_loads_parameters(
     request: pytest.FixtureRequest, server: Server, api: Api, page: Page, bench: Bench, tmp_path: Path
 ) -> None:
+    """End to end because a browser takes files in and hands them out."""
     look = request.node.callspec.id
     station = open_panel(server, api, page, bench)
     disclose(station, "Parameters")
@@ -143,6 +144,7 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
 def test_a_person_sets_home_takes_a_picture_and_switches_a_relay(
     request: pytest.FixtureRequest, server: Server, api: Api, page: Page, bench: Bench
 ) -> None:
+    """End to end because hands do it on the page, and a second station sees it on the vehicle."""
     look = request.node.callspec.id
     station = open_panel(server, api, page, bench)
     disclose(station, "Home")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Error, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Error, Page, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
@@ -67,14 +67,13 @@ def network(server: Server) -> Iterator[Network]:
 
 
 @pytest.fixture
-def browser(server: Server, network: Network) -> Iterator[Browser]:
+def browser(server: Server, network: Network, playwright: Playwright) -> Iterator[Browser]:
     """What calls itself localhost goes through the network of the phone."""
     ways = {server.http_port: network.web.port, server.stream_port: network.stream.port}
     rules = ",".join(f"MAP localhost:{port} 127.0.0.1:{way}" for port, way in ways.items())
-    with sync_playwright() as playwright:
-        started = launch(playwright, f"--host-resolver-rules={rules}")
-        yield started
-        started.close()
+    started = launch(playwright, f"--host-resolver-rules={rules}")
+    yield started
+    started.close()
 
 
 @dataclass

@@ -109,6 +109,7 @@ def _forbid(api: Api, place: Json) -> None:
 
 
 def test_an_operator_plans_starts_and_changes_a_run_of_three_drones(fleet: Server, page: Page) -> None:
+    """End to end because a browser draws it all on its map."""
     api = Api(fleet.address, fleet.local_key())
     wait_for("all is known", lambda: _known(api), 150)
     name, password = f"operator-{secrets.token_hex(4)}", secrets.token_hex(10)

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Locator, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.server import QUICK, Server
 from dronemap_e2e.simulator import SIMULATOR_JAR
-from dronemap_e2e.station import Pointer, Station, launch
+from dronemap_e2e.station import Pointer, Station
 from dronemap_e2e.waiting import wait_for
 
 SYSTEM_ID, FLYER_ID = 3107, 3108
@@ -42,11 +42,10 @@ class Spot:
 
 
 @pytest.fixture
-def page() -> Iterator[Page]:
-    with sync_playwright() as playwright:
-        browser: Browser = launch(playwright)
-        yield browser.new_page(viewport={"width": 1440, "height": 900})
-        browser.close()
+def page(browser: Browser) -> Iterator[Page]:
+    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    yield opened
+    opened.close()
 
 
 @pytest.fixture

@@ -23,6 +23,7 @@ def flown(*legs: tuple[float, float, float], speed: float = 5.0, stands: float =
 
 
 def test_who_passes_has_not_visited_and_who_comes_twice_has_twice() -> None:
+    """Of the judge alone: it starts nothing."""
     stops_at_both = flown((0, 0, 20), (50, 0, 20), (100, 0, 20), (50, 0, 20))
     passes = flown((0, 1, 20), (150, 1, 20))
     too_low = flown((0, 0, 14), (50, 0, 14))
@@ -32,12 +33,14 @@ def test_who_passes_has_not_visited_and_who_comes_twice_has_twice() -> None:
 
 
 def test_what_lies_beside_a_start_is_told_from_what_one_came_to() -> None:
+    """Of the judge alone: it starts nothing."""
     beside = Spot("3", 2, 0, 20)
     found = visits({1: flown((0, 0, 0), (0, 0, 20), (50, 0, 20), (2, 0, 20))}, [*SPOTS, beside])
     assert [(visit.waypoint, visit.at_start) for visit in found] == [("3", True), ("1", False), ("3", False)]
 
 
 def test_fences_bind_below_their_tops_and_between_two_reports() -> None:
+    """Of the judge alone: it starts nothing."""
     discs = [Disc("mill", 50, 0, 1, 30)]
     assert crossings({1: flown((0, 0, 20), (100, 0, 20), speed=40)}, discs)[0][:2] == (1, "mill")
     assert not crossings({1: flown((0, 0, 31), (100, 0, 31))}, discs)
@@ -45,6 +48,7 @@ def test_fences_bind_below_their_tops_and_between_two_reports() -> None:
 
 
 def test_two_are_near_where_neither_distance_nor_height_keeps_them_apart() -> None:
+    """Of the judge alone: it starts nothing."""
     along = flown((0, 0, 20), (100, 0, 20))
     least = nearest({1: along, 2: flown((100, 4, 22), (0, 4, 22))})
     assert least is not None and abs(least.metres - 4) < 0.6 and abs(least.height - 2) < 0.1

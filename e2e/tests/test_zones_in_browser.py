@@ -48,6 +48,7 @@ def picture(page: Page, name: str) -> None:
 def test_a_supervisor_draws_imports_and_deletes_zones(
     server: Server, api: Api, page: Page, copter: Json, tmp_path: Path
 ) -> None:
+    """End to end because a browser is drawn in, and takes a file."""
     drawn = f"Park {secrets.token_hex(3)}"
     station = enter(server, api, page, "supervisor")
     station.choose(copter["name"])
@@ -100,6 +101,7 @@ def test_a_supervisor_draws_imports_and_deletes_zones(
 
 
 def test_an_operator_sees_zones_and_changes_none(server: Server, api: Api, page: Page, copter: Json) -> None:
+    """End to end because a browser offers nothing that is refused."""
     name = f"School {secrets.token_hex(3)}"
     circle = {"type": "Point", "coordinates": [-31, 11]}
     added = api.call(

@@ -1,12 +1,5 @@
 package org.dronemap.ws.lab;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.FileVisitResult;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -54,7 +47,7 @@ public final class Laboratory implements AutoCloseable {
 
     private final SteppedTime time;
     private final long seed;
-    private final Path data;
+    private final DataFolder data = new DataFolder();
     private final MemoryStores stores = new MemoryStores();
     private final FlightRecord record;
     private final List<LabDrone> drones = new ArrayList<>();
@@ -70,11 +63,6 @@ public final class Laboratory implements AutoCloseable {
         this.seed = seed;
         time = new SteppedTime(BEGAN, seed);
         record = new FlightRecord(time::nanos);
-        try {
-            data = Files.createTempDirectory("laboratory");
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
         var unused = time.worker("vehicles", 1).every(BEAT, BEAT, () -> drones.forEach(LabDrone::beat));
         startServer();
     }
@@ -82,7 +70,7 @@ public final class Laboratory implements AutoCloseable {
     /** Over what an earlier one has kept. */
     public void startServer() {
         process = time.killable();
-        server = new SteppedServer(data, process, stores);
+        server = new SteppedServer(data.path(), process, stores);
         drones.forEach(drone -> drone.attach(server().links()));
         peers.forEach(peer -> peer.wire().attach(server().links()));
         signingPeers.forEach(peer -> peer.wire().attach(server().links()));
@@ -382,23 +370,6 @@ public final class Laboratory implements AutoCloseable {
         if (server != null) {
             server.close();
         }
-        try {
-            Files.walkFileTree(data, new SimpleFileVisitor<>() {
-                @Override
-                public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
-                    Files.delete(file);
-                    return FileVisitResult.CONTINUE;
-                }
-
-                @Override
-                public FileVisitResult postVisitDirectory(Path folder, @Nullable IOException failure)
-                        throws IOException {
-                    Files.delete(folder);
-                    return FileVisitResult.CONTINUE;
-                }
-            });
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        data.close();
     }
 }
