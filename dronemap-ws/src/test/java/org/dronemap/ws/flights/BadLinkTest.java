@@ -20,7 +20,6 @@ import org.dronemap.ws.lab.Wire;
 import org.dronemap.ws.service.CommandRequest;
 import org.dronemap.ws.service.CommandView;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Commands over a link that delays by 500 ± 200 ms, loses a tenth each way, doubles and reorders. */
@@ -147,7 +146,6 @@ class BadLinkTest {
     }
 
     @Test
-    @Tag("soak")
     void outcomesOfAThousandCommandsAgreeWithWhatTheVehiclesDid() {
         assertThat(fly(20, 50)).isNotEmpty();
     }

@@ -32,7 +32,6 @@ import org.dronemap.ws.service.FenceView;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.MissionItemView;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -143,7 +142,6 @@ class OnBoardMissionsTest {
 
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
-    @Tag("soak")
     void aLongMissionGoesUpABadLink(VehicleKit kit) {
         goesUpABadLink(kit, 200, Duration.ofMinutes(30));
     }

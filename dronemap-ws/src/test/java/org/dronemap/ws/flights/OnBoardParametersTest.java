@@ -28,7 +28,6 @@ import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.ParametersView;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -175,7 +174,6 @@ class OnBoardParametersTest {
     }
 
     @Test
-    @Tag("soak")
     void aThousandParametersGoUpABadLink() {
         LabDrone drone = drone(VehicleKit.COPTER);
         String id = drone.id().value();
