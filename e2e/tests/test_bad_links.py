@@ -159,9 +159,8 @@ def mixed(count: int, seed: int) -> list[Json]:
     return kinds
 
 
-@pytest.mark.parametrize(
-    ("drones", "each"), [pytest.param(20, 50, marks=pytest.mark.soak)], ids=["a thousand commands"]
-)
+@pytest.mark.soak
+@pytest.mark.parametrize(("drones", "each"), [(20, 50)], ids=["a thousand commands"])
 def test_outcomes_agree_with_what_the_vehicles_did(
     server: Server, api: Api, link: Impairer, drones: int, each: int
 ) -> None:

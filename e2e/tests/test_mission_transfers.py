@@ -70,9 +70,8 @@ def waypoints(count: int, seed: int = 0) -> list[Json]:
     ]
 
 
-@pytest.mark.parametrize(
-    ("count", "seconds"), [pytest.param(200, 1800, marks=pytest.mark.soak)], ids=["200 items"]
-)
+@pytest.mark.soak
+@pytest.mark.parametrize(("count", "seconds"), [(200, 1800)], ids=["200 items"])
 def test_a_mission_goes_up_a_bad_link(bench: Bench, count: int, seconds: float) -> None:
     items = waypoints(count)
     bench.link.weather = BAD
