@@ -5,11 +5,13 @@ import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
+import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
@@ -18,10 +20,18 @@ import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.Statustext;
+import org.dronemap.proxy.endpoint.MemoryLink;
+import org.dronemap.proxy.endpoint.PeerAddress;
+import org.dronemap.proxy.endpoint.PeerHandler;
+import org.jspecify.annotations.Nullable;
 
-/** A vehicle played on a real UDP socket: what it hears is kept, what it answers a test decides. */
+/** A vehicle played on a real UDP socket, or on a link in memory: what it hears is kept, what it answers a test decides. */
 public final class PlayedVehicle implements AutoCloseable {
-    private final DatagramChannel channel;
+    private static final Duration BEAT = Duration.ofMillis(200);
+
+    private final @Nullable DatagramChannel channel;
+    private final @Nullable MemoryLink link;
+    private final FrameReader reader = new FrameReader();
     private final FrameWriter writer;
     private final List<Frame> heard = new CopyOnWriteArrayList<>();
     private final BiConsumer<PlayedVehicle, Frame> answers;
@@ -34,9 +44,33 @@ public final class PlayedVehicle implements AutoCloseable {
         this.writer = writer;
         this.heartbeat = first;
         this.answers = answers;
+        link = null;
         channel = DatagramChannel.open().connect(new InetSocketAddress("127.0.0.1", port));
         start("played-reader", this::listen);
         start("played-heart", this::beat);
+    }
+
+    /** On a link in memory, in that time. */
+    public PlayedVehicle(
+            PeerHandler.Factory handlers,
+            Time time,
+            FrameWriter writer,
+            Heartbeat first,
+            BiConsumer<PlayedVehicle, Frame> answers) {
+        this.writer = writer;
+        this.heartbeat = first;
+        this.answers = answers;
+        channel = null;
+        link = new MemoryLink(
+                handlers, new PeerAddress("127.0.0.1", 14_551), bytes -> hear(ByteBuffer.wrap(bytes)), time);
+        var unused = time.worker("played", 1).every(Duration.ZERO, BEAT, () -> send(heartbeat));
+    }
+
+    private void hear(ByteBuffer bytes) {
+        reader.read(bytes, frame -> {
+            heard.add(frame);
+            answers.accept(this, frame);
+        });
     }
 
     public static Heartbeat copter(long customMode, boolean armed) {
@@ -50,8 +84,13 @@ public final class PlayedVehicle implements AutoCloseable {
     }
 
     public synchronized void send(Message message) {
+        byte[] frame = writer.frame(message);
+        if (link != null) {
+            link.received(frame);
+            return;
+        }
         try {
-            channel.write(ByteBuffer.wrap(writer.frame(message)));
+            channel.write(ByteBuffer.wrap(frame));
         } catch (IOException e) {
             if (isOpen()) {
                 throw new IllegalStateException(e);
@@ -90,17 +129,13 @@ public final class PlayedVehicle implements AutoCloseable {
     }
 
     private void listen() {
-        FrameReader reader = new FrameReader();
         ByteBuffer buffer = ByteBuffer.allocate(2048);
         while (isOpen()) {
             try {
                 buffer.clear();
                 channel.read(buffer);
                 buffer.flip();
-                reader.read(buffer, frame -> {
-                    heard.add(frame);
-                    answers.accept(this, frame);
-                });
+                hear(buffer);
             } catch (ClosedChannelException e) {
                 return;
             } catch (IOException e) {
@@ -119,7 +154,7 @@ public final class PlayedVehicle implements AutoCloseable {
         try {
             do {
                 send(heartbeat);
-            } while (!closing.await(200, TimeUnit.MILLISECONDS));
+            } while (!closing.await(BEAT.toMillis(), TimeUnit.MILLISECONDS));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -128,6 +163,11 @@ public final class PlayedVehicle implements AutoCloseable {
     @Override
     public void close() throws IOException {
         closing.countDown();
-        channel.close();
+        if (channel != null) {
+            channel.close();
+        }
+        if (link != null) {
+            link.close();
+        }
     }
 }

@@ -6,7 +6,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -189,20 +188,6 @@ public final class TestCloud implements AutoCloseable {
                         // Who was not let to the helm has no epoch, and leaves nothing to hold.
                         && (record.by().equals("dronemap") || (type.equals("Steer") && record.epoch() != null)))
                 .count();
-    }
-
-    /** Returns when all is written down that was to be by now. */
-    public void awaitWritten() {
-        CompletableFuture<Void> written = new CompletableFuture<>();
-        journal.write("that all before it is written", () -> {}, () -> written.complete(null));
-        try {
-            written.get(20, TimeUnit.SECONDS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new AssertionError(e);
-        } catch (ExecutionException | TimeoutException e) {
-            throw new AssertionError("the journal does not end", e);
-        }
     }
 
     /** How many commands have no outcome yet. */

@@ -49,13 +49,22 @@ final class MatrixClient implements Peer {
 
     /** {@code listener} hears all that it is sent, on the outlet's thread, and hands over the items itself. */
     MatrixClient(PeerHandler.Factory outlet, @Nullable String user, int systemId, @Nullable Consumer<Frame> listener) {
+        this(outlet, user, systemId, listener, Clock.systemUTC());
+    }
+
+    /** {@code clock}: what it signs by. */
+    MatrixClient(
+            PeerHandler.Factory outlet,
+            @Nullable String user,
+            int systemId,
+            @Nullable Consumer<Frame> listener,
+            Clock clock) {
         this.listener = listener;
         handler = outlet.opened(this, new PeerCounters(new EndpointCounters()));
         writer = new FrameWriter(systemId, 190, 2);
         signer = user == null
                 ? null
-                : new OutgoingSigner(
-                        new SigningKey(key(user).secret()), new SigningClock(Clock.systemUTC(), 0), systemId);
+                : new OutgoingSigner(new SigningKey(key(user).secret()), new SigningClock(clock, 0), systemId);
     }
 
     static LinkKey key(String user) {

@@ -4,23 +4,22 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.LeaseEvent;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.MessageTable;
@@ -31,30 +30,32 @@ import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.session.FrameTap;
+import org.jspecify.annotations.Nullable;
 
-/** A cloud with one vehicle on a real socket, its outlet, and somebody at it; tells what gets through to that socket. */
+/** A cloud with one vehicle, its outlet, and somebody at it, in stepped time; tells what gets through to the vehicle. */
 final class MatrixHouse implements AutoCloseable {
     /** What fills messages that mean nothing in particular: the cloud says nothing of its own with it. */
     static final int FILL = 0x2A;
 
     private static final Duration PATIENCE = Duration.ofSeconds(20);
     private static final Heartbeat GROUND = new Heartbeat(6, 8, 0, 0, 4, 3);
-    /** Frames that two threads send at a time may be noted in the other order; fewer than there are sequence numbers. */
+    /** Fewer than there are sequence numbers. */
     private static final int ASTRAY = 64;
 
-    private static final int HOLD = 17;
-    private static final long LOOK_NANOS = 100_000;
-    private static final int SECOND_NANOS = 1_100_000_000;
+    /** The cloud counts some things by the second. */
+    private static final Duration ANOTHER_SECOND = Duration.ofMillis(1_100);
+    /** All that is said is taken, given at the gate and written down by then. */
+    private static final Duration SOON = Duration.ofMillis(50);
 
-    private final JumpingTime time = new JumpingTime();
-    private final Journal journal = new Journal(new SystemTime());
+    private final SteppedTime time = new SteppedTime(Instant.parse("2026-03-04T05:06:07Z"));
+    private final Journal journal = new Journal(time);
     private final LateTaps taps = new LateTaps();
-    private final TestCloud cloud = new TestCloud(0, taps);
+    private final TestCloud cloud = new TestCloud(taps, time);
     private final Outlet outlet;
     private final MatrixVehicle vehicle;
     private final DroneId drone;
+    private final String holder;
     private final MatrixClient client;
-    private final MatrixClient watcher;
 
     /** Who sends, and who has control of the drone. */
     record Cast(Optional<Role> role, boolean inControl, boolean atPersonalPort) {
@@ -66,8 +67,7 @@ final class MatrixHouse implements AutoCloseable {
     MatrixHouse(Cast cast) throws IOException {
         Map<String, Principal> users = Map.of(
                 "sender", new Principal("sender", cast.role().orElse(Role.REPORTER)),
-                "holder", new Principal("holder", Role.OPERATOR),
-                "watcher", new Principal("watcher", Role.VIEWER));
+                "holder", new Principal("holder", Role.OPERATOR));
         KeptOutlet store = new KeptOutlet();
         OutletPolicy policy = new OutletPolicy(
                 cloud.cloud(),
@@ -80,20 +80,30 @@ final class MatrixHouse implements AutoCloseable {
         taps.outlet = outlet;
         users.keySet().forEach(user -> outlet.putKey(user, MatrixClient.key(user)));
         outlet.start(false);
-        vehicle = new MatrixVehicle(cloud.udpPort());
-        drone = cloud.awaitDrone(state -> state.capabilities().known()).id();
-        String holder = cast.inControl() ? "sender" : "holder";
-        cloud.cloud().controls().apply(drone, new LeaseEvent.Take(holder));
-        watcher = attached("watcher", 253);
+        vehicle = new MatrixVehicle(cloud.proxy().handlers(), time);
+        drone = becomes(state -> state.capabilities().known()).id();
+        holder = cast.inControl() ? "sender" : "holder";
+        holderIsThere();
         client = cast.atPersonalPort()
-                ? attached("sender", personal())
-                : cast.role().isPresent() ? attached("sender", 254) : new MatrixClient(outlet, null, 254);
+                ? attached(personal())
+                : cast.role().isPresent() ? attached(client("sender")) : client(null);
         is(MatrixVehicle.State.DISARMED);
-        cloud.awaitDrone(state -> state.mission().items() != null);
+        DroneState unused = becomes(state -> state.mission().items() != null);
     }
 
-    private MatrixClient attached(String user, int systemId) {
-        return attached(user, new MatrixClient(outlet, user, systemId));
+    /** Who gives no sign loses control. */
+    private void holderIsThere() {
+        cloud.cloud().controls().apply(drone, new LeaseEvent.Take(holder));
+    }
+
+    private MatrixClient client(@Nullable String user) {
+        return new MatrixClient(outlet, user, 254, null, time.clock());
+    }
+
+    /** The drone, once it looks as wanted. */
+    private DroneState becomes(Predicate<DroneState> wanted) {
+        await(() -> cloud.cloud().drones().stream().anyMatch(wanted), "no drone as wanted");
+        return cloud.cloud().drones().get(0);
     }
 
     private MatrixClient personal() {
@@ -102,36 +112,38 @@ final class MatrixHouse implements AutoCloseable {
         return new MatrixClient(new PersonalPort(outlet, terms, () -> 0), null, 254);
     }
 
-    private static MatrixClient attached(String user, MatrixClient attached) {
+    private MatrixClient attached(MatrixClient attached) {
         attached.says(GROUND);
-        TestCloud.await(PATIENCE, attached::seesAVehicle, () -> user + " sees no vehicle");
+        await(attached::seesAVehicle, "it sees no vehicle");
         return attached;
     }
 
     void is(MatrixVehicle.State wanted) {
         vehicle.is(wanted);
-        cloud.awaitDrone(
+        DroneState unused = becomes(
                 state -> Boolean.valueOf(wanted != MatrixVehicle.State.DISARMED).equals(state.armed())
                         && state.airborne() == wanted.flies()
                         && "LOITER".equals(state.mode()) == (wanted == MatrixVehicle.State.STEERED)
                         && state.home() != null);
     }
 
-    /** What comes in at the vehicle's socket because of what is said meanwhile: each kind once. */
+    /** What comes in at the vehicle because of what is said meanwhile: each kind once. */
     Set<String> reached(List<Message> words) {
-        time.jump(Duration.ofNanos(SECOND_NANOS));
+        time.advance(ANOTHER_SECOND);
+        holderIsThere();
         int before = vehicle.heard().size();
         long holds = cloud.holdsBeyondSticks();
         words.forEach(client::says);
-        watch();
+        time.advance(SOON);
         await(
                 () -> cloud.commandsUnderWay() == 0 && cloud.holdsBeyondSticks() >= holds,
                 "a command does not end, or nothing holds what was steered");
-        // All that left has arrived.
-        await(() -> vehicle.heard().size() == taps.said.size(), "a frame was lost on the way");
+        time.advance(SOON);
+        if (vehicle.heard().size() != taps.said.size()) {
+            throw new AssertionError("a frame was lost on the way");
+        }
         Set<String> kinds = new TreeSet<>();
-        // More may come meanwhile.
-        List<Frame> heard = List.copyOf(vehicle.heard());
+        List<Frame> heard = vehicle.heard();
         for (Frame frame : heard.subList(before, heard.size())) {
             if (!isOfTheCloud(frame, before)) {
                 kinds.add(name(frame));
@@ -140,28 +152,9 @@ final class MatrixHouse implements AutoCloseable {
         return kinds;
     }
 
-    /** Returns when all that was said before was taken, and given at the gate: what a viewer asks for after it is refused. */
-    private void watch() {
-        int refusals = watcher.refusals();
-        watcher.says(new CommandLong(1, 1, HOLD, 0, 0, 0, 0, 0, 0, 0, 0));
-        await(() -> watcher.refusals() > refusals, "nobody is refused");
-        // What went to the drone's lane without waiting is done before this.
-        String sentence = "look " + refusals;
-        cloud.cloud().say(drone, Severity.INFO, sentence);
-        cloud.awaitDrone(state ->
-                state.messages().stream().anyMatch(message -> message.text().equals(sentence)));
-        // Else nothing would seem to be under way because nothing is written down yet.
-        cloud.awaitWritten();
-    }
-
-    /** There are thousands of these: it looks often. */
-    private static void await(BooleanSupplier wanted, String otherwise) {
-        long deadline = System.nanoTime() + PATIENCE.toNanos();
-        while (!wanted.getAsBoolean()) {
-            if (System.nanoTime() > deadline) {
-                throw new AssertionError(otherwise);
-            }
-            LockSupport.parkNanos(LOOK_NANOS);
+    private void await(BooleanSupplier wanted, String otherwise) {
+        if (!time.advanceUntil(wanted, PATIENCE)) {
+            throw new AssertionError(otherwise + ": " + cloud.cloud().drones());
         }
     }
 
@@ -171,11 +164,7 @@ final class MatrixHouse implements AutoCloseable {
      */
     private boolean isOfTheCloud(Frame frame, int before) {
         Said own = new Said(HexFormat.of().formatHex(frame.bytes()), true);
-        synchronized (taps.said) {
-            return taps.said
-                    .subList(Math.max(0, before - ASTRAY), taps.said.size())
-                    .contains(own);
-        }
+        return taps.said.subList(Math.max(0, before - ASTRAY), taps.said.size()).contains(own);
     }
 
     private static String name(Frame frame) {
@@ -199,7 +188,7 @@ final class MatrixHouse implements AutoCloseable {
 
     /** The outlet is built of the cloud that it taps; beside it, this hears what leaves, and at whose word. */
     private static final class LateTaps implements FrameTap.Factory {
-        private final List<Said> said = Collections.synchronizedList(new ArrayList<>());
+        private final List<Said> said = new ArrayList<>();
         private volatile Outlet outlet;
 
         @Override

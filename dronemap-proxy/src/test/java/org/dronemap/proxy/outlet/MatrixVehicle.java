@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BiConsumer;
+import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.CommandInt;
@@ -25,6 +26,7 @@ import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.mavlink.message.VfrHud;
 import org.dronemap.proxy.PlayedVehicle;
+import org.dronemap.proxy.endpoint.PeerHandler;
 
 /** A copter that answers all and does nothing. Any thread. */
 final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoCloseable {
@@ -63,6 +65,12 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     MatrixVehicle(int port, int parameters) throws IOException {
         this.parameters = parameters;
         played = new PlayedVehicle(port, new FrameWriter(1, 1, 2), PlayedVehicle.copter(GUIDED, false), this);
+    }
+
+    /** One on a link in memory, in that time. */
+    MatrixVehicle(PeerHandler.Factory handlers, Time time) {
+        this.parameters = 1;
+        played = new PlayedVehicle(handlers, time, new FrameWriter(1, 1, 2), PlayedVehicle.copter(GUIDED, false), this);
     }
 
     /** All that came in at its socket, oldest first. */
