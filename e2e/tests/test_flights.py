@@ -96,7 +96,16 @@ def fly(api: Api, copter: Json) -> Json:
         90,
     )
     api.do(drone, type="land")
-    return wait_for("the flight has ended", lambda: flight_of(api, drone, "ended"), 120)
+    flight: Json = wait_for("the flight has ended", lambda: flight_of(api, drone, "ended"), 120)
+    end = datetime.fromisoformat(flight["end"])
+
+    def later() -> bool:
+        """What comes after it is stored: so is all of it."""
+        points = api.get(f"/drones/{drone}/telemetry/points?from={flight['end']}&most=20000")["points"]
+        return any(datetime.fromisoformat(point["at"]) > end for point in points)
+
+    wait_for("all of it is stored", later, 60)
+    return flight
 
 
 @pytest.fixture
