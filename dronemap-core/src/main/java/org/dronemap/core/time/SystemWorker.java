@@ -78,6 +78,10 @@ final class SystemWorker implements Worker {
             work.run();
         } catch (RuntimeException e) {
             LOG.error("{} failed at one thing; it goes on with the next", name, e);
+        } catch (Error e) {
+            // The executor would keep it to itself.
+            LOG.error("{} failed for good at one thing", name, e);
+            throw e;
         }
     }
 

@@ -36,6 +36,9 @@ public interface Worker extends Executor, AutoCloseable {
                 result.complete(work.call());
             } catch (Exception e) {
                 result.completeExceptionally(e);
+            } catch (Error e) {
+                result.completeExceptionally(e);
+                throw e;
             }
         });
         return result;

@@ -56,6 +56,21 @@ class SystemTimeTest {
     }
 
     @Test
+    void whoAsksHearsAtOnceWhatBrokeForGood() {
+        Worker worker = time.worker("worker", 10);
+        StackOverflowError broken = new StackOverflowError("on purpose");
+
+        assertThatThrownBy(() -> time.join(
+                        worker.submit(() -> {
+                            throw broken;
+                        }),
+                        LONG))
+                .hasCause(broken);
+        assertThat(time.join(worker.submit(() -> "next"), LONG)).isEqualTo("next");
+        worker.close();
+    }
+
+    @Test
     void aWorkerRefusesMoreThanMayWait() {
         Worker worker = time.worker("worker", 1);
         CountDownLatch begun = new CountDownLatch(1);
