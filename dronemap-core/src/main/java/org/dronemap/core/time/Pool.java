@@ -11,7 +11,7 @@ public interface Pool extends Executor, AutoCloseable {
     @Override
     void execute(Runnable work);
 
-    /** What waits is not done any more; false when it does not wait. */
+    /** Takes something that waits away again; false when it does not wait. */
     boolean callOff(Runnable work);
 
     boolean isClosed();

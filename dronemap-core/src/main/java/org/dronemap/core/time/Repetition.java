@@ -3,6 +3,6 @@ package org.dronemap.core.time;
 /** Something that is going to happen, once or again and again, until it is called off. */
 @FunctionalInterface
 public interface Repetition {
-    /** What is being done already is done to its end. */
+    /** Does not stop what is being done already. */
     void callOff();
 }

@@ -9,9 +9,9 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 
-/** What shares the stepped time of others and can die without them. */
+/** A part of a laboratory that shares its stepped time and can die without the others. */
 final class SteppedProcess implements SteppedTime.Killable {
-    /** What one look at {@link #effort} costs. */
+    /** The price of one look at {@link #effort}. */
     private static final long LOOK_NANOS = 4_000_000;
 
     private final SteppedTime time;

@@ -87,7 +87,7 @@ public final class SteppedTime implements Time {
         return false;
     }
 
-    /** What failed so far in work that was handed in. */
+    /** Failures so far of work that was handed in. */
     public List<RuntimeException> failures() {
         return agenda.failures();
     }

@@ -58,7 +58,7 @@ final class SystemLoop implements Loop {
         woken = false;
     }
 
-    /** What fails is tried again after a pause. */
+    /** A turn that fails is tried again after a pause. */
     private long taken() {
         try {
             return turn.take();

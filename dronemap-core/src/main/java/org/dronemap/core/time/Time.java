@@ -16,7 +16,7 @@ import java.util.random.RandomGenerator;
  * that waits, repeats or measures, so that the same code runs in real time and in stepped time. Any thread.
  */
 public interface Time {
-    /** What people call the time, in UTC; it may jump when somebody sets it. */
+    /** The time of day, in UTC; it may jump when somebody sets it. */
     Clock clock();
 
     /** Monotonic time in ns; only differences mean something. */
@@ -36,7 +36,7 @@ public interface Time {
         return new UUID(random().nextLong(), random().nextLong()).toString();
     }
 
-    /** How many pieces of work really go on at the same time; 1 in stepped time. */
+    /** The pieces of work that really go on at the same time; 1 in stepped time. */
     int parallelism();
 
     /**
@@ -80,6 +80,6 @@ public interface Time {
         }
     }
 
-    /** What comes of it, or {@code otherwise} after so long; ends on any thread. */
+    /** The result, or {@code otherwise} after so long; ends on any thread. */
     <T> CompletableFuture<T> within(CompletableFuture<T> what, Duration longest, T otherwise);
 }

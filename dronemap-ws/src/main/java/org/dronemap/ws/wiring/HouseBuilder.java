@@ -320,17 +320,17 @@ final class HouseBuilder {
         LOG.info("Vehicles are heard");
     }
 
-    /** Who takes in what links to vehicles bring, once the house is open. */
+    /** Takes in the bytes of links to vehicles, once the house is open. */
     PeerHandler.Factory vehicles() {
         return Objects.requireNonNull(proxy, "the house is not open yet").handlers();
     }
 
-    /** Who takes in what links to robots bring, once the house is open. */
+    /** Takes in the bytes of links to robots, once the house is open. */
     PeerHandler.Factory robots() {
         return Objects.requireNonNull(robotLinks, "the house is not open yet").handlers();
     }
 
-    /** Who takes in what ground stations of other makers bring, once the house is open. */
+    /** Takes in the bytes of ground stations of other makers, once the house is open. */
     PeerHandler.Factory stations() {
         return Objects.requireNonNull(outlet, "the house is not open yet");
     }
