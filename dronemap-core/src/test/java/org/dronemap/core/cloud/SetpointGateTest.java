@@ -205,6 +205,22 @@ class SetpointGateTest {
     }
 
     @Test
+    void aSupervisorsHoldEndsWhatSomebodyElseSteersAlthoughThatOneKeepsControl() {
+        assertThat(steer(ANN, NORTHWARD)).isEmpty();
+        awaitSaid(said -> said.contains(NORTHWARD));
+
+        cloud.gate().submit(source("carl", Role.SUPERVISOR), link.id(), new CommandId("hold"), new Command.Hold());
+
+        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
+        assertThat(ended().outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Superseded.class,
+                        superseded -> assertThat(superseded.reason()).startsWith("Replaced by: hold"));
+        assertThat(vehicle.setpoints).containsExactly(NORTHWARD);
+        assertThat(cloud.controls().control(link.id()).sentence()).contains("ann");
+    }
+
+    @Test
     void whoMayNotIsToldWhyAndNothingIsSaid() {
         assertThat(steer(source("eve", Role.VIEWER), NORTHWARD))
                 .hasValueSatisfying(why -> assertThat(why).contains("look, not command"));

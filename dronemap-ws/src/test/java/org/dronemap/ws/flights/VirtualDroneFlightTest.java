@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Test;
 /** Missions of virtual drones on fewer drones, over a crash of the server and one of a drone. */
 class VirtualDroneFlightTest {
     private static final int MISSIONS = 5;
+    private static final long RTL = 6;
     private static final Set<String> BOUND = Set.of("uploading", "arming", "starting", "flying", "returning");
 
     private final Laboratory lab = new Laboratory(1);
@@ -113,6 +114,26 @@ class VirtualDroneFlightTest {
         }
         assertThat(fallen.craft().crashed()).isTrue();
         assertThat(firstPassedInOrder()).isTrue();
+    }
+
+    /** Its fail-safe is off: nobody but the server brings it home. */
+    @Test
+    void aDroneThatFellSilentIsCalledHomeByTheServerThatFollows() {
+        LabDrone silent = drones.get(0);
+        lab.server().warehouse().put(chief.principal(), silent.id().value());
+        String virtual = planned(1);
+        lab.server().virtuals().start(chief.principal(), virtual, null);
+        lab.untilSeen("it flies", Duration.ofMinutes(3), () -> run(virtual).flown() == 1);
+        silent.wire().cut();
+        lab.untilSeen(
+                "its waypoints are others' now", Duration.ofMinutes(2), () -> run(virtual).drone() == null);
+
+        lab.crashServer();
+        lab.startServer();
+        silent.wire().mend();
+
+        lab.untilSeen("it is called home", Duration.ofSeconds(30), () -> silent.mode() == RTL);
+        lab.until("it is down", Duration.ofMinutes(3), silent::isDown);
     }
 
     /** One of the later missions loses its drone when it is half flown: another drone flies the rest. */
