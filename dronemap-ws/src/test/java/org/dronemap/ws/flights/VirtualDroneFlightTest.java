@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 class VirtualDroneFlightTest {
     private static final int MISSIONS = 5;
     private static final long RTL = 6;
+    private static final double WATCH_SECONDS = 600;
     private static final Set<String> BOUND = Set.of("uploading", "arming", "starting", "flying", "returning");
 
     private final Laboratory lab = new Laboratory(1);
@@ -116,17 +117,17 @@ class VirtualDroneFlightTest {
         assertThat(firstPassedInOrder()).isTrue();
     }
 
-    /** Its fail-safe is off: nobody but the server brings it home. */
+    /** Its fail-safe is off, and its mission lasts: nobody but the server brings it home. */
     @Test
     void aDroneThatFellSilentIsCalledHomeByTheServerThatFollows() {
         LabDrone silent = drones.get(0);
         lab.server().warehouse().put(chief.principal(), silent.id().value());
-        String virtual = planned(1);
-        lab.server().virtuals().start(chief.principal(), virtual, null);
-        lab.untilSeen("it flies", Duration.ofMinutes(3), () -> run(virtual).flown() == 1);
+        String virtual = waitingFor(WATCH_SECONDS);
+        lab.server().virtuals().start(chief.principal(), virtual, new VirtualDroneRequest.StartRequest("rtl"));
+        lab.untilSeen("it flies", Duration.ofMinutes(3), () -> run(virtual).state().equals("flying"));
+        silent.vehicle().autopilot().parameters().set("FS_GCS_ENABLE", 0);
         silent.wire().cut();
-        lab.untilSeen(
-                "its waypoints are others' now", Duration.ofMinutes(2), () -> run(virtual).drone() == null);
+        lab.untilSeen("it is given up", Duration.ofMinutes(10), () -> run(virtual).drone() == null);
 
         lab.crashServer();
         lab.startServer();
@@ -134,6 +135,16 @@ class VirtualDroneFlightTest {
 
         lab.untilSeen("it is called home", Duration.ofSeconds(30), () -> silent.mode() == RTL);
         lab.until("it is down", Duration.ofMinutes(3), silent::isDown);
+    }
+
+    private String waitingFor(double seconds) {
+        MissionItem there = new MissionItem.Waypoint(drones.get(0).place(0, 20), Altitude.aboveHome(20), seconds);
+        return lab.server()
+                .virtuals()
+                .add(
+                        chief.principal(),
+                        new VirtualDroneRequest("Watch", null, MissionItemView.of(List.of(there))))
+                .id();
     }
 
     /** One of the later missions loses its drone when it is half flown: another drone flies the rest. */
