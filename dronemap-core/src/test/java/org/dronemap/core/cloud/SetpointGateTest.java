@@ -209,7 +209,8 @@ class SetpointGateTest {
         assertThat(steer(ANN, NORTHWARD)).isEmpty();
         awaitSaid(said -> said.contains(NORTHWARD));
 
-        cloud.gate().submit(source("carl", Role.SUPERVISOR), link.id(), new CommandId("carls-hold"), new Command.Hold());
+        cloud.gate()
+                .submit(source("carl", Role.SUPERVISOR), link.id(), new CommandId("carls-hold"), new Command.Hold());
 
         await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
         assertThat(ended().outcome())

@@ -124,10 +124,12 @@ class VirtualDroneFlightTest {
         lab.server().warehouse().put(chief.principal(), silent.id().value());
         String virtual = waitingFor(WATCH_SECONDS);
         lab.server().virtuals().start(chief.principal(), virtual, new VirtualDroneRequest.StartRequest("rtl"));
-        lab.untilSeen("it flies", Duration.ofMinutes(3), () -> run(virtual).state().equals("flying"));
+        lab.untilSeen(
+                "it flies", Duration.ofMinutes(3), () -> run(virtual).state().equals("flying"));
         silent.vehicle().autopilot().parameters().set("FS_GCS_ENABLE", 0);
         silent.wire().cut();
-        lab.untilSeen("it is given up", Duration.ofMinutes(10), () -> run(virtual).drone() == null);
+        lab.untilSeen(
+                "it is given up", Duration.ofMinutes(10), () -> run(virtual).drone() == null);
 
         lab.crashServer();
         lab.startServer();
@@ -141,9 +143,7 @@ class VirtualDroneFlightTest {
         MissionItem there = new MissionItem.Waypoint(drones.get(0).place(0, 20), Altitude.aboveHome(20), seconds);
         return lab.server()
                 .virtuals()
-                .add(
-                        chief.principal(),
-                        new VirtualDroneRequest("Watch", null, MissionItemView.of(List.of(there))))
+                .add(chief.principal(), new VirtualDroneRequest("Watch", null, MissionItemView.of(List.of(there))))
                 .id();
     }
 
