@@ -64,6 +64,16 @@ class RestoringTest {
     }
 
     @Test
+    void ordersThatLeaveAWaypointToNobodyAreNotGivenBackForAPlanThatServesIt() {
+        Allocation kept = flown(new int[] {0, 1, 2}, new int[] {3}, new int[] {4});
+        Allocation found = flown(new int[] {0, 1, 2}, new int[] {3}, new int[] {4, 5});
+        assertThat(kept.unserved()).containsExactly(5);
+
+        assertThat(fewestChanged(kept, found, false)).isDeepEqualTo(new int[][] {{0, 1, 2}, {3}, {4, 5}});
+        assertThat(fewestChanged(kept, found, true)).isDeepEqualTo(new int[][] {{0, 1, 2}, {3}, {4, 5}});
+    }
+
+    @Test
     void nothingMoreIsTriedWhenTheTimeIsUp() {
         Allocation kept = flown(new int[] {0, 1, 2}, new int[] {3, 5}, new int[] {4});
         Allocation found = flown(new int[] {2, 1, 0}, new int[] {3}, new int[] {4, 5});
