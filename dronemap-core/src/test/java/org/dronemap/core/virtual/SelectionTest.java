@@ -18,6 +18,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.drone.Wind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.virtual.VirtualFixtures.Drone;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 class SelectionTest {
@@ -110,17 +111,36 @@ class SelectionTest {
         assertThat(minutes(plane, 6)).isGreaterThan(minutes(plane, 0) * 1.2).isLessThan(minutes(plane, 0) * 1.5);
     }
 
+    /** The waypoint lies to the north, and it stays there. */
+    @Test
+    void isSlowerAgainstTheWindThanBeforeIt() {
+        Drone plane = new Drone("plane", 1_030);
+        plane.kind = VehicleKind.FIXED_WING;
+        Tour northward = new Tour(null, Tour.of(VirtualFixtures.mission(1)).waypoints(), true);
+
+        double calm = minutes(plane, northward, null);
+
+        assertThat(minutes(plane, northward, wind(0, 6)))
+                .as("from the north, in its face")
+                .isGreaterThan(calm * 1.5);
+        assertThat(minutes(plane, northward, wind(180, 6)))
+                .as("from the south, at its back")
+                .isLessThan(calm);
+    }
+
+    private static Wind wind(double fromDegrees, double metersPerSecond) {
+        return new Wind(fromDegrees, metersPerSecond, VirtualFixtures.NOW);
+    }
+
     private static double minutes(Drone drone, double windFromNorth) {
+        return minutes(drone, Tour.of(VirtualFixtures.mission(1)), windFromNorth == 0 ? null : wind(0, windFromNorth));
+    }
+
+    private static double minutes(Drone drone, Tour tour, @Nullable Wind wind) {
         DroneState state = drone.state();
-        Wind wind = windFromNorth == 0 ? null : new Wind(0, windFromNorth, VirtualFixtures.NOW);
-        return Energy.of(
-                        Tour.of(VirtualFixtures.mission(1)),
-                        0,
-                        state,
-                        Objects.requireNonNull(
-                                Objects.requireNonNull(state.position()).point()),
-                        wind)
-                .minutes();
+        Geodetic stand =
+                Objects.requireNonNull(Objects.requireNonNull(state.position()).point());
+        return Energy.of(tour, 0, state, stand, wind).minutes();
     }
 
     @Test

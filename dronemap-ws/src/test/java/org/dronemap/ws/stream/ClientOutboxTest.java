@@ -1,0 +1,48 @@
+package org.dronemap.ws.stream;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.NullSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What waits for a client that is slow: all that must arrive, or it is closed. */
+class ClientOutboxTest {
+    private static final DroneId DRONE = new DroneId("drone-1");
+
+    private final ClientOutbox outbox = new ClientOutbox();
+
+    @ParameterizedTest
+    @NullSource
+    @ValueSource(strings = "drone-1")
+    void isOverflownWithOneMessageMoreThanItHoldsWhicheverItIs(@Nullable String about) {
+        DroneId drone = about == null ? null : new DroneId(about);
+        for (int count = 0; count < ClientOutbox.MOST_DISCRETE; count++) {
+            outbox.add(drone, "{}");
+        }
+        assertThat(outbox.isOverflown()).isFalse();
+
+        outbox.add(drone, "{}");
+        assertThat(outbox.isOverflown()).isTrue();
+
+        outbox.drain();
+        outbox.add("{}");
+        assertThat(outbox.isOverflown()).as("what was lost stays lost").isTrue();
+    }
+
+    @Test
+    void stateOfADroneIsReplacedAndTakesNoRoomFromWhatMustArrive() {
+        for (int count = 0; count <= ClientOutbox.MOST_DISCRETE; count++) {
+            outbox.offer(DRONE, "picture " + count);
+        }
+        outbox.add(DRONE, "outcome");
+
+        assertThat(outbox.isOverflown()).isFalse();
+        assertThat(outbox.replacedCount()).isEqualTo(ClientOutbox.MOST_DISCRETE);
+        assertThat(outbox.drain()).isEqualTo(List.of("outcome", "picture " + ClientOutbox.MOST_DISCRETE));
+    }
+}
