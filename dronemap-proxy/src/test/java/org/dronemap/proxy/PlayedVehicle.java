@@ -50,9 +50,10 @@ public final class PlayedVehicle implements AutoCloseable {
         start("played-heart", this::beat);
     }
 
-    /** On a link in memory, in that time. */
+    /** On a link in memory from that port, in that time. */
     public PlayedVehicle(
             PeerHandler.Factory handlers,
+            int port,
             Time time,
             FrameWriter writer,
             Heartbeat first,
@@ -62,8 +63,13 @@ public final class PlayedVehicle implements AutoCloseable {
         this.answers = answers;
         channel = null;
         link = new MemoryLink(
-                handlers, new PeerAddress("127.0.0.1", 14_551), bytes -> hear(ByteBuffer.wrap(bytes)), time);
+                handlers, new PeerAddress("127.0.0.1", port), bytes -> hear(ByteBuffer.wrap(bytes)), time);
         var unused = time.worker("played", 1).every(Duration.ZERO, BEAT, () -> send(heartbeat));
+    }
+
+    /** True when the other side has taken its link in. */
+    public boolean isAtTheDoor() {
+        return link != null && !link.peers().isEmpty();
     }
 
     private void hear(ByteBuffer bytes) {

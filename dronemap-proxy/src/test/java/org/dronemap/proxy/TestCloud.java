@@ -6,9 +6,9 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
@@ -45,11 +45,15 @@ import org.dronemap.proxy.endpoint.PeerHandler;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.proxy.session.FrameTap;
 
-/** A whole cloud in memory behind a proxy with one UDP and one TCP port, for tests with real sockets. */
+/** A whole cloud in memory behind a proxy: with one UDP and one TCP port in real time, or without sockets in stepped time. */
 public final class TestCloud implements AutoCloseable {
     private static final CommandGate.Source PILOT =
             new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "rest");
+    private static final Time REAL = new SystemTime();
+    private static final Duration BETWEEN_LOOKS = Duration.ofMillis(10);
+    private static final Duration LONGEST_COMMAND = Duration.ofSeconds(60);
 
+    private final Time time;
     private final Lanes lanes;
     private final Journal journal;
     private final Commands commands = new Commands();
@@ -75,6 +79,7 @@ public final class TestCloud implements AutoCloseable {
     }
 
     private TestCloud(List<EndpointUrl> urls, FrameTap.Factory taps, Time time) {
+        this.time = time;
         lanes = new Lanes(time, 2);
         journal = new Journal(time);
         cloud = new CloudManager(
@@ -125,30 +130,44 @@ public final class TestCloud implements AutoCloseable {
     /** The only drone, once it is there and looks as wanted. */
     public DroneState awaitDrone(Predicate<DroneState> wanted) {
         return await(
+                time,
                 Duration.ofSeconds(20),
                 () -> cloud.drones().stream().filter(wanted).findFirst(),
                 () -> "no drone as wanted among " + cloud.drones());
     }
 
     public static <T> T await(Duration patience, Supplier<Optional<T>> wanted, Supplier<String> otherwise) {
-        Instant deadline = Instant.now().plus(patience);
-        while (Instant.now().isBefore(deadline)) {
+        return await(REAL, patience, wanted, otherwise);
+    }
+
+    /** By whatever time the thing goes that is waited for: stepped time is stepped meanwhile. */
+    public static <T> T await(Time time, Duration patience, Supplier<Optional<T>> wanted, Supplier<String> otherwise) {
+        long began = time.nanos();
+        while (time.nanos() - began < patience.toNanos()) {
             Optional<T> found = wanted.get();
             if (found.isPresent()) {
                 return found.get();
             }
-            pause();
+            pause(time);
         }
         throw new AssertionError(otherwise.get());
     }
 
     public static void await(Duration patience, BooleanSupplier wanted, Supplier<String> otherwise) {
-        await(patience, () -> wanted.getAsBoolean() ? Optional.of(true) : Optional.empty(), otherwise);
+        await(REAL, patience, wanted, otherwise);
     }
 
-    private static void pause() {
+    public static void await(Time time, Duration patience, BooleanSupplier wanted, Supplier<String> otherwise) {
+        await(time, patience, () -> wanted.getAsBoolean() ? Optional.of(true) : Optional.empty(), otherwise);
+    }
+
+    private static void pause(Time time) {
         try {
-            TimeUnit.MILLISECONDS.sleep(10);
+            time.await(new CompletableFuture<Void>(), BETWEEN_LOOKS);
+        } catch (TimeoutException e) {
+            // So much time has gone by.
+        } catch (ExecutionException e) {
+            throw new AssertionError(e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new AssertionError(e);
@@ -160,7 +179,7 @@ public final class TestCloud implements AutoCloseable {
         CommandId id = new CommandId(UUID.randomUUID().toString());
         cloud.gate().submit(PILOT, drone, id, command);
         try {
-            Outcome outcome = cloud.gate().end(id).get(60, TimeUnit.SECONDS).outcome();
+            Outcome outcome = time.await(cloud.gate().end(id), LONGEST_COMMAND).outcome();
             if (outcome == null) {
                 throw new AssertionError("ended without an outcome");
             }

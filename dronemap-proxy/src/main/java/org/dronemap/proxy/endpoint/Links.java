@@ -24,6 +24,7 @@ public final class Links implements AutoCloseable {
     private final PeerHandler.Factory handlers;
     private final Doors doors;
     private final Time time;
+    private final Duration retry;
     // guarded by this
     private final Map<String, Link> links = new LinkedHashMap<>();
     private @Nullable Worker retries;
@@ -53,9 +54,15 @@ public final class Links implements AutoCloseable {
             List<PeerStatus> peers) {}
 
     public Links(PeerHandler.Factory handlers, Doors doors, Time time) {
+        this(handlers, doors, time, RETRY);
+    }
+
+    /** {@code retry}: between two attempts to open what could not open. */
+    Links(PeerHandler.Factory handlers, Doors doors, Time time, Duration retry) {
         this.handlers = handlers;
         this.doors = doors;
         this.time = time;
+        this.retry = retry;
     }
 
     /**
@@ -80,7 +87,7 @@ public final class Links implements AutoCloseable {
         attempt(link);
         if (retries == null) {
             retries = time.worker("links", 1);
-            Repetition unused = retries.every(RETRY, RETRY, this::retry);
+            Repetition unused = retries.every(retry, retry, this::retry);
         }
     }
 
@@ -114,7 +121,7 @@ public final class Links implements AutoCloseable {
         } catch (IOException | RuntimeException e) {
             String why = String.valueOf(e.getMessage());
             if (!why.equals(link.failure)) {
-                LOG.warn("{} It is tried again every {} s.", why, RETRY.toSeconds());
+                LOG.warn("{} It is tried again every {} s.", why, retry.toSeconds());
             }
             link.failure = why;
         }

@@ -17,7 +17,9 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Endpoints that come and go at run time. */
 class LinksTest {
-    private final Links links = new Links(new Gathering(), Doors.of(DtlsKeys.none()), new SystemTime());
+    private static final Duration RETRY = Duration.ofMillis(50);
+
+    private final Links links = new Links(new Gathering(), Doors.of(DtlsKeys.none()), new SystemTime(), RETRY);
 
     @AfterEach
     void close() {

@@ -32,12 +32,12 @@ class DisconnectedTest {
                 .orElseThrow()
                 .id();
         assertThat(outlet.disconnect(id)).isTrue();
-        StationHouse.await(() -> outlet.status().clients().size() == 1, "it is not disconnected");
+        house.await(() -> outlet.status().clients().size() == 1, "it is not disconnected");
         long before = outlet.status().refused().turnedAway();
         MatrixClient elsewhere = new MatrixClient(outlet, "ann", 254);
         elsewhere.says(StationHouse.GROUND);
         ann.says(StationHouse.GROUND);
-        StationHouse.await(() -> outlet.status().refused().turnedAway() >= before + 2, "it is let in");
+        house.await(() -> outlet.status().refused().turnedAway() >= before + 2, "it is let in");
         assertThat(elsewhere.seesAVehicle()).isFalse();
         bob.says(StationHouse.GROUND);
         assertThat(outlet.status().clients())

@@ -34,6 +34,7 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
     private static final int RATES = 511;
     private static final int GUIDED = 4;
     private static final int LOITER = 5;
+    private static final int PORT = 14_551;
     private static final int CLOUD = 255;
     private static final int CLOUDS_COMPONENT = 190;
     private static final int DENIED = 2;
@@ -57,23 +58,19 @@ final class MatrixVehicle implements BiConsumer<PlayedVehicle, Frame>, AutoClose
         }
     }
 
-    MatrixVehicle(int port) throws IOException {
-        this(port, 1);
+    /** On a link in memory, in that time. */
+    MatrixVehicle(PeerHandler.Factory handlers, Time time) {
+        this(handlers, time, 1);
     }
 
     /** One with so many parameters. */
-    MatrixVehicle(int port, int parameters) throws IOException {
+    MatrixVehicle(PeerHandler.Factory handlers, Time time, int parameters) {
         this.parameters = parameters;
-        played = new PlayedVehicle(port, new FrameWriter(1, 1, 2), PlayedVehicle.copter(GUIDED, false), this);
+        played = new PlayedVehicle(
+                handlers, PORT, time, new FrameWriter(1, 1, 2), PlayedVehicle.copter(GUIDED, false), this);
     }
 
-    /** One on a link in memory, in that time. */
-    MatrixVehicle(PeerHandler.Factory handlers, Time time) {
-        this.parameters = 1;
-        played = new PlayedVehicle(handlers, time, new FrameWriter(1, 1, 2), PlayedVehicle.copter(GUIDED, false), this);
-    }
-
-    /** All that came in at its socket, oldest first. */
+    /** All that came in at it, oldest first. */
     List<Frame> heard() {
         return played.heard();
     }

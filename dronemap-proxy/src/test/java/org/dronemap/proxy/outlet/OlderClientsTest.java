@@ -46,7 +46,7 @@ class OlderClientsTest {
         StationHouse.Station ann = house.new Station("ann", 255, OlderClientsTest::answer);
         ann.says(new MissionClearAll(1, 1, 0));
         ann.says(new MissionCount(1, 1, ITEMS, 0));
-        StationHouse.await(() -> ann.of(MissionAck.ID).size() == 2, "only one of both is answered");
+        house.await(() -> ann.of(MissionAck.ID).size() == 2, "only one of both is answered");
         assertThat(ann.of(MissionRequest.ID))
                 .extracting(frame -> MissionRequest.decode(frame).seq())
                 .contains(5);

@@ -58,7 +58,7 @@ class ParameterListsTest {
         List<StationHouse.Station> stations =
                 List.of(house.new Station("ann", 255), house.new Station("bob", 254), house.new Station("eve", 253));
         stations.forEach(station -> station.says(LIST));
-        stations.forEach(ParameterListsTest::awaitAll);
+        stations.forEach(this::awaitAll);
         assertThat(house.reachedVehicle(ParamRequestList.ID)).hasSize(1);
     }
 
@@ -80,8 +80,8 @@ class ParameterListsTest {
         }
     }
 
-    private static void awaitAll(StationHouse.Station station) {
-        StationHouse.await(() -> station.of(ParamValue.ID).size() >= COUNT, "not all parameters came");
+    private void awaitAll(StationHouse.Station station) {
+        house.await(() -> station.of(ParamValue.ID).size() >= COUNT, "not all parameters came");
     }
 
     private static List<Integer> indices(StationHouse.Station station) {

@@ -2,6 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,7 +16,7 @@ import org.dronemap.core.cloud.Journal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.LeaseEvent;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -25,7 +26,7 @@ import org.dronemap.proxy.endpoint.Doors;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.session.FrameTap;
 
-/** A cloud with one vehicle on a real socket, and ground stations in memory at its outlet. */
+/** A cloud with one vehicle, and ground stations at its outlet, all in stepped time. */
 final class StationHouse implements AutoCloseable {
     static final Heartbeat GROUND = new Heartbeat(6, 8, 0, 0, 4, 3);
     private static final Duration PATIENCE = Duration.ofSeconds(20);
@@ -34,9 +35,10 @@ final class StationHouse implements AutoCloseable {
             "bob", new Principal("bob", Role.OPERATOR),
             "eve", new Principal("eve", Role.VIEWER));
 
-    private final Journal journal = new Journal(new SystemTime());
+    private final SteppedTime time = new SteppedTime(Instant.parse("2026-03-04T05:06:07Z"));
+    private final Journal journal = new Journal(time);
     private final Taps taps = new Taps();
-    private final TestCloud cloud = new TestCloud(0, taps);
+    private final TestCloud cloud = new TestCloud(taps, time);
     private final Outlet outlet = new Outlet(
             List.of(),
             new OutletPolicy(
@@ -45,7 +47,7 @@ final class StationHouse implements AutoCloseable {
                     journal,
                     user -> Optional.ofNullable(USERS.get(user)),
                     (by, drone, event) -> cloud.cloud().controls().apply(drone, event),
-                    new SystemTime()),
+                    time),
             Doors.of(DtlsKeys.none()));
     private final MatrixVehicle vehicle;
     private final DroneId drone;
@@ -59,7 +61,7 @@ final class StationHouse implements AutoCloseable {
         taps.outlet = outlet;
         USERS.keySet().forEach(user -> outlet.putKey(user, MatrixClient.key(user)));
         outlet.start(false);
-        vehicle = new MatrixVehicle(cloud.udpPort(), parameters);
+        vehicle = new MatrixVehicle(cloud.proxy().handlers(), time, parameters);
         drone = cloud.awaitDrone(state -> state.capabilities().known()).id();
     }
 
@@ -76,7 +78,7 @@ final class StationHouse implements AutoCloseable {
         cloud.cloud().controls().apply(drone, event);
     }
 
-    /** What came in at the vehicle's socket. */
+    /** What came in at the vehicle. */
     List<Frame> reachedVehicle(int message) {
         return vehicle.heard().stream()
                 .filter(frame -> frame.messageId() == message)
@@ -102,10 +104,15 @@ final class StationHouse implements AutoCloseable {
 
         /** Returns when it hears the vehicle; {@code answering} hears all that it is sent. */
         Station(String user, int systemId, BiConsumer<Station, Frame> answering) {
-            client = new MatrixClient(outlet, user, systemId, frame -> {
-                heard.add(frame);
-                answering.accept(this, frame);
-            });
+            client = new MatrixClient(
+                    outlet,
+                    user,
+                    systemId,
+                    frame -> {
+                        heard.add(frame);
+                        answering.accept(this, frame);
+                    },
+                    time.clock());
             client.says(GROUND);
             await(client::seesAVehicle, user + " hears no vehicle");
         }
@@ -142,8 +149,14 @@ final class StationHouse implements AutoCloseable {
         }
     }
 
-    static void await(BooleanSupplier wanted, String otherwise) {
-        TestCloud.await(PATIENCE, wanted, () -> otherwise);
+    void await(BooleanSupplier wanted, String otherwise) {
+        if (!time.advanceUntil(wanted, PATIENCE)) {
+            throw new AssertionError(otherwise);
+        }
+    }
+
+    void letPass(Duration some) {
+        time.advance(some);
     }
 
     /** The outlet is built of the cloud that it taps. */

@@ -11,6 +11,7 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import org.dronemap.core.access.Principal;
@@ -23,12 +24,14 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.TextMessage;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.PlayedVehicle;
 import org.dronemap.proxy.TestCloud;
+import org.dronemap.proxy.session.FrameTap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
@@ -36,13 +39,15 @@ import org.junit.jupiter.api.Test;
 class ReplayTest {
     private static final long START_MICROS = 1_700_000_000_000_000L;
 
-    private final TestCloud cloud = new TestCloud(0);
+    private final SteppedTime time = new SteppedTime(Instant.parse("2026-03-04T05:06:07Z"));
+    private final TestCloud cloud = new TestCloud(componentId -> FrameTap.NONE, time);
     private final ByteArrayOutputStream tlog = new ByteArrayOutputStream();
     private long micros = START_MICROS;
 
     @AfterEach
     void close() {
         cloud.close();
+        assertThat(time.failures()).isEmpty();
     }
 
     private void record(int systemId, int componentId, Message message) {
@@ -68,8 +73,9 @@ class ReplayTest {
         }
     }
 
-    private static void awaitState(Replay replay, ReplayStatus.State state) {
+    private void awaitState(Replay replay, ReplayStatus.State state) {
         TestCloud.await(
+                time,
                 Duration.ofSeconds(60),
                 () -> replay.status().state() == state,
                 () -> replay.status().toString());
@@ -106,6 +112,7 @@ class ReplayTest {
         awaitState(play(100), ReplayStatus.State.FINISHED);
 
         TestCloud.await(
+                time,
                 Duration.ofSeconds(10),
                 () -> cloud.cloud().drones().stream()
                                 .filter(drone -> drone.link().state() == LinkState.ENDED)
@@ -122,13 +129,15 @@ class ReplayTest {
     void takesItsDronesAwayWhenCancelled() {
         recordTwoVehicles();
         Replay replay = play(1);
-        TestCloud.await(Duration.ofSeconds(10), () -> replay.status().drones().size() == 2, () -> "no drones");
+        TestCloud.await(
+                time, Duration.ofSeconds(10), () -> replay.status().drones().size() == 2, () -> "no drones");
 
         assertThat(cloud.proxy().replays().remove(replay.id())).isTrue();
         assertThat(replay.status().state())
                 .as("whoever cancelled it reads so at once")
                 .isEqualTo(ReplayStatus.State.CANCELLED);
-        TestCloud.await(Duration.ofSeconds(5), () -> cloud.cloud().drones().isEmpty(), () -> "still there");
+        TestCloud.await(
+                time, Duration.ofSeconds(5), () -> cloud.cloud().drones().isEmpty(), () -> "still there");
     }
 
     @Test
@@ -160,7 +169,8 @@ class ReplayTest {
                 .replays()
                 .start(new Replays.Recording(name, Files.newInputStream(file), Files.size(file), 100));
         awaitState(replay, ReplayStatus.State.FINISHED);
-        TestCloud.await(Duration.ofSeconds(5), () -> replay.status().drones().size() == 1, () -> "not one drone");
+        TestCloud.await(
+                time, Duration.ofSeconds(5), () -> replay.status().drones().size() == 1, () -> "not one drone");
         List<DroneState> drones = cloud.cloud().drones();
         assertThat(drones).hasSize(1);
         DroneState drone = drones.get(0);

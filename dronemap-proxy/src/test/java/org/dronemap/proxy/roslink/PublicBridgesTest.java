@@ -9,10 +9,7 @@ import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.core.command.Setpoint.Facing;
-import org.dronemap.core.command.Setpoint.Frame;
-import org.dronemap.core.command.Setpoint.Velocity;
-import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.Sensed;
 import org.junit.jupiter.api.Test;
@@ -20,42 +17,7 @@ import tools.jackson.databind.JsonNode;
 
 /** The public bridges as they behave on their links, one after the other, each with what is odd about it. */
 class PublicBridgesTest extends RobotTrial {
-    private static final int GAPTER = 2;
-    private static final Velocity AHEAD = new Velocity(Frame.VEHICLE, 0.4, 0, 0, Facing.ANY);
     private static final String STANDS = "\"vx\":0,\"vy\":0,\"vz\":0,\"wz\":0";
-
-    private static final String IN_THE_AIR = "\"state\":4104";
-
-    @Test
-    void theGapterOnUdpTakesItsOrdersOnThePortThatItSpeaksFrom() throws Exception {
-        try (TestRobot gapter = new TestRobot(udp(), 1, "\"1243-0000-0000-FGFG\"")) {
-            await(() -> {
-                gapter.beat(GAPTER);
-                gapter.say(1, "\"state\":3100");
-                return house.cloud().drones().stream().anyMatch(drone -> Boolean.TRUE.equals(drone.armed()));
-            });
-            DroneState drone = drone(1);
-
-            CompletableFuture<Outcome> takingOff = command(drone, new Command.TakeOff(1));
-            assertThat(asked(gapter, 106).get("flightMode").intValue()).isEqualTo(4);
-            gapter.say(1, "\"state\":3104");
-            assertThat(asked(gapter, 102).get("altitude").doubleValue()).isEqualTo(1);
-            until(takingOff, () -> {
-                gapter.say(1, IN_THE_AIR);
-                gapter.say(2, "\"x\":0,\"y\":0,\"z\":1," + STANDS);
-            });
-
-            gapter.moveTo("127.0.0.1");
-            await(() -> {
-                gapter.beat(GAPTER);
-                gapter.say(1, IN_THE_AIR);
-                return drone(1).link().key().port() == gapter.port();
-            });
-            assertThat(steer(drone, AHEAD)).isEmpty();
-            assertThat(moving(gapter).path("vx").asDouble()).isEqualTo(0.4);
-            assertThat(house.cloud().drones()).hasSize(1);
-        }
-    }
 
     /** Its key is a number in its header and a text in its path; a status of it is a heartbeat. */
     @Test
@@ -109,7 +71,8 @@ class PublicBridgesTest extends RobotTrial {
                 await(() -> {
                     robot.sayOnWeb(0, "\"type\":8");
                     return house.cloud().drones().size() == 1
-                            && drone(7).link().transport().equals("websocket");
+                            && drone(7).link().transport().equals("websocket")
+                            && drone(7).link().state() == LinkState.LIVE;
                 });
                 robot.told();
                 CompletableFuture<Outcome> holding = command(drone(7), new Command.Hold());
@@ -138,28 +101,6 @@ class PublicBridgesTest extends RobotTrial {
         }
     }
 
-    /** A page of the bridges sends orders to this port as they are, and their hub hands them on to everybody. */
-    @Test
-    void ordersOfSomebodyElseReachNoRobotAndAreCounted() throws Exception {
-        try (TestRobot robot = new TestRobot(udp(), 7, quoted());
-                TestRobot page = new TestRobot(udp(), 7, quoted());
-                TestRobot hub = new TestRobot(udp(), 8, "\"" + SECRET_OF_8 + "\"")) {
-            hub.connect(web(), "/");
-            hub.sayOnWeb(0, "\"type\":8");
-            still(robot);
-            for (int id = 100; id < 110; id++) {
-                page.say(id, "\"altitude\":1,\"vx\":1,\"vy\":0,\"vz\":0,\"wx\":0,\"wy\":0,\"wz\":0");
-                hub.sayOnWeb(id, "\"vx\":1,\"vy\":0,\"vz\":0,\"wx\":0,\"wy\":0,\"wz\":0");
-            }
-            await(() -> proxy.unknownCount() == 20);
-            robot.say(2, "\"x\":5,\"y\":0," + STANDS);
-            awaitDrone(7, drone -> drone.local() != null && drone.local().xMeters() == 5);
-
-            assertThat(robot.told()).isEmpty();
-            assertThat(house.cloud().drones()).hasSize(2);
-        }
-    }
-
     /** One bridge stops taking orders at the first. */
     @Test
     void nothingThatARobotSaysIsEverAcknowledged() throws Exception {
@@ -179,35 +120,6 @@ class PublicBridgesTest extends RobotTrial {
                     .allSatisfy(order -> assertThat(
                                     order.get("header").get("message_id").intValue())
                             .isEqualTo(100));
-        }
-    }
-
-    @Test
-    void aTwistForOneOwnersRobotReachesNoOther() throws Exception {
-        try (TestRobot ours = new TestRobot(udp(), 7, quoted());
-                TestRobot theirs = new TestRobot(udp(), 8, "\"" + SECRET_OF_8 + "\"")) {
-            ours.connect(web(), "/");
-            theirs.connect(web(), "/");
-            still(ours);
-            still(theirs);
-            assertThat(steer(drone(7), AHEAD)).isEmpty();
-            moving(ours);
-            asked(ours, 100);
-
-            assertThat(theirs.told()).isEmpty();
-        }
-    }
-
-    /** It repeats each 51 ms what it heard last. */
-    @Test
-    void aRobotIsToldToStandAfterTheLastWordOfWhoSteersIt() throws Exception {
-        try (TestRobot robot = new TestRobot(udp(), 7, quoted())) {
-            still(robot);
-            assertThat(steer(drone(7), AHEAD)).isEmpty();
-            moving(robot);
-            JsonNode next = Objects.requireNonNull(robot.order(100, 5_000));
-
-            assertThat(next.path("vx").asDouble(1)).isZero();
         }
     }
 
@@ -275,15 +187,5 @@ class PublicBridgesTest extends RobotTrial {
 
     private static JsonNode asked(TestRobot robot, int order) throws InterruptedException {
         return Objects.requireNonNull(robot.order(order, 5_000));
-    }
-
-    /** It is there, stands, and is told nothing any more. */
-    private void still(TestRobot robot) {
-        await(() -> {
-            robot.say(0, "\"type\":8");
-            robot.say(2, "\"x\":0,\"y\":0," + STANDS);
-            return house.cloud().drones().stream().anyMatch(drone -> drone.local() != null)
-                    && robot.order(100, 700) == null;
-        });
     }
 }

@@ -2,7 +2,6 @@ package org.dronemap.proxy.roslink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Objects;
 import org.dronemap.core.command.Setpoint.Facing;
 import org.dronemap.core.command.Setpoint.Frame;
 import org.dronemap.core.command.Setpoint.Velocity;
@@ -10,14 +9,14 @@ import org.dronemap.core.drone.DroneState;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 
-/** Robots that are driven and flown by speeds, over real sockets. */
-class SteeredRobotTest extends RobotTrial {
+/** Robots that are driven and flown by speeds, in stepped time. */
+class SteeredRobotTest extends SteppedRobotTrial {
     private static final Velocity AHEAD = new Velocity(Frame.VEHICLE, 0.4, 0.1, -0.2, new Facing.Turning(90));
 
     @Test
-    void speedsAreSaidInTheRobotsOwnDirections() throws Exception {
-        try (TestRobot robot = new TestRobot(udp(), 7, "12")) {
-            DroneState drone = standing(robot);
+    void speedsAreSaidInTheRobotsOwnDirections() {
+        try (SteppedRobot robot = robot(7, "12")) {
+            DroneState drone = still(robot, 7);
             assertThat(steer(drone, AHEAD)).isEmpty();
             JsonNode twist = moving(robot);
 
@@ -31,29 +30,28 @@ class SteeredRobotTest extends RobotTrial {
     }
 
     @Test
-    void zerosFollowTheLastSpeedsUntilItReportsThatItStands() throws Exception {
-        try (TestRobot robot = new TestRobot(udp(), 7, "12")) {
-            DroneState drone = standing(robot);
+    void zerosFollowTheLastSpeedsUntilItReportsThatItStands() {
+        try (SteppedRobot robot = robot(7, "12")) {
+            DroneState drone = still(robot, 7);
             assertThat(steer(drone, AHEAD)).isEmpty();
             moving(robot);
             // Nobody says anything more; six of these may be lost.
             for (int times = 0; times < 8; times++) {
                 robot.say(2, "\"x\":0,\"y\":0,\"vx\":0.4,\"vy\":0");
-                JsonNode stop = Objects.requireNonNull(robot.order(100, 5_000));
+                JsonNode stop = asked(robot, 100);
                 assertThat(stop.path("vx").asDouble(1)).isZero();
                 assertThat(stop.path("wz").asDouble(1)).isZero();
             }
-            await(() -> {
-                robot.say(2, "\"x\":0,\"y\":0,\"vx\":0,\"vy\":0,\"wz\":0");
-                return robot.order(100, 700) == null;
-            });
+            await(
+                    () -> robot.order(100, QUIET) == null,
+                    () -> robot.say(2, "\"x\":0,\"y\":0,\"vx\":0,\"vy\":0,\"wz\":0"));
         }
     }
 
     @Test
-    void nobodySteersByNorthWhatDoesNotTellWhereItLooks() throws Exception {
-        try (TestRobot robot = new TestRobot(udp(), 7, "12")) {
-            DroneState drone = standing(robot);
+    void nobodySteersByNorthWhatDoesNotTellWhereItLooks() {
+        try (SteppedRobot robot = robot(7, "12")) {
+            DroneState drone = still(robot, 7);
             String unknown = "Where it looks is not known; steer it by its own forward and right.";
             assertThat(steer(drone, new Velocity(Frame.EARTH, 1, 0, 0, Facing.ANY)))
                     .contains(unknown);
@@ -63,8 +61,8 @@ class SteeredRobotTest extends RobotTrial {
     }
 
     @Test
-    void aRobotOfNoKnownKindDrivesWithoutTakingOff() throws Exception {
-        try (TestRobot robot = new TestRobot(udp(), 7, "12")) {
+    void aRobotOfNoKnownKindDrivesWithoutTakingOff() {
+        try (SteppedRobot robot = robot(7, "12")) {
             robot.beat(0);
             DroneState drone = awaitDrone(7, state -> state.capabilities().known());
             assertThat(steer(drone, AHEAD)).isEmpty();
@@ -73,8 +71,8 @@ class SteeredRobotTest extends RobotTrial {
     }
 
     @Test
-    void aDroneIsSteeredInTheAirAndInGuidedOnly() throws Exception {
-        try (TestRobot robot = new TestRobot(udp(), 15, "12")) {
+    void aDroneIsSteeredInTheAirAndInGuidedOnly() {
+        try (SteppedRobot robot = robot(15, "12")) {
             robot.beat(QUADROTOR);
             awaitDrone(15, state -> state.capabilities().known());
             robot.say(1, "\"state\":3104");
@@ -89,15 +87,5 @@ class SteeredRobotTest extends RobotTrial {
             assertThat(steer(drone, AHEAD)).isEmpty();
             assertThat(moving(robot).path("vz").asDouble()).isEqualTo(0.2);
         }
-    }
-
-    private DroneState standing(TestRobot robot) throws Exception {
-        beat(robot);
-        DroneState drone = awaitDrone(7, state -> state.capabilities().known());
-        await(() -> {
-            robot.say(2, "\"x\":0,\"y\":0,\"vx\":0,\"vy\":0,\"wz\":0");
-            return robot.order(100, 700) == null;
-        });
-        return drone;
     }
 }
