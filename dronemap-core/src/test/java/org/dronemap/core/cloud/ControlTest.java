@@ -1,16 +1,15 @@
 package org.dronemap.core.cloud;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
@@ -32,7 +31,7 @@ import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.SavedLease;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.SteppedTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -42,6 +41,7 @@ class ControlTest {
     private static final CommandGate.Source ANN = operator("ann");
     private static final CommandGate.Source BOB = operator("bob");
     private static final CommandGate.Source SUE = new CommandGate.Source(new Principal("sue", Role.SUPERVISOR), "rest");
+    private static final Instant BEGAN = Instant.parse("2026-03-04T05:06:07Z");
     private static final Duration PATIENCE = Duration.ofSeconds(30);
     /** As quick as it may be. */
     private static final LeaseRules RULES = new LeaseRules(
@@ -56,8 +56,9 @@ class ControlTest {
             List.of("GUIDED", "LOITER", "AUTO"),
             Map.of("GUIDED", Steering.ORDERS, "LOITER", Steering.STICKS));
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 2);
-    private final Journal journal = new Journal(new SystemTime());
+    private final SteppedTime time = new SteppedTime(BEGAN);
+    private final Lanes lanes = new Lanes(time, 2);
+    private final Journal journal = new Journal(time);
     private final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
     private final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
     private final Fixtures.HeapLeaseStore leases = new Fixtures.HeapLeaseStore();
@@ -79,7 +80,7 @@ class ControlTest {
         return new CloudManager(
                 lanes,
                 new CloudManager.Rules(watchdog, RULES),
-                new SystemTime(),
+                time,
                 new CloudManager.Keeping(drones, commands, leases, journal),
                 () -> new DroneId("drone-1"));
     }
@@ -124,14 +125,14 @@ class ControlTest {
                 .isInstanceOfSatisfying(
                         Outcome.Refused.class,
                         refused -> assertThat(refused.reason()).startsWith("ann has had control of it since 20"));
-        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.SetMode("LOITER"))));
+        until(() -> vehicle.performed.equals(List.of(new Command.SetMode("LOITER"))));
     }
 
     @Test
     void isFreeForTheNextWhenTheFirstIsIdle() {
         CommandRecord first = gate.submit(ANN, link.id(), id("first-001"), new Command.SetMode("LOITER"));
         report(first).ended(new Outcome.Succeeded());
-        await().atMost(PATIENCE).until(() -> changes.contains(ControlChange.Kind.EXPIRED));
+        until(() -> changes.contains(ControlChange.Kind.EXPIRED));
 
         CommandRecord second = gate.submit(BOB, link.id(), id("second-01"), new Command.SetMode("GUIDED"));
 
@@ -148,18 +149,14 @@ class ControlTest {
         apply(new LeaseEvent.TakeOver("sue", "smoke over there"));
 
         assertThat(fence.isOpen()).isFalse();
-        assertThat(gate.end(old.id()))
-                .succeedsWithin(PATIENCE)
-                .satisfies(ended -> assertThat(ended.outcome())
-                        .isInstanceOfSatisfying(
-                                Outcome.Superseded.class,
-                                superseded -> assertThat(superseded.reason())
-                                        .startsWith("Control has changed hands. sue has had control")));
+        assertThat(time.join(gate.end(old.id()), PATIENCE).outcome())
+                .isInstanceOfSatisfying(
+                        Outcome.Superseded.class,
+                        superseded -> assertThat(superseded.reason())
+                                .startsWith("Control has changed hands. sue has had control"));
         assertThat(vehicle.cancelled).containsExactly(old.id());
-        await().atMost(PATIENCE)
-                .until(() -> cloud.drone(link.id()).orElseThrow().messages().stream()
-                        .anyMatch(
-                                message -> message.text().equals("sue took control over from ann: smoke over there")));
+        until(() -> cloud.drone(link.id()).orElseThrow().messages().stream()
+                .anyMatch(message -> message.text().equals("sue took control over from ann: smoke over there")));
     }
 
     @Test
@@ -196,8 +193,8 @@ class ControlTest {
     void holdsAndThenCallsBackADroneWhoseHolderIsLost() {
         apply(new LeaseEvent.Take("ann"));
 
-        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.Hold()));
-        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+        until(() -> vehicle.performed.contains(new Command.Hold()));
+        until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
 
         assertThat(vehicle.performed).containsExactly(new Command.Hold(), new Command.ReturnToLaunch());
         assertThat(commands.records.values()).allMatch(record -> record.by().equals("dronemap"));
@@ -207,23 +204,24 @@ class ControlTest {
     void remembersThatADroneHasToBeCalledBackUntilItIs() {
         apply(new LeaseEvent.Take("ann"));
 
-        await().atMost(PATIENCE).until(() -> leases.leases.values().stream().anyMatch(SavedLease::lapsed));
-        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
-        await().atMost(PATIENCE).until(leases.leases::isEmpty);
+        until(() -> leases.leases.values().stream().anyMatch(SavedLease::lapsed));
+        until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+        until(leases.leases::isEmpty);
     }
 
     @Test
     void callsADroneBackAfterARestartAsSoonAsItIsHeard() {
-        await().atMost(PATIENCE).until(() -> !drones.records.isEmpty());
-        leases.save(new SavedLease(link.id(), "ann", Instant.now(), control().epoch(), true));
+        until(() -> !drones.records.isEmpty());
+        leases.save(new SavedLease(
+                link.id(), "ann", time.clock().instant(), control().epoch(), true));
 
         CloudManager again = cloud();
-        await().during(Duration.ofSeconds(2)).atMost(PATIENCE).until(() -> vehicle.performed.isEmpty());
+        Steps.throughout(time, Duration.ofSeconds(2), vehicle.performed::isEmpty);
         link = bound(again);
         hoverInGuided();
 
-        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
-        await().atMost(PATIENCE).until(leases.leases::isEmpty);
+        until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+        until(leases.leases::isEmpty);
     }
 
     @Test
@@ -241,11 +239,9 @@ class ControlTest {
         hoverInGuided();
         hasty.controls().apply(link.id(), new LeaseEvent.Take("ann"));
 
-        await().atMost(PATIENCE).until(() -> seen.contains(ControlChange.Kind.RETURN_DUE));
+        until(() -> seen.contains(ControlChange.Kind.RETURN_DUE));
         hear(new DroneEvent.ModeHeard("LOITER", true));
-        await().during(Duration.ofSeconds(1))
-                .atMost(PATIENCE)
-                .until(() -> !vehicle.performed.contains(new Command.ReturnToLaunch()));
+        Steps.throughout(time, Duration.ofSeconds(1), () -> !vehicle.performed.contains(new Command.ReturnToLaunch()));
     }
 
     @Test
@@ -253,7 +249,7 @@ class ControlTest {
         hear(new DroneEvent.ModeHeard("AUTO", true));
         apply(new LeaseEvent.Take("ann"));
 
-        await().atMost(PATIENCE).until(() -> changes.contains(ControlChange.Kind.RETURN_DUE));
+        until(() -> changes.contains(ControlChange.Kind.RETURN_DUE));
 
         hear(new DroneEvent.ModeHeard("AUTO", true));
         assertThat(vehicle.performed).isEmpty();
@@ -262,9 +258,9 @@ class ControlTest {
     @Test
     void doesNotCallBackWhatSomebodyElseHasTaken() {
         apply(new LeaseEvent.Take("ann"));
-        await().atMost(PATIENCE).until(() -> vehicle.performed.contains(new Command.Hold()));
+        until(() -> vehicle.performed.contains(new Command.Hold()));
         apply(new LeaseEvent.Take("bob"));
-        await().during(Duration.ofSeconds(2)).atMost(PATIENCE).until(() -> {
+        Steps.throughout(time, Duration.ofSeconds(2), () -> {
             apply(new LeaseEvent.Heartbeat("bob", control().epoch()));
             return !vehicle.performed.contains(new Command.ReturnToLaunch());
         });
@@ -276,7 +272,7 @@ class ControlTest {
         awaitTick();
         hear(new DroneEvent.ModeHeard("LOITER", true));
 
-        await().atMost(PATIENCE).until(() -> control().tenure().holder() instanceof Holder.Pilot);
+        until(() -> control().tenure().holder() instanceof Holder.Pilot);
         assertThat(gate.submit(ANN, link.id(), id("first-001"), new Command.SetMode("GUIDED"))
                         .outcome())
                 .isInstanceOf(Outcome.Refused.class);
@@ -308,7 +304,7 @@ class ControlTest {
     void rebuildsExplicitControlAfterARestartWithANewerEpoch() {
         apply(new LeaseEvent.Take("ann"));
         long before = control().epoch();
-        await().atMost(PATIENCE).until(() -> !drones.records.isEmpty());
+        until(() -> !drones.records.isEmpty());
 
         CloudManager again = cloud();
 
@@ -343,25 +339,25 @@ class ControlTest {
     }
 
     private void hear(DroneEvent event) {
-        CompletableFuture<Void> done = new CompletableFuture<>();
-        link.lane().execute(() -> {
-            link.accept(event);
-            done.complete(null);
-        });
-        assertThat(done).succeedsWithin(PATIENCE);
+        link.lane().execute(() -> link.accept(event));
+        time.settle();
+    }
+
+    private void until(BooleanSupplier holds) {
+        Steps.until(time, holds);
     }
 
     /** Until the lane has looked at the drone once more. */
     private void awaitTick() {
-        CompletableFuture<Void> ticked = new CompletableFuture<>();
-        Lane.Ticker ticker = () -> ticked.complete(null);
+        AtomicBoolean ticked = new AtomicBoolean();
+        Lane.Ticker ticker = () -> ticked.set(true);
         link.lane().execute(() -> link.lane().addTicker(ticker));
-        assertThat(ticked).succeedsWithin(30, TimeUnit.SECONDS);
+        until(ticked::get);
         link.lane().execute(() -> link.lane().removeTicker(ticker));
     }
 
     private VehicleChannel.Report report(CommandRecord command) {
-        await().atMost(PATIENCE).until(() -> vehicle.reports.containsKey(command.id()));
+        until(() -> vehicle.reports.containsKey(command.id()));
         return vehicle.reports.get(command.id());
     }
 

@@ -1,7 +1,6 @@
 package org.dronemap.core.cloud;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -9,8 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -36,7 +34,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.SteppedTime;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
@@ -48,7 +46,7 @@ import org.junit.jupiter.api.Test;
 
 /** Steering a drone, from the gate to the wire, and what follows when nobody does any more. */
 class SetpointGateTest {
-    private static final Duration PATIENCE = Duration.ofSeconds(30);
+    private static final Instant BEGAN = Instant.parse("2026-03-04T05:06:07Z");
     private static final CommandGate.Source ANN = source("ann", Role.OPERATOR);
     private static final CommandGate.Source BOB = source("bob", Role.OPERATOR);
     private static final Setpoint NORTHWARD = new Setpoint.Velocity(Frame.EARTH, 3, 0, 0, Facing.ANY);
@@ -57,14 +55,15 @@ class SetpointGateTest {
     private static final Setpoint MIDDLE = new Setpoint.Sticks(0, 0, 0, 0);
     private static final Geodetic HERE = new Geodetic(47.3977, 8.5456);
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 1);
-    private final Journal journal = new Journal(new SystemTime());
+    private final SteppedTime time = new SteppedTime(BEGAN);
+    private final Lanes lanes = new Lanes(time, 1);
+    private final Journal journal = new Journal(time);
     private final Fixtures.HeapCommandStore log = new Fixtures.HeapCommandStore();
     private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
     private final CloudManager cloud = new CloudManager(
             lanes,
             new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)),
-            new SystemTime(),
+            time,
             new CloudManager.Keeping(new Fixtures.HeapDroneStore(), log, new Fixtures.HeapLeaseStore(), journal),
             () -> new DroneId("drone-1"));
     private final SetpointGate setpoints = cloud.setpoints();
@@ -129,30 +128,22 @@ class SetpointGateTest {
             Setpoint next = new Setpoint.Velocity(Frame.EARTH, 3, 0.1 * count, 0, Facing.ANY);
             int before = vehicle.setpoints.size();
             assertThat(steer(ANN, next)).isEmpty();
-            // Without the pauses of other waits: half a second without a word would be the end of the turn.
-            await().pollInterval(Duration.ofMillis(2)).atMost(PATIENCE).until(() -> vehicle.setpoints.size() > before);
+            until(() -> vehicle.setpoints.size() > before);
         }
 
-        await().atMost(PATIENCE).until(() -> log.records.size() == 1);
+        until(() -> log.records.size() == 1);
         CommandRecord turn = log.records.values().iterator().next();
         assertThat(turn.phase()).isEqualTo(CommandPhase.ACCEPTED);
     }
 
     @Test
     void onlyTheNewestWaitsForABusyLane() {
-        CountDownLatch busy = new CountDownLatch(1);
         link.lane().execute(() -> {
-            try {
-                busy.await(20, TimeUnit.SECONDS);
-            } catch (InterruptedException e) {
-                throw new IllegalStateException(e);
+            for (int speed = 1; speed <= 50; speed++) {
+                assertThat(steer(ANN, new Setpoint.Velocity(Frame.EARTH, speed, 0, 0, Facing.ANY)))
+                        .isEmpty();
             }
         });
-        for (int speed = 1; speed <= 50; speed++) {
-            assertThat(steer(ANN, new Setpoint.Velocity(Frame.EARTH, speed, 0, 0, Facing.ANY)))
-                    .isEmpty();
-        }
-        busy.countDown();
 
         awaitSaid(said -> said.contains(NO_SPEED));
         assertThat(vehicle.setpoints.get(0)).isEqualTo(new Setpoint.Velocity(Frame.EARTH, 50, 0, 0, Facing.ANY));
@@ -168,7 +159,7 @@ class SetpointGateTest {
         awaitSaid(said -> said.size() >= 2);
         assertThat(vehicle.setpoints.subList(0, 2)).containsExactly(PUSHED, MIDDLE);
         // Sticks that nobody holds keep nothing.
-        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
+        until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
         assertThat(ended().outcome()).isEqualTo(new Outcome.Succeeded());
     }
 
@@ -181,7 +172,7 @@ class SetpointGateTest {
         assertThat(steer(ANN, NORTHWARD))
                 .hasValueSatisfying(why -> assertThat(why).startsWith("bob has had control"));
 
-        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(goTo())));
+        until(() -> vehicle.performed.equals(List.of(goTo())));
         assertThat(vehicle.setpoints).containsExactly(NORTHWARD, NO_SPEED);
         assertThat(ended().outcome())
                 .isInstanceOfSatisfying(
@@ -212,7 +203,7 @@ class SetpointGateTest {
         cloud.gate()
                 .submit(source("carl", Role.SUPERVISOR), link.id(), new CommandId("carls-hold"), new Command.Hold());
 
-        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
+        until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
         assertThat(ended().outcome())
                 .isInstanceOfSatisfying(
                         Outcome.Superseded.class,
@@ -252,7 +243,7 @@ class SetpointGateTest {
 
     /** All that was written down: so many, each of which says why. */
     private List<CommandRecord> awaitRefusals(int count) {
-        await().atMost(PATIENCE).until(() -> log.records.size() >= count);
+        until(() -> log.records.size() >= count);
         List<CommandRecord> all = List.copyOf(log.records.values());
         assertThat(all).hasSize(count).allSatisfy(record -> {
             assertThat(record.type()).isEqualTo("Steer");
@@ -355,15 +346,15 @@ class SetpointGateTest {
 
     private void hear(DroneEvent event) {
         link.lane().execute(() -> link.accept(event));
-        await().atMost(PATIENCE).until(() -> {
-            CountDownLatch done = new CountDownLatch(1);
-            link.lane().execute(done::countDown);
-            return done.await(20, TimeUnit.SECONDS);
-        });
+        time.settle();
+    }
+
+    private void until(BooleanSupplier holds) {
+        Steps.until(time, holds);
     }
 
     private void awaitSaid(Predicate<List<Setpoint>> wanted) {
-        await().atMost(PATIENCE).until(() -> wanted.test(List.copyOf(vehicle.setpoints)));
+        until(() -> wanted.test(List.copyOf(vehicle.setpoints)));
     }
 
     /** Who was let to the helm had control. */
@@ -372,9 +363,7 @@ class SetpointGateTest {
     }
 
     private CommandRecord ended() {
-        await().atMost(PATIENCE)
-                .until(() ->
-                        log.records.values().stream().anyMatch(record -> isTurn(record) && record.outcome() != null));
+        until(() -> log.records.values().stream().anyMatch(record -> isTurn(record) && record.outcome() != null));
         return log.records.values().stream()
                 .filter(SetpointGateTest::isTurn)
                 .findFirst()

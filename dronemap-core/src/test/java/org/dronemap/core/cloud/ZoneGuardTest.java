@@ -1,13 +1,13 @@
 package org.dronemap.core.cloud;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.awaitility.Awaitility.await;
 
-import java.time.Clock;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
@@ -26,7 +26,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
-import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.SteppedTime;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
@@ -39,16 +39,17 @@ import org.junit.jupiter.api.Test;
 class ZoneGuardTest {
     private static final Geodetic HERE = new Geodetic(47.4, 8.5);
     private static final Geodetic NORTH = new Geodetic(47.41, 8.5);
-    private static final Duration LONG = Duration.ofSeconds(30);
+    private static final Instant BEGAN = Instant.parse("2026-03-04T05:06:07Z");
     private static final CommandGate.Source BOB = new CommandGate.Source(new Principal("bob", Role.OPERATOR), "rest");
 
-    private final Lanes lanes = new Lanes(new SystemTime(), 2);
-    private final Journal journal = new Journal(new SystemTime());
+    private final SteppedTime time = new SteppedTime(BEGAN);
+    private final Lanes lanes = new Lanes(time, 2);
+    private final Journal journal = new Journal(time);
     private final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
     private final CloudManager cloud = new CloudManager(
             lanes,
             Watchdog.DEFAULT,
-            new SystemTime(),
+            time,
             new CloudManager.Keeping(
                     new Fixtures.HeapDroneStore(),
                     new Fixtures.HeapCommandStore(),
@@ -71,7 +72,7 @@ class ZoneGuardTest {
         hear(new DroneEvent.ModeHeard("GUIDED", true));
         hear(new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0)));
         hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
-        await().atMost(LONG).until(() -> cloud.drone(link.id()).orElseThrow().airborne());
+        until(() -> cloud.drone(link.id()).orElseThrow().airborne());
     }
 
     @AfterEach
@@ -84,18 +85,18 @@ class ZoneGuardTest {
     void actsAtOnceOnAZoneThatIsPutOverADrone() {
         cloud.zones().put(List.of(around(HERE, BreachAction.LAND, Binding.EVERYBODY)));
 
-        await().atMost(LONG).until(() -> vehicle.performed.contains(new Command.Land()));
+        until(() -> vehicle.performed.contains(new Command.Land()));
         assertThat(said()).contains("It has entered the no-fly zone “Accident” and is told: land.");
     }
 
     @Test
     void triesAgainWhenItFails() {
         cloud.zones().put(List.of(around(HERE, BreachAction.HOLD, Binding.EVERYBODY)));
-        await().atMost(LONG).until(() -> vehicle.performed.size() == 1);
+        until(() -> vehicle.performed.size() == 1);
 
         vehicle.reports.values().forEach(report -> report.ended(new Outcome.TimedOut("no answer within 3 s")));
 
-        await().atMost(LONG).until(() -> vehicle.performed.size() == 2);
+        until(() -> vehicle.performed.size() == 2);
         assertThat(vehicle.performed).containsExactly(new Command.Hold(), new Command.Hold());
     }
 
@@ -105,7 +106,7 @@ class ZoneGuardTest {
 
         cloud.zones().put(List.of(around(HERE, BreachAction.HOLD, Binding.EVERYBODY)));
 
-        await().atMost(LONG).until(() -> said().stream().anyMatch(text -> text.contains("on its way home or down")));
+        until(() -> said().stream().anyMatch(text -> text.contains("on its way home or down")));
         assertThat(vehicle.performed).isEmpty();
     }
 
@@ -113,13 +114,11 @@ class ZoneGuardTest {
     void tellsADroneAgainThatFliesOnInside() {
         hear(new DroneEvent.ModeHeard("AUTO", true));
         cloud.zones().put(List.of(around(HERE, BreachAction.LAND, Binding.EVERYBODY)));
-        await().atMost(LONG).until(() -> vehicle.performed.size() == 1);
+        until(() -> vehicle.performed.size() == 1);
         vehicle.reports.values().forEach(report -> report.ended(new Outcome.Succeeded()));
 
-        await().atMost(LONG).until(() -> {
-            hear(new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0)));
-            return vehicle.performed.size() == 2;
-        });
+        keepsTellingWhereItIs();
+        until(() -> vehicle.performed.size() == 2);
 
         assertThat(vehicle.performed).containsExactly(new Command.Land(), new Command.Land());
         assertThat(said()).contains("It is still in the no-fly zone “Accident” and is told again: land.");
@@ -131,10 +130,8 @@ class ZoneGuardTest {
         cloud.gate().submit(BOB, link.id(), new CommandId("turn-0001"), new Command.Turn(90));
 
         // The next position is looked at with bob as the pilot.
-        await().atMost(LONG).until(() -> {
-            hear(new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0)));
-            return vehicle.performed.contains(new Command.Hold());
-        });
+        keepsTellingWhereItIs();
+        until(() -> vehicle.performed.contains(new Command.Hold()));
     }
 
     @Test
@@ -168,6 +165,15 @@ class ZoneGuardTest {
         link.lane().execute(() -> link.accept(event));
     }
 
+    private void keepsTellingWhereItIs() {
+        DroneEvent here = new DroneEvent.PositionHeard(new Position(HERE, 470.0, 20.0));
+        time.worker("vehicle", 1).every(Duration.ZERO, Duration.ofMillis(250), () -> hear(here));
+    }
+
+    private void until(BooleanSupplier holds) {
+        Steps.until(time, holds);
+    }
+
     private static Zone around(Geodetic center, BreachAction action, Binding binding) {
         return new Zone(
                 "z1",
@@ -178,6 +184,6 @@ class ZoneGuardTest {
                 Validity.ALWAYS,
                 action,
                 "ann",
-                Clock.systemUTC().instant());
+                BEGAN);
     }
 }
