@@ -29,6 +29,7 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.proxy.PlayedVehicle;
 import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.session.FrameTap;
@@ -104,6 +105,26 @@ class ReplayTest {
                                 new Command.Land())
                         .outcome())
                 .isEqualTo(new Outcome.Refused("gate", "This is a recording; it cannot be commanded."));
+    }
+
+    /** More at the same moment than a session has room for. */
+    @Test
+    void losesNoFrameThatThereIsNoRoomForAtOnce() {
+        long moment = micros;
+        for (int count = 0; count < 1_900; count++) {
+            record(1, 1, PlayedVehicle.copter(5, true));
+            micros = moment;
+        }
+        record(1, 1, new Statustext(4, "the last of that moment", 0, 0));
+        for (int second = 0; second < 10; second++) {
+            record(1, 1, PlayedVehicle.copter(5, true));
+        }
+
+        awaitState(play(1), ReplayStatus.State.FINISHED);
+
+        assertThat(cloud.awaitDrone(DroneState::replay).messages())
+                .extracting(TextMessage::text)
+                .contains("the last of that moment");
     }
 
     @Test
