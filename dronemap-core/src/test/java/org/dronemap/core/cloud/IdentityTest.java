@@ -293,8 +293,10 @@ class IdentityTest {
         // No lane gets to its work in between.
         DroneLink one = Fixtures.bound(cloud.admit(claim(8001, "aa01", key, true)));
         DroneLink other = Fixtures.bound(cloud.admit(claim(8002, "aa01", key, true)));
+        DroneLink bare = Fixtures.bound(cloud.admit(claim(8003, null, key, true)));
 
         assertThat(other.id()).isEqualTo(one.id());
+        assertThat(bare.id()).as("by the key alone").isEqualTo(one.id());
     }
 
     @Test

@@ -44,7 +44,7 @@ public final class Database implements Stores {
 
     private static final Logger LOG = LoggerFactory.getLogger(Database.class);
     private static final int MAX_CONNECTIONS = 8;
-    private static final Duration PAUSE_BETWEEN_TRIES = Duration.ofMillis(500);
+    private static final Duration PAUSE_BETWEEN_TRIES = Duration.ofMillis(100);
 
     private final HikariDataSource pool;
     private final @Nullable OwnPostgres own;

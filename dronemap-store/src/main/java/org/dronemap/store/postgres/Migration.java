@@ -5,6 +5,7 @@ import org.dronemap.store.StoreException;
 import org.flywaydb.core.Flyway;
 import org.flywaydb.core.api.FlywayException;
 import org.flywaydb.core.api.MigrationInfo;
+import org.flywaydb.core.api.MigrationInfoService;
 import org.flywaydb.core.api.MigrationVersion;
 import org.flywaydb.core.api.configuration.FluentConfiguration;
 
@@ -29,18 +30,21 @@ final class Migration {
     /** True when this program has no migration to that version. */
     boolean isNewerThanKnown(String schema, String version) {
         MigrationVersion asked = MigrationVersion.fromVersion(version);
-        return newestKnown(flyway(schema, MigrationVersion.LATEST)).compareTo(asked) < 0;
+        return newestKnown(flyway(schema, MigrationVersion.LATEST).info()).compareTo(asked) < 0;
     }
 
     private void migrate(String schema, MigrationVersion target) {
         try {
             Flyway flyway = flyway(schema, target);
-            MigrationInfo current = flyway.info().current();
+            // Asked for once: each time all scripts are read, and the history of the schema.
+            MigrationInfoService info = flyway.info();
+            MigrationInfo current = info.current();
+            MigrationVersion newest = newestKnown(info);
             if (current != null
                     && current.getVersion() != null
-                    && current.getVersion().isNewerThan(newestKnown(flyway))) {
+                    && current.getVersion().isNewerThan(newest)) {
                 throw new StoreException("The database was written by a newer Dronemap (schema "
-                        + current.getVersion() + ", this one knows up to " + newestKnown(flyway)
+                        + current.getVersion() + ", this one knows up to " + newest
                         + "); start that version, or restore a backup made by this one.");
             }
             flyway.migrate();
@@ -49,9 +53,9 @@ final class Migration {
         }
     }
 
-    private static MigrationVersion newestKnown(Flyway flyway) {
+    private static MigrationVersion newestKnown(MigrationInfoService info) {
         MigrationVersion newest = MigrationVersion.EMPTY;
-        for (MigrationInfo migration : flyway.info().all()) {
+        for (MigrationInfo migration : info.all()) {
             MigrationVersion version = migration.getVersion();
             boolean known = !migration.getScript().isBlank()
                     && !migration.getState().name().startsWith("FUTURE");

@@ -19,8 +19,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class DatabaseTest {
     private static final String NAME = "somebody_elses";
@@ -81,15 +79,6 @@ class DatabaseTest {
         assertThatThrownBy(() -> open(password))
                 .isInstanceOf(StoreException.class)
                 .hasMessageContaining("written by a newer Dronemap (schema 9999, this one knows up to ");
-    }
-
-    /** Killing processes cannot show it, for the operating system keeps what they wrote: only a power cut would. */
-    @ParameterizedTest
-    @ValueSource(strings = {"fsync", "full_page_writes", "synchronous_commit"})
-    void waitsForTheDiskInItsOwnDatabase(String setting) throws SQLException {
-        try (Database database = open(password)) {
-            assertThat(text(database, "SHOW " + setting)).isEqualTo("on");
-        }
     }
 
     @Test

@@ -5,19 +5,47 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.Connection;
+import java.sql.DriverManager;
 import java.sql.SQLException;
 import java.sql.Statement;
 import java.time.Duration;
-import java.util.Comparator;
-import java.util.stream.Stream;
+import java.util.List;
+import org.dronemap.store.postgres.own.Homes;
 import org.dronemap.store.postgres.own.OwnPostgres;
 
-/** One real PostgreSQL for all tests of a test JVM: starting one takes seconds. Not for tests in parallel. */
+/**
+ * One real PostgreSQL for all tests of a test JVM: starting one takes seconds. It does not wait for the disk, since no power cut
+ * is survived here; that the server's own one does is told by its own tests. Not for tests in parallel.
+ */
 final class SharedDatabase {
     private static final Path DIRECTORY = temporary();
-    private static final OwnPostgres OWN = OwnPostgres.start(DIRECTORY);
+    private static final OwnPostgres OWN = start();
     private static final Database DATABASE =
             Database.open(new DatabaseSettings(OWN.jdbcUrl(), OWN.user(), OWN.password(), Duration.ofSeconds(30)));
+
+    /** Only of those that hold something, since each table that is emptied has its files made anew, also an empty one. */
+    private static final String EMPTY = """
+            DO $$
+            DECLARE
+                name text;
+                filled boolean;
+                all_filled text[] := '{}';
+            BEGIN
+                FOREACH name IN ARRAY ARRAY['drone', 'known_mission', 'saved_mission', 'command', 'account', 'sign_in',
+                        'access_key', 'link_security', 'recording', 'link', 'link_key', 'control_lease', 'organisation',
+                        'drone_owner', 'user_group', 'user_group_member', 'fleet', 'access_grant', 'only_granted',
+                        'invitation', 'virtual_drone', 'warehouse_drone', 'audit', 'telemetry', 'drone_event', 'flight',
+                        'operation', 'operation_journal', 'outlet_key', 'outlet_number', 'robot_key'] LOOP
+                    EXECUTE 'SELECT EXISTS (SELECT FROM ' || name || ')' INTO filled;
+                    IF filled THEN
+                        all_filled := all_filled || name;
+                    END IF;
+                END LOOP;
+                IF all_filled <> '{}' THEN
+                    EXECUTE 'TRUNCATE ' || array_to_string(all_filled, ', ') || ' CASCADE';
+                END IF;
+            END $$
+            """;
 
     static {
         Runtime.getRuntime().addShutdownHook(new Thread(SharedDatabase::stop, "stop-shared-database"));
@@ -25,15 +53,25 @@ final class SharedDatabase {
 
     private SharedDatabase() {}
 
+    private static OwnPostgres start() {
+        Homes.putPrograms(DIRECTORY);
+        OwnPostgres own = OwnPostgres.start(DIRECTORY);
+        try (Connection connection = DriverManager.getConnection(own.jdbcUrl(), own.user(), own.password());
+                Statement statement = connection.createStatement()) {
+            for (String setting : List.of("fsync", "full_page_writes")) {
+                statement.execute("ALTER SYSTEM SET " + setting + " = off");
+            }
+            statement.execute("SELECT pg_reload_conf()");
+            return own;
+        } catch (SQLException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
     static Database empty() {
         try (Connection connection = DATABASE.dataSource().getConnection();
                 Statement statement = connection.createStatement()) {
-            statement.execute(
-                    "TRUNCATE drone, known_mission, saved_mission, command, account, sign_in, access_key, link_security,"
-                            + " recording, link, link_key, control_lease, organisation, drone_owner, user_group,"
-                            + " user_group_member, fleet, access_grant, only_granted, invitation, virtual_drone, warehouse_drone,"
-                            + " audit, telemetry, drone_event, flight, operation, operation_journal, outlet_key,"
-                            + " outlet_number, robot_key");
+            statement.execute(EMPTY);
             return DATABASE;
         } catch (SQLException e) {
             throw new IllegalStateException(e);
@@ -74,12 +112,6 @@ final class SharedDatabase {
     private static void stop() {
         DATABASE.close();
         OWN.close();
-        try (Stream<Path> paths = Files.walk(DIRECTORY)) {
-            for (Path path : paths.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(path);
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        Homes.delete(DIRECTORY);
     }
 }

@@ -24,8 +24,10 @@ final class Cluster {
     /** Recovery of a crashed database replays at most max_wal_size, yet a slow disk may take its time. */
     private static final int START_LIMIT_SECONDS = 180;
 
-    private static final int START_ATTEMPTS = 5;
-    private static final Duration BETWEEN_ATTEMPTS = Duration.ofMillis(500);
+    /** Some seconds in all; what stands in the way is mostly gone after the first pause. */
+    private static final int START_ATTEMPTS = 25;
+
+    private static final Duration BETWEEN_ATTEMPTS = Duration.ofMillis(100);
     private static final int STOP_LIMIT_SECONDS = 60;
     private static final String SETTINGS_FILE = "dronemap.conf";
 

@@ -32,10 +32,10 @@ public final class OwnPostgres implements AutoCloseable {
     /** How long an orphan may take to answer: it may be recovering itself. */
     private static final Duration ADOPTION_LIMIT = Duration.ofSeconds(30);
 
-    private static final Duration BETWEEN_LOOKS = Duration.ofMillis(200);
+    private static final Duration BETWEEN_LOOKS = Duration.ofMillis(50);
 
     /** How often the guard looks whether the database still lives. */
-    private static final Duration GUARD_PERIOD = Duration.ofSeconds(2);
+    private static final Duration GUARD_PERIOD = Duration.ofMillis(500);
 
     private final DirectoryLock lock;
     private final Cluster cluster;

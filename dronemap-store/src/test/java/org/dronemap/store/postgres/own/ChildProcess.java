@@ -18,6 +18,8 @@ final class ChildProcess implements AutoCloseable {
         process = new ProcessBuilder(List.of(
                         System.getProperty("java.home") + File.separator + "bin" + File.separator + "java",
                         "-Xmx128m",
+                        // It lives for seconds and is to begin soon.
+                        "-XX:TieredStopAtLevel=1",
                         "-cp",
                         classPath,
                         ChildServer.class.getName(),

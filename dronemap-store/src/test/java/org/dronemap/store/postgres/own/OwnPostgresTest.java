@@ -14,6 +14,7 @@ import java.sql.SQLException;
 import java.sql.Statement;
 import java.time.Duration;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import org.awaitility.Awaitility;
@@ -21,12 +22,23 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.postgres.Database;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class OwnPostgresTest {
+    /** What a server left that had run once and was stopped: most tests begin with a copy of it. */
+    @TempDir
+    private static Path stopped;
+
     @TempDir
     private Path directory;
+
+    @BeforeAll
+    static void runOnce() {
+        Homes.putPrograms(stopped);
+        Database.openOwn(stopped).close();
+    }
 
     @AfterEach
     void leaveNoProcessBehind() {
@@ -35,6 +47,7 @@ class OwnPostgresTest {
 
     @Test
     void takesOverTheDatabaseOfAKilledServer() throws Exception {
+        Homes.copyStopped(stopped, directory);
         try (ChildProcess child = new ChildProcess(directory, "orphaned", 3)) {
             awaitDone(child);
             child.kill();
@@ -51,6 +64,7 @@ class OwnPostgresTest {
 
     @Test
     void recoversWhenServerAndDatabaseWereKilled() throws Exception {
+        Homes.copyStopped(stopped, directory);
         try (ChildProcess child = new ChildProcess(directory, "crashed", 3)) {
             awaitDone(child);
             child.kill();
@@ -66,6 +80,7 @@ class OwnPostgresTest {
 
     @Test
     void losesNoAcknowledgedWriteOverRandomKills() throws Exception {
+        Homes.copyStopped(stopped, directory);
         Random random = new Random(20260304);
         Set<String> acknowledged = new HashSet<>();
         int round = 0;
@@ -78,6 +93,19 @@ class OwnPostgresTest {
             assertThat(acknowledged)
                     .allMatch(
                             id -> database.commands().command(new CommandId(id)).isPresent());
+            assertWaitsForTheDisk(database);
+        }
+    }
+
+    /** Killing processes cannot show it, for the operating system keeps what they wrote: only a power cut would. */
+    private static void assertWaitsForTheDisk(Database database) throws SQLException {
+        for (String setting : List.of("fsync", "full_page_writes", "synchronous_commit")) {
+            try (Connection connection = database.dataSource().getConnection();
+                    Statement statement = connection.createStatement();
+                    ResultSet result = statement.executeQuery("SHOW " + setting)) {
+                assertThat(result.next()).isTrue();
+                assertThat(result.getString(1)).as(setting).isEqualTo("on");
+            }
         }
     }
 
@@ -102,6 +130,7 @@ class OwnPostgresTest {
 
     @Test
     void startsADatabaseAgainThatDiesUnderARunningServer() throws Exception {
+        Homes.copyStopped(stopped, directory);
         try (Database database = Database.openOwn(directory)) {
             database.commands().begin(ChildServer.command("before-the-death"));
             long first = postmaster().pid();
@@ -118,6 +147,7 @@ class OwnPostgresTest {
 
     @Test
     void refusesASecondServerOnTheSameDirectory() {
+        Homes.copyStopped(stopped, directory);
         try (OwnPostgres first = OwnPostgres.start(directory)) {
             assertThatThrownBy(() -> OwnPostgres.start(directory))
                     .isInstanceOf(StoreException.class)
@@ -129,6 +159,7 @@ class OwnPostgresTest {
 
     @Test
     void keepsDataPasswordAndNothingRunningOverACleanRestart() throws Exception {
+        Homes.copyStopped(stopped, directory);
         String password;
         try (OwnPostgres own = OwnPostgres.start(directory)) {
             password = own.password();
@@ -150,6 +181,7 @@ class OwnPostgresTest {
 
     @Test
     void startsAfterACreationThatWasCutShortAndDespiteAForeignProcessId() throws Exception {
+        Homes.putPrograms(directory);
         Path home = directory.toRealPath();
         Files.createDirectories(home.resolve("cluster.new").resolve("base"));
         Files.writeString(home.resolve("cluster.new").resolve("PG_VERSION"), "18\n");
@@ -169,6 +201,7 @@ class OwnPostgresTest {
 
     @Test
     void refusesAClusterOfAnotherVersionWithWhatToDo() throws Exception {
+        Homes.putPrograms(directory);
         Path cluster = Files.createDirectories(directory.resolve("cluster"));
         Files.writeString(cluster.resolve("PG_VERSION"), "9\n");
         assertThatThrownBy(() -> OwnPostgres.start(directory))
