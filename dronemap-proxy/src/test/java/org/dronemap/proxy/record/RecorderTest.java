@@ -121,26 +121,6 @@ class RecorderTest {
     }
 
     @Test
-    void endsSecondsAfterTheFlightThoughTheVehicleGoesOnSayingThatItIsDisarmed() throws IOException {
-        recorder.start();
-        FrameTap tap = armed();
-        clock.pass(60);
-        for (int second = 0; second < 6; second++) {
-            hears(tap, heartbeat(false), true);
-            clock.pass(1);
-        }
-        for (int second = 0; second < 6; second++) {
-            hears(tap, heartbeat(false), false);
-            clock.pass(1);
-        }
-
-        Recording done = awaitEnd();
-
-        assertThat(done.end()).isEqualTo(START.plusSeconds(65));
-        assertThat(read(done)).hasSize(7);
-    }
-
-    @Test
     void recordsNothingOfADroneThatIsNeverArmed() throws IOException {
         recorder.start();
         FrameTap tap = recorder.open(1);
