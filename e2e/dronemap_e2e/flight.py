@@ -25,7 +25,7 @@ class Point:
         return math.hypot(north, east * math.cos(math.radians(self.latitude)))
 
 
-def triangle(home: Json, altitude: float = 15.0, side: float = 40.0) -> list[Point]:
+def triangle(home: Json, altitude: float = 8.0, side: float = 20.0) -> list[Point]:
     """Three waypoints around a home, some tens of metres apart."""
     per_degree = math.radians(1) * EARTH_RADIUS_METERS
     east = per_degree * math.cos(math.radians(home["latitude"]))

@@ -9,6 +9,12 @@ from .server import QUICK, ROOT
 from .waiting import wait_for
 
 GROUND_STATION_TIMEOUT = 5  # seconds, as of the real ones
+# Comes home low, waits for nothing there, and sets down three times as fast as it would by itself.
+QUICKLY_HOME = tuple(
+    part
+    for setting in ("RTL_ALT=800", "RTL_LOIT_TIME=0", "LAND_SPEED=150")
+    for part in ("--parameter", setting)
+)
 SIMULATOR_JAR = ROOT / "dronemap-sim" / "target" / "dronemap-sim.jar"
 
 
@@ -25,10 +31,10 @@ class Simulator:
         self._control = free_port()
         if not {"px4", "mixed"} & set(arguments):
             # Time runs faster for them than for the server: a copter that is armed on the ground must not be
-            # disarmed again within what is a second on a slow machine, and the server, whose heartbeat comes
-            # once in a second of ours, must not be lost for it.
+            # disarmed again within what is a second on a slow machine (0: never), and the server, whose
+            # heartbeat comes once in a second of ours, must not be lost for it.
             timeout = GROUND_STATION_TIMEOUT * _speedup(arguments)
-            own = ("--parameter", "DISARM_DELAY=120", "--parameter", f"FS_GCS_TIMEOUT={timeout:g}")
+            own = ("--parameter", "DISARM_DELAY=0", "--parameter", f"FS_GCS_TIMEOUT={timeout:g}")
             arguments = (*own, *arguments)
         options = ["--connect", connect, "--control", str(self._control), *arguments]
         quick = [] if as_shipped else [QUICK]

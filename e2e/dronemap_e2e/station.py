@@ -8,14 +8,15 @@ from typing import Protocol
 
 from playwright.sync_api import Browser, Locator, Page, Playwright, expect
 
-HOLD_MILLISECONDS = 1100
+# The page wants 800 between its events, and the time runs only when it has taken the first of them.
+HOLD_MILLISECONDS = 900
 # A machine that does much else at the same time answers late.
 PATIENCE_MILLISECONDS = 20_000
 CHROMIUM_ARGUMENTS = [
     "--no-sandbox",
-    "--use-angle=swiftshader",
+    # There is no graphics card: software stands for it where a map is drawn, and nowhere else.
+    "--disable-gpu",
     "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",

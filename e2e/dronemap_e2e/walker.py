@@ -6,14 +6,14 @@ import secrets
 from dataclasses import dataclass
 from pathlib import Path
 
-from playwright.sync_api import Browser, BrowserContext, Geolocation, Page, ViewportSize, expect
+from playwright.sync_api import Browser, BrowserContext, Geolocation, Page, expect
 
 from .api import Api, Json
 from .flight import Point
+from .screen import PHONE, open_page
 from .waiting import wait_for
 
 METRES_PER_DEGREE = 111_195
-SCREEN: ViewportSize = {"width": 390, "height": 844}
 ACCURACY_METRES = 4
 
 
@@ -37,16 +37,15 @@ def sign_in(page: Page, address: str, api: Api) -> None:
 
 def phone(browser: Browser, at: Point | None = None, dark: bool = False) -> Page:
     """A page as big as a phone's, whose receiver says that it is there."""
-    context = browser.new_context(
-        viewport=SCREEN,
-        has_touch=True,
-        is_mobile=True,
+    return open_page(
+        browser,
+        PHONE,
+        touch=True,
+        dark=dark,
         device_scale_factor=2,
-        color_scheme="dark" if dark else "light",
         geolocation=None if at is None else _fix(at),
         permissions=["geolocation"] if at else [],
     )
-    return context.new_page()
 
 
 def picture(page: Page, name: str) -> None:

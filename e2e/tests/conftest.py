@@ -113,7 +113,7 @@ def wire(vehicles: Vehicles, system_id: int) -> Wire:
 
 @pytest.fixture
 def copter(api: Api, system_id: int) -> Json:
-    """The test's copter, three times as fast as life: the drone as the server lists it."""
+    """The test's copter, five times as fast as life: the drone as the server lists it."""
     return wait_for("the copter is listed, with a home, and ready to arm", lambda: api.ready(system_id), 90)
 
 

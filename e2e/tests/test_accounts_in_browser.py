@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Hands, Pointer, Station, Touch
 
@@ -18,29 +19,23 @@ Open = Callable[[], Station]
 
 
 @pytest.fixture
-def open_page(request: pytest.FixtureRequest, browser: Browser) -> Iterator[Open]:
+def open_station(request: pytest.FixtureRequest, browser: Browser) -> Iterator[Open]:
     """Pages that share nothing, as those of several people."""
-    (width, height), touch, dark = request.param
-    contexts = []
+    size, touch, dark = request.param
+    stations: list[Station] = []
 
     def opened() -> Station:
-        context = browser.new_context(
-            viewport={"width": width, "height": height},
-            has_touch=touch,
-            is_mobile=touch,
-            color_scheme="dark" if dark else "light",
-        )
-        contexts.append(context)
         hands: Hands = Touch() if touch else Pointer()
-        return Station(context.new_page(), hands)
+        stations.append(Station(open_page(browser, size, touch, dark), hands))
+        return stations[-1]
 
     yield opened
-    for context in contexts:
-        context.close()
+    for station in stations:
+        station.page.context.close()
 
 
-DESK_LIGHT = pytest.param(((1440, 900), False, False), id="desk-light")
-PHONE_DARK = pytest.param(((390, 844), True, True), id="phone-dark")
+DESK_LIGHT = pytest.param((DESK, False, False), id="desk-light")
+PHONE_DARK = pytest.param((PHONE, True, True), id="phone-dark")
 
 
 def picture(page: Page, name: str) -> None:
@@ -86,13 +81,13 @@ def reload_users(station: Station) -> None:
     station.press("Administration")
 
 
-@pytest.mark.parametrize("open_page", [DESK_LIGHT, PHONE_DARK], indirect=True)
+@pytest.mark.parametrize("open_station", [DESK_LIGHT, PHONE_DARK], indirect=True)
 def test_an_invited_viewer_watches_until_disabled(
-    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
+    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_station: Open
 ) -> None:
     """End to end because two people have pages of their own, and one of them loses what it shows."""
     look = request.node.callspec.id
-    chief = administrator(server, api, open_page())
+    chief = administrator(server, api, open_station())
     invitations = card(chief, "Invitations")
     invitations.get_by_label("Whom you invite").fill("Ann of the fire brigade")
     invitations.get_by_label("Role of the invited").select_option("viewer")
@@ -103,7 +98,7 @@ def test_an_invited_viewer_watches_until_disabled(
     assert link.startswith(server.address + "/#invitation=")
 
     ann, password = new_name("ann"), secrets.token_hex(10)
-    guest = open_page()
+    guest = open_station()
     guest.page.goto(link)
     expect(guest.page.get_by_role("heading", name="You are invited")).to_be_visible()
     guest.page.get_by_label("User name").fill(ann)
@@ -116,7 +111,7 @@ def test_an_invited_viewer_watches_until_disabled(
     expect(guest.page.get_by_role("button", name=f"Rename {copter['name']}")).to_have_count(0)
     picture(guest.page, f"accounts-{look}-3-viewer")
 
-    again = open_page()
+    again = open_station()
     again.page.goto(link)
     again.page.get_by_label("User name").fill(new_name("bob"))
     again.page.get_by_label("Password", exact=True).fill(password)
@@ -137,14 +132,14 @@ def test_an_invited_viewer_watches_until_disabled(
     guest.shows("Your account has been disabled; ask an administrator.")
 
 
-@pytest.mark.parametrize("open_page", [DESK_LIGHT, PHONE_DARK], indirect=True)
+@pytest.mark.parametrize("open_station", [DESK_LIGHT, PHONE_DARK], indirect=True)
 def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_password(
-    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
+    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_station: Open
 ) -> None:
     """End to end because the pages of two people change with what one does on the other."""
     look = request.node.callspec.id
     carol, password = new_name("carol"), secrets.token_hex(10)
-    guest = open_page()
+    guest = open_station()
     guest.page.goto(server.address)
     guest.press("No account yet? Ask for one")
     guest.page.get_by_label("User name").fill(carol)
@@ -159,7 +154,7 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     guest.press("Sign in")
     guest.shows("Your account waits until an administrator lets you in")
 
-    chief = administrator(server, api, open_page())
+    chief = administrator(server, api, open_station())
     expect(row(chief, carol)).to_contain_text("waits to be let in")
     picture(chief.page, f"accounts-{look}-8-users")
     press_in(chief, row(chief, carol), re.compile("^Let in"))
@@ -193,13 +188,13 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     picture(guest.page, f"accounts-{look}-10-reporter")
 
 
-@pytest.mark.parametrize("open_page", [DESK_LIGHT, PHONE_DARK], indirect=True)
+@pytest.mark.parametrize("open_station", [DESK_LIGHT, PHONE_DARK], indirect=True)
 def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
-    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_page: Open
+    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_station: Open
 ) -> None:
     """End to end because a key that a page shows once is used by a program."""
     look = request.node.callspec.id
-    station = administrator(server, api, open_page())
+    station = administrator(server, api, open_station())
     keys = card(station, "Access keys")
     keys.get_by_label("What the key is for").fill("survey script")
     keys.get_by_label("What it may do").select_option("only look")

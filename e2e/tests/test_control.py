@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.race import Hoverer, Racer, RestClient, StreamClient, judge, race, settle
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.stall import Stall
 from dronemap_e2e.station import Pointer, Station, launch
@@ -166,7 +167,7 @@ def test_the_drone_of_a_killed_browser_holds_and_then_returns(
     hoverer, drone = hover()
     mark = f"--doomed={secrets.token_hex(8)}"
     doomed = launch(playwright, mark)
-    station = Station(doomed.new_page(viewport={"width": 1440, "height": 900}), Pointer())
+    station = Station(open_page(doomed), Pointer())
     station.sign_in(sky.server.address, *sky.user("operator"), secrets.token_hex(10))
     station.choose(sky.api.drone(drone)["name"])
     station.press("Take control")
@@ -185,8 +186,7 @@ def test_people_see_who_has_control_and_hand_it_over(
     _, drone = hover()
     name = sky.api.drone(drone)["name"]
     users = [sky.user("operator"), sky.user("operator")]
-    contexts = [browser.new_context(viewport={"width": 1440, "height": 900}) for _ in users]
-    ann, bob = (Station(context.new_page(), Pointer()) for context in contexts)
+    ann, bob = (Station(open_page(browser), Pointer()) for _ in users)
     for station, user in zip((ann, bob), users, strict=True):
         station.sign_in(sky.server.address, *user, secrets.token_hex(10))
         station.choose(name)
@@ -202,6 +202,6 @@ def test_people_see_who_has_control_and_hand_it_over(
     bob.press("Give back")
     ann.shows("Nobody has control")
     ann.press("Take control")
-    contexts[0].close()
+    ann.page.context.close()
     bob.shows("Nobody has control", 60)
-    contexts[1].close()
+    bob.page.context.close()

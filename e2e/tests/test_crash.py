@@ -12,6 +12,7 @@ from pymavlink import mavutil
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
 from dronemap_e2e.peer import Peer, with_hardware
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station
@@ -48,12 +49,12 @@ def in_mission(own_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    opened = open_page(browser)
     yield opened
-    opened.close()
+    opened.context.close()
 
 
-def open_page(page: Page, server: Server, api: Api, drone: Json) -> Station:
+def signed_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
     """Signed in before the crash, with the drone's panel open."""
     pilot = {"name": "pilot", "password": secrets.token_hex(10), "role": "operator"}
     assert api.call("POST", "/users", pilot).status_code == 201
@@ -74,7 +75,7 @@ def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
 ) -> None:
     """End to end because an open page comes back by itself, and pymavlink takes the dead server's place."""
     api, drone = in_mission
-    station = open_page(page, own_server, api, drone)
+    station = signed_in(page, own_server, api, drone)
     api.do(drone["id"], type="startMission")
     own_server.kill()
     _replace_mission(own_server.udp_port, drone["home"])

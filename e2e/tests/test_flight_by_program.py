@@ -14,7 +14,7 @@ from dronemap_e2e.soap import soap
 from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
-TAKE_OFF_METERS = 15.0
+TAKE_OFF_METERS = 8.0
 
 
 def fly(api: Api, drone: str, act: Callable[..., Json], points: list[Point]) -> None:
@@ -49,7 +49,7 @@ def test_flies_by_rest(api: Api, wire: Wire, copter: Json) -> None:
 
 def test_flies_by_curl(server: Server, api: Api, wire: Wire, copter: Json) -> None:
     """End to end because curl is the program that the handbook tells people to use."""
-    points = triangle(copter["home"], altitude=12)
+    points = triangle(copter["home"], altitude=6)
 
     def act(kind: str, **body: Any) -> Json:
         answer = subprocess.run(
@@ -68,12 +68,12 @@ def test_flies_by_curl(server: Server, api: Api, wire: Wire, copter: Json) -> No
 
     fly(api, copter["id"], act, points)
 
-    judge(wire, points, 12)
+    judge(wire, points, 6)
 
 
 def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> None:
     """End to end because zeep makes its calls of the service's own WSDL."""
-    points = triangle(copter["home"], altitude=18)
+    points = triangle(copter["home"], altitude=10)
     service = soap(server, server.local_key())
     listed = [d.id for d in service.getDronesList()]
     assert copter["id"] in listed
@@ -100,7 +100,7 @@ def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> No
 
 def test_flies_by_websocket(server: Server, api: Api, wire: Wire, copter: Json) -> None:
     """End to end because another maker's WebSocket client carries the whole flight."""
-    points = triangle(copter["home"], altitude=14)
+    points = triangle(copter["home"], altitude=7)
     headers = {"Authorization": f"Bearer {server.local_key()}"}
     with connect(server.stream_address, additional_headers=headers) as stream:
 
@@ -132,7 +132,7 @@ def test_flies_by_websocket(server: Server, api: Api, wire: Wire, copter: Json) 
 
         fly(api, copter["id"], act, points)
 
-    judge(wire, points, 14)
+    judge(wire, points, 7)
 
 
 def _next(stream: ClientConnection, wanted: Callable[[Json], bool]) -> Json:

@@ -20,6 +20,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, flight_of, triangle
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
 from dronemap_e2e.tap import Wire
@@ -110,9 +111,9 @@ def fly(api: Api, copter: Json) -> Json:
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    context = browser.new_context(viewport={"width": 1440, "height": 900})
-    yield context.new_page()
-    context.close()
+    opened = open_page(browser)
+    yield opened
+    opened.context.close()
 
 
 def picture(page: Page, name: str) -> None:

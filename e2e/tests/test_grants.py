@@ -6,10 +6,11 @@ import time
 from typing import NamedTuple
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect
 from websockets.sync.client import ClientConnection, connect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Hands, Pointer, Station, Touch
 
@@ -37,9 +38,6 @@ def silent(stream: ClientConnection, drone: str, seconds: float) -> None:
             return
 
 
-DESK, PHONE = ((1440, 900), False), ((390, 844), True)
-
-
 class Desk(NamedTuple):
     """An administrator's page with its card of grants, and the hands before it."""
 
@@ -64,12 +62,9 @@ class Desk(NamedTuple):
 
 
 def administration(
-    server: Server, browser: Browser, chief: tuple[str, str, str], size: tuple[int, int], touch: bool
+    server: Server, browser: Browser, chief: tuple[str, str, str], size: ViewportSize, touch: bool
 ) -> Desk:
-    context = browser.new_context(
-        viewport={"width": size[0], "height": size[1]}, has_touch=touch, is_mobile=touch
-    )
-    station = Station(context.new_page(), Touch() if touch else Pointer())
+    station = Station(open_page(browser, size, touch), Touch() if touch else Pointer())
     station.sign_in(server.address, *chief)
     station.press(f"Account of {chief[0]}")
     station.press("Administration")
@@ -103,7 +98,7 @@ def test_a_grant_shows_a_drone_and_taking_it_back_silences_the_open_stream(
     ann, key = operator(server, api)
     headers = {"Authorization": f"Bearer {key}"}
     stream_address = f"ws://127.0.0.1:{server.stream_port}/stream"
-    for size, touch in (DESK, PHONE):
+    for size, touch in ((DESK, False), (PHONE, True)):
         desk = administration(server, browser, administrator(api), size, touch)
         expect(desk.card.get_by_text("Sees no drone: nothing is granted.").first).to_be_visible()
         with connect(stream_address, additional_headers=headers) as stream:

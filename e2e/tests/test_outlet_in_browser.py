@@ -8,15 +8,16 @@ from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.ground import Ground
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
 
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    opened = open_page(browser)
     yield opened
-    opened.close()
+    opened.context.close()
 
 
 def test_a_program_attaches_with_a_passphrase_of_the_page_and_is_disconnected_there(

@@ -12,15 +12,13 @@ from playwright.sync_api import Browser, Page, expect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.impairer import Impairer
 from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Hands, Pointer, Station, Touch
 from dronemap_e2e.waiting import wait_for
 
 from .conftest import SYSTEM_IDS
-
-DESK = (1440, 900)
-PHONE = (390, 844)
 
 
 @dataclass(frozen=True)
@@ -51,15 +49,10 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
 
 @pytest.fixture
 def page(request: pytest.FixtureRequest, browser: Browser) -> Iterator[Page]:
-    (width, height), touch, dark = request.param
-    context = browser.new_context(
-        viewport={"width": width, "height": height},
-        has_touch=touch,
-        is_mobile=touch,
-        color_scheme="dark" if dark else "light",
-    )
-    yield context.new_page()
-    context.close()
+    size, touch, dark = request.param
+    opened = open_page(browser, size, touch, dark)
+    yield opened
+    opened.context.close()
 
 
 DESK_LIGHT = pytest.param((DESK, False, False), id="desk-light")
@@ -70,9 +63,7 @@ def open_panel(server: Server, api: Api, page: Page, bench: Bench) -> Station:
     name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
     assert answer.status_code == 201, answer.text
-    size = page.viewport_size
-    assert size
-    hands: Hands = Touch() if size["width"] == PHONE[0] else Pointer()
+    hands: Hands = Touch() if page.viewport_size == PHONE else Pointer()
     station = Station(page, hands)
     station.sign_in(server.address, name, password, secrets.token_hex(10))
     station.choose(bench.drone["name"])

@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, Error, Page, Playwright, expect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
 from dronemap_e2e.line import Line
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station, Touch, launch
@@ -144,7 +145,7 @@ class Trial:
 @pytest.fixture
 def trial(server: Server, api: Api, tap: Tap, drone: Json, browser: Browser) -> Iterator[Trial]:
     page = phone(browser, beside(drone["home"], Walker.east, Walker.north))
-    desk = browser.new_context(viewport={"width": 1440, "height": 900}, color_scheme="dark").new_page()
+    desk = open_page(browser, dark=True)
     Station(desk, Pointer()).sign_in(server.address, *a_person(api), secrets.token_hex(10))
     desk.get_by_role("button", name=re.compile("^Phones that are followed")).click()
     made = Trial(api, tap, drone, Walker(page, drone["home"]), desk)

@@ -10,16 +10,16 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, ViewportSize, expect
+from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Pointer, Station
 from dronemap_e2e.waiting import wait_for
 
 DRONES = 3
-DESK: ViewportSize = {"width": 1440, "height": 900}
 PLACES = ((-180, -60), (-110, -120), (-30, -150), (60, -150), (130, -110), (170, -40))
 
 
@@ -40,9 +40,9 @@ def fleet(tmp_path: Path) -> Iterator[Server]:
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    opened = browser.new_page(viewport=DESK)
+    opened = open_page(browser)
     yield opened
-    opened.close()
+    opened.context.close()
 
 
 def picture(page: Page, name: str) -> None:

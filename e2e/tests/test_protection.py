@@ -6,6 +6,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, expect
 
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
 
@@ -28,8 +29,7 @@ def test_the_page_keeps_to_its_own_policy_and_offers_the_provider(
     configured: Server, browser: Browser
 ) -> None:
     """End to end because a browser is what obeys the policy."""
-    context = browser.new_context(viewport={"width": 1440, "height": 900})
-    page = context.new_page()
+    page = open_page(browser)
     violations: list[str] = []
     page.on("console", lambda said: violations.append(said.text) if "Content Security" in said.text else None)
     page.goto(configured.address)
@@ -41,4 +41,4 @@ def test_the_page_keeps_to_its_own_policy_and_offers_the_provider(
     page.wait_for_timeout(2_000)
 
     assert not violations
-    context.close()
+    page.context.close()

@@ -13,6 +13,7 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import QUICK, Server
 from dronemap_e2e.simulator import SIMULATOR_JAR
 from dronemap_e2e.station import Pointer, Station
@@ -43,9 +44,9 @@ class Spot:
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    opened = open_page(browser)
     yield opened
-    opened.close()
+    opened.context.close()
 
 
 @pytest.fixture
