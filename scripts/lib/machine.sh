@@ -40,8 +40,10 @@ java_on_path() {
     return 0
 }
 
+# Every JDK says in a file what it is; to ask its compiler takes most of a second on a slow machine.
 java_version() { # HOME
-    "$1/bin/javac" -version 2>&1 | sed -nE 's/^javac ([0-9]+).*/\1/p' | grep . || echo 0
+    sed -nE 's/^JAVA_VERSION="([0-9]+).*/\1/p' "$1/release" 2>/dev/null | grep . ||
+        "$1/bin/javac" -version 2>&1 | sed -nE 's/^javac ([0-9]+).*/\1/p' | grep . || echo 0
 }
 
 # Vite needs 20.19, 22.12 or later.

@@ -77,10 +77,9 @@ restore_from() { # FILE
     build_if_changed
     stop_orphaned_database
     check_data_space
-    server_environment
     WORK="restoring"
     step "Restoring $1"
-    if ! run_logged "$LOGS/restore.log" no_progress "$JDK/bin/java" -Xmx384m "-Ddronemap.checkout=$DATA" -jar "$APP/dronemap.jar" --restore "$1"; then
+    if ! run_server_once "$LOGS/restore.log" -- --restore "$1"; then
         fail_from_log "$LOGS/restore.log" "$EXIT_FAILED" "The backup was not restored."
     fi
     [[ -s $RUN_FILE ]] || echo restored >"$RUN_FILE"

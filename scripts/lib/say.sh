@@ -63,7 +63,8 @@ run_logged() { # LOG PROGRESS COMMAND…
     ACTIVE_GROUP=$!
     set +m
     LAST_PROGRESS=""
-    while kill -0 "$ACTIVE_GROUP" 2>/dev/null; do
+    # What shows nothing meanwhile needs no looking at: waiting for it ends when it does.
+    while [[ $progress != no_progress ]] && kill -0 "$ACTIVE_GROUP" 2>/dev/null; do
         "$progress" "$log"
         sleep 0.5
     done

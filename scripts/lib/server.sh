@@ -123,6 +123,20 @@ unpack_server() {
     mv "$folder.new" "$folder"
 }
 
+# For work on what a stopped server stored; it speaks into a log.
+run_server_once() { # LOG JAVA-OPTION… -- OPTION…
+    local log=$1 options=()
+    shift
+    while [[ $1 != -- ]]; do
+        options+=("$1")
+        shift
+    done
+    shift
+    unpack_server
+    server_environment
+    run_logged "$log" no_progress "$JDK/bin/java" -Xmx384m "${options[@]}" "-Ddronemap.checkout=$DATA" -jar "$SERVER" "$@"
+}
+
 server_environment() {
     export DRONEMAP_DATA_DIR=$DATA DRONEMAP_HTTP_PORT=$HTTP_PORT DRONEMAP_STREAM_PORT=$STREAM_PORT
     export DRONEMAP_BIND=$BIND DRONEMAP_ENDPOINTS=$ENDPOINTS DRONEMAP_PUBLIC=$PUBLIC
@@ -132,13 +146,16 @@ server_environment() {
     fi
 }
 
-# Detached from this terminal; the process id is kept for the next run.
+# Detached from this terminal; the process id is kept for the next run. Until it has become the program that was asked for,
+# which a busy machine does late, the process is a copy of this shell: whoever looks for the program then misses it.
 start_daemon() { # NAME LOG COMMAND…
-    local name=$1 log=$2
+    local name=$1 log=$2 pid
     shift 2
     (umask 077 && cd "$DATA" && exec setsid nohup "$@" </dev/null >>"$log" 2>&1 {LOCK}>&-) &
-    echo $! >"$DATA/$name.pid"
-    disown $!
+    pid=$!
+    echo "$pid" >"$DATA/$name.pid"
+    disown "$pid"
+    until is_running "$name" || ! kill -0 "$pid" 2>/dev/null; do sleep 0.02; done
 }
 
 keep_small() { # LOG

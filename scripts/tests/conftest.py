@@ -1,5 +1,6 @@
 """Checkouts of the project's own in which the one script can be run, and broken, freely."""
 
+import contextlib
 import os
 import shutil
 import signal
@@ -13,6 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 JARS = ("dronemap-ws/target/dronemap.jar", "dronemap-sim/target/dronemap-sim.jar")
+SOON = "-XX:TieredStopAtLevel=1"
 
 needs_root = pytest.mark.skipif(
     os.geteuid() != 0, reason="mounts, namespaces and other users need root rights"
@@ -25,6 +27,17 @@ def interruptible() -> Iterator[None]:
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
+
+
+@contextlib.contextmanager
+def small_disk(folder: Path, size: str) -> Iterator[Path]:
+    """A disk of its own that is full soon."""
+    folder.mkdir(parents=True, exist_ok=True)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", folder], check=True)
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", "--lazy", folder], check=True)
 
 
 def free_port(kind: int = socket.SOCK_STREAM) -> int:
@@ -88,41 +101,76 @@ def copy_tree(target: Path) -> None:
     listed = subprocess.run(
         ["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, capture_output=True, check=True
     )
-    for name in listed.stdout.decode().split("\0"):
-        source = ROOT / name
-        if name and source.is_file():
-            copied = target / name
-            copied.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(source, copied)
+    names = [name for name in listed.stdout.split(b"\0") if name and (ROOT / os.fsdecode(name)).is_file()]
+    copy: list[str | Path] = ["xargs", "-0", "cp", "--archive", "--parents", "--target-directory", target]
+    target.mkdir(parents=True, exist_ok=True)
+    subprocess.run(copy, cwd=ROOT, input=b"\0".join(names), check=True)
+
+
+def copied(folder: Path, target: Path) -> Path:
+    subprocess.run(["cp", "--archive", folder, target], check=True)
+    return target
+
+
+def on_free_ports(path: Path, **settings: str) -> Checkout:
+    ports = {
+        "DRONEMAP_HTTP_PORT": str(free_port()),
+        "DRONEMAP_STREAM_PORT": str(free_port()),
+        "DRONEMAP_PHONE_PORT": str(free_port()),
+        "DRONEMAP_MAVLINK_UDP": str(free_port(socket.SOCK_DGRAM)),
+        "DRONEMAP_MAVLINK_TCP": str(free_port()),
+    }
+    return Checkout(path, ports | settings)
+
+
+@pytest.fixture(scope="session")
+def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Sources only: nothing built, nothing downloaded."""
+    path = tmp_path_factory.mktemp("sources") / "checkout"
+    copy_tree(path)
+    return path
+
+
+@pytest.fixture(scope="session")
+def shared_sources(sources: Path) -> Path:
+    return copied(sources, sources.parent / "shared")
 
 
 @pytest.fixture
-def checkout(tmp_path: Path) -> Iterator[Checkout]:
-    """Sources only: nothing built, nothing downloaded."""
-    path = tmp_path / "checkout"
-    copy_tree(path)
-    made = Checkout(
-        path,
-        {
-            "DRONEMAP_HTTP_PORT": str(free_port()),
-            "DRONEMAP_STREAM_PORT": str(free_port()),
-            "DRONEMAP_PHONE_PORT": str(free_port()),
-            "DRONEMAP_MAVLINK_UDP": str(free_port(socket.SOCK_DGRAM)),
-            "DRONEMAP_MAVLINK_TCP": str(free_port()),
-        },
-    )
+def untouched(shared_sources: Path, tmp_path: Path) -> Checkout:
+    """Sources that tests share: for what neither builds, nor changes a file, nor starts a server."""
+    return on_free_ports(shared_sources, DRONEMAP_DATA_DIR=str(tmp_path / "data"))
+
+
+@pytest.fixture
+def checkout(sources: Path, tmp_path: Path) -> Iterator[Checkout]:
+    """Sources of the test's own, to be built and broken."""
+    path = copied(sources, tmp_path / "checkout")
+    made = on_free_ports(path)
     yield made
     made.run("down")
     shutil.rmtree(path, ignore_errors=True)
 
 
-@pytest.fixture
-def built(checkout: Checkout) -> Checkout:
-    """A checkout whose jars are the ones that the Java tests were run on."""
-    app = checkout.path / ".tools" / "app"
+@pytest.fixture(scope="session")
+def with_jars(sources: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A checkout that tests share, whose jars are the ones that the Java tests were run on."""
+    path = copied(sources, tmp_path_factory.mktemp("built") / "checkout")
+    app = path / ".tools" / "app"
     app.mkdir(parents=True)
     for jar in JARS:
         assert (ROOT / jar).exists(), f"{jar} is missing: build first (./dronemap test does)"
         shutil.copy2(ROOT / jar, app)
-    (app / "jars.stamp").write_text(checkout.inside("hash_of_sources") + "\n")
-    return checkout
+    (app / "jars.stamp").write_text(Checkout(path).inside("hash_of_sources") + "\n")
+    return path
+
+
+@pytest.fixture
+def built(with_jars: Path, tmp_path: Path) -> Iterator[Checkout]:
+    """Built, with data of the test's own; its servers start soon instead of running fast later."""
+    data = tmp_path / "data"
+    made = on_free_ports(with_jars, DRONEMAP_DATA_DIR=str(data), DRONEMAP_JAVA_OPTS=SOON)
+    yield made
+    made.run("down")
+    shutil.rmtree(made.data, ignore_errors=True)
+    shutil.rmtree(data, ignore_errors=True)
