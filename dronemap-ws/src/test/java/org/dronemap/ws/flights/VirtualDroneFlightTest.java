@@ -126,7 +126,9 @@ class VirtualDroneFlightTest {
         lab.untilSeen("it flies", Duration.ofMinutes(3), () -> run(virtual).flown() == 1);
         silent.wire().cut();
         lab.untilSeen(
-                "its waypoints are others' now", Duration.ofMinutes(2), () -> run(virtual).drone() == null);
+                "its waypoints are others' now",
+                Duration.ofMinutes(2),
+                () -> run(virtual).drone() == null);
 
         lab.crashServer();
         lab.startServer();
