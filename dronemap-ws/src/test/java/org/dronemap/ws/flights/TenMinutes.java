@@ -59,7 +59,18 @@ final class TenMinutes {
         }
     }
 
-    private String fly() {
+    /** The sum of its first two minutes alone: who differs in those differs in all. */
+    static String sumOfBeginning(long seed) {
+        try (Laboratory lab = new Laboratory(seed)) {
+            Begun unused = new TenMinutes(lab).begin();
+            return lab.sum();
+        }
+    }
+
+    /** What was begun, two minutes later. */
+    private record Begun(RunFlight run, String virtual, Phone phone) {}
+
+    private Begun begin() {
         RunFlight run = RunFlight.begins(lab, chief, fleet, waypoints(), RunFlight.Manner.ON);
         String virtual = virtual();
         Phone phone = lab.phone(lab.pilot("walker", Role.OPERATOR), follower, 20, 0);
@@ -67,6 +78,13 @@ final class TenMinutes {
                 .starts();
         phone.walks(0, 1.4);
         lab.goOn(MINUTE.multipliedBy(2));
+        return new Begun(run, virtual, phone);
+    }
+
+    private String fly() {
+        Begun begun = begin();
+        RunFlight run = begun.run();
+        Phone phone = begun.phone();
         fleet.get(1).vehicle().silence(MINUTE.toMillis());
         lab.goOn(MINUTE.multipliedBy(2));
         lab.crashServer();
@@ -81,7 +99,10 @@ final class TenMinutes {
                 .map(RunView.ExplanationView::trigger)
                 .toList();
         String end = run.view().counts() + ", " + triggers + ", " + phone.view().state() + ", "
-                + lab.server().virtuals().one(chief.principal(), virtual).run();
+                + lab.server()
+                        .virtuals()
+                        .one(chief.principal(), begun.virtual())
+                        .run();
         return lab.sum() + " " + lab.frames() + " frames, " + end;
     }
 
