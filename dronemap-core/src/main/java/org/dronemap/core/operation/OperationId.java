@@ -1,9 +1,13 @@
 package org.dronemap.core.operation;
 
+import java.util.regex.Pattern;
+
 /** Names one operation for ever: 1 to 64 letters, digits, dots, dashes and underscores. */
 public record OperationId(String value) {
+    private static final Pattern FORM = Pattern.compile("[A-Za-z0-9._-]{1,64}");
+
     public OperationId {
-        if (!value.matches("[A-Za-z0-9._-]{1,64}")) {
+        if (!FORM.matcher(value).matches()) {
             throw new IllegalArgumentException("not an id of an operation: " + value);
         }
     }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
@@ -25,6 +26,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Use cases around commands; the one way from any face to the gate. Any thread. */
 public final class CommandService {
+    private static final Pattern ID = Pattern.compile("[A-Za-z0-9_-]{8,64}");
     private static final String ID_FORM = "8 to 64 of A-Z, a-z, 0-9, _ and -";
     private static final int MOST_SHOWN = 50;
     /** Never kept waiting, however much somebody asked for before. */
@@ -172,6 +174,6 @@ public final class CommandService {
     }
 
     private static boolean isId(String text) {
-        return text.matches("[A-Za-z0-9_-]{8,64}");
+        return ID.matcher(text).matches();
     }
 }
