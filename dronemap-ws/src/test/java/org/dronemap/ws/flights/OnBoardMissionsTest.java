@@ -153,7 +153,7 @@ class OnBoardMissionsTest {
         drone.wire().doubles(0.02);
 
         CommandView upload = begin(drone, items);
-        lab.until("it has ended", longest, () -> done(upload) == ENDED);
+        lab.untilSeen("it has ended", longest, () -> done(upload) == ENDED);
 
         ann.succeeds(upload);
         assertHolds(drone, items);

@@ -197,7 +197,7 @@ class RunWishesTest {
         LabDrone stays = drones.get(1);
         String heading = run.next(leaves).get(0);
         lab.server().runs().giveUp(chief.principal(), run.id(), leaves.id().value());
-        RunView.ProposalView asked = lab.until(
+        RunView.ProposalView asked = lab.untilSeen(
                 "it asks",
                 Duration.ofSeconds(60),
                 () -> Optional.ofNullable(run.view().proposal()));

@@ -313,11 +313,22 @@ public final class Laboratory implements AutoCloseable {
     /** The same for what appears. */
     public <T> T until(String what, Duration longest, Supplier<Optional<T>> appears) {
         List<T> found = new ArrayList<>(1);
-        until(what, longest, () -> {
+        until(what, longest, holds(appears, found));
+        return found.get(0);
+    }
+
+    /** The same for what appears and takes long to look at. */
+    public <T> T untilSeen(String what, Duration longest, Supplier<Optional<T>> appears) {
+        List<T> found = new ArrayList<>(1);
+        untilSeen(what, longest, holds(appears, found));
+        return found.get(0);
+    }
+
+    private static <T> BooleanSupplier holds(Supplier<Optional<T>> appears, List<T> found) {
+        return () -> {
             appears.get().ifPresent(found::add);
             return !found.isEmpty();
-        });
-        return found.get(0);
+        };
     }
 
     /** Lets time go by, and holds this all along. */

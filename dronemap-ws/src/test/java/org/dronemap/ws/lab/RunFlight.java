@@ -64,7 +64,7 @@ public final class RunFlight {
                 null,
                 null);
         PlanView asked = lab.server().plans().ask(pilot.principal(), request);
-        return lab.until(
+        return lab.untilSeen(
                 "the plan is finished",
                 LONGEST_PLAN,
                 () -> Optional.of(lab.server().plans().one(pilot.principal(), asked.id()))
@@ -131,7 +131,7 @@ public final class RunFlight {
 
     /** Waits for its end. */
     public RunView end() {
-        return lab.until(
+        return lab.untilSeen(
                 "the run is over",
                 LONGEST_RUN,
                 () -> Optional.of(view()).filter(run -> run.state().equals("over")));
