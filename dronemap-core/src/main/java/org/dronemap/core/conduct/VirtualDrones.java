@@ -35,7 +35,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     /** The way in that commands of virtual drones come by. */
     static final String FACE = "virtual";
 
-    private static final Duration RHYTHM = Duration.ofMillis(200);
+    private static final Duration USUAL_RHYTHM = Duration.ofMillis(200);
     /** Of these turns one looks for drones for those that wait. */
     private static final int TURNS_PER_SEARCH = 5;
 
@@ -52,6 +52,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     private final RunMachine machine;
     private final Runs runs;
     private final Recalls recalls;
+    private final Duration rhythm;
     private final Clock clock;
     private final LongAdder failed = new LongAdder();
     private final ConductorThread thread;
@@ -76,9 +77,21 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     public VirtualDrones(
             CloudManager cloud, VirtualDroneStore store, RunMachine machine, VirtualRights rights, Time time) {
+        this(cloud, store, machine, rights, USUAL_RHYTHM, time);
+    }
+
+    /** {@code rhythm}: between two looks at all that is under way. */
+    public VirtualDrones(
+            CloudManager cloud,
+            VirtualDroneStore store,
+            RunMachine machine,
+            VirtualRights rights,
+            Duration rhythm,
+            Time time) {
         this.cloud = cloud;
         this.book = new VirtualBook(store);
         this.machine = machine;
+        this.rhythm = rhythm;
         this.clock = time.clock();
         this.thread = new ConductorThread(time, "conductor");
         DroneCrew crew = new DroneCrew(cloud, FACE);
@@ -90,7 +103,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     public void start() {
         runs.takeUp();
         cloud.addListener(this);
-        thread.every(RHYTHM, this::turn);
+        thread.every(rhythm, this::turn);
     }
 
     public void addListener(VirtualListener listener) {

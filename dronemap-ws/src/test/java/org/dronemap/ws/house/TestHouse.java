@@ -92,6 +92,9 @@ public final class TestHouse implements AutoCloseable {
     private static final TelemetryWriter.Rhythm EAGER =
             new TelemetryWriter.Rhythm(Duration.ofMillis(10), 1_000, 10_000, Duration.ofMillis(10));
 
+    /** Each step of a virtual drone waits for the next look. */
+    private static final Duration RHYTHM_OF_VIRTUALS = Duration.ofMillis(40);
+
     private static final Settings.Protection PATIENT_WITH_ALL =
             new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED);
 
@@ -196,6 +199,7 @@ public final class TestHouse implements AutoCloseable {
                 new MemoryVirtualDroneStore(),
                 new RunMachine(RunMachine.USUAL_SILENCE),
                 new AccountRights(access, grants, time),
+                RHYTHM_OF_VIRTUALS,
                 time);
         made.addListener(new AuditedBindings(audit.store(), Clock.systemUTC(), made.all()));
         made.start();
