@@ -1,6 +1,7 @@
 package org.dronemap.ws.house;
 
 import java.net.http.HttpRequest;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -30,16 +31,22 @@ public final class Faces {
             "POST /api/v1/drones/{id}/control/take-over", "{\"reason\":\"a trial\"}",
             "PUT /api/v1/drones/{id}/link-security", "{\"policy\":\"off\"}");
 
-    private final TestHouse house;
     private final JsonNode description;
+    private final Set<String> rest;
+    private final Set<String> soap;
 
     public Faces(TestHouse house) {
-        this.house = house;
-        this.description = new Http(house, "").get("/api/openapi.json").json();
+        description = new Http(house, "").get("/api/openapi.json").json();
+        rest = Collections.unmodifiableSet(dispatched(house));
+        soap = Collections.unmodifiableSet(described(house));
     }
 
     /** All that the web framework dispatches, also what the description leaves out; by method and path. */
     public Set<String> rest() {
+        return rest;
+    }
+
+    private static Set<String> dispatched(TestHouse house) {
         Set<String> operations = new TreeSet<>();
         house.bean(RequestMappingHandlerMapping.class)
                 .getHandlerMethods()
@@ -54,6 +61,10 @@ public final class Faces {
 
     /** As the WSDL says. */
     public Set<String> soap() {
+        return soap;
+    }
+
+    private static Set<String> described(TestHouse house) {
         Set<String> operations = new TreeSet<>();
         for (String service : SOAP) {
             String wsdl = new Http(house, "").get(service + "?wsdl").raw().body();
