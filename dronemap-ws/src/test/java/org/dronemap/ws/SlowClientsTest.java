@@ -7,7 +7,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.awaitility.Awaitility;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.guard.ClientLimits;
@@ -24,15 +23,12 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Clients that say a byte now and then, or never read, are cut; meanwhile everybody else is served. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class SlowClientsTest {
-    private static final int CLIENTS = 60;
-    private static final int CONNECTIONS = 150;
+    private static final int CLIENTS = 30;
+    private static final int CONNECTIONS = 300;
     private static final int REQUESTS = 40;
     private static final Duration LONG_ENOUGH = Duration.ofSeconds(30);
     private static final String UPGRADE = "GET /stream HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\n"
@@ -57,49 +53,83 @@ class SlowClientsTest {
         house.close();
     }
 
-    static Stream<Arguments> dribbled() {
-        String head = " HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
-        return Stream.of(
-                Arguments.of("nothing at all", ""),
-                Arguments.of("half a line", "GET /api/v1/hea"),
-                Arguments.of("headers without end", "GET /api/v1/health HTTP/1.1\r\nHost: localhost\r\nX-A: "),
-                Arguments.of("half a body", "POST /api/v1/session" + head + "Content-Length: 60000\r\n\r\n{"),
-                Arguments.of(
-                        "half a body of pieces", "POST /api/v1/session" + head + "Transfer-Encoding: chunked\r\n\r\n"),
-                Arguments.of(
-                        "a body that nobody wants", "POST /api/v1/drones" + head + "Content-Length: 60000\r\n\r\n{"),
-                Arguments.of(
-                        "half a message of SOAP",
-                        "POST /services/MAVLinkControllerService HTTP/1.1\r\nHost: localhost\r\n"
-                                + "Content-Type: text/xml\r\nContent-Length: 60000\r\n\r\n<a>"));
-    }
+    /** Clients who begin alike, and go on saying {@code piece}, so that no silence gives them away; empty: nothing. */
+    private record Crowd(String what, List<RawClient> left, String piece) {
+        void forgetCut() {
+            left.removeIf(client -> (!piece.isEmpty() && !client.say(piece)) || client.isClosedByServer());
+        }
 
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("dribbled")
-    void cutsWhoSendsAByteNowAndThen(String what, String beginning) {
-        List<RawClient> slow = crowd(house.httpPort(), CLIENTS, beginning);
-        try {
-            awaitAllCut(slow, beginning.isEmpty() ? "" : piece(beginning));
-        } finally {
-            slow.forEach(RawClient::close);
+        @Override
+        public String toString() {
+            return left.size() + " who say " + what;
         }
     }
 
-    /** What goes on being sent, so that no silence gives the client away. */
-    private static String piece(String beginning) {
-        return beginning.contains("chunked") ? "1\r\n \r\n" : "a";
+    private static Crowd crowd(int port, String what, String beginning, String piece) {
+        return new Crowd(what, crowd(port, CLIENTS, beginning), piece);
     }
 
-    private void awaitAllCut(List<RawClient> slow, String piece) {
-        List<RawClient> left = new ArrayList<>(slow);
-        Awaitility.await("all are cut")
-                .atMost(LONG_ENOUGH)
-                .pollInterval(Duration.ofMillis(100))
-                .until(() -> {
-                    left.removeIf(client -> (!piece.isEmpty() && !client.say(piece)) || client.isClosedByServer());
-                    othersAreServed();
-                    return left.isEmpty();
-                });
+    private List<Crowd> ofHttp() {
+        String head = " HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
+        int port = house.httpPort();
+        return List.of(
+                crowd(port, "nothing at all", "", ""),
+                crowd(port, "half a line", "GET /api/v1/hea", "a"),
+                crowd(port, "headers without end", "GET /api/v1/health HTTP/1.1\r\nHost: localhost\r\nX-A: ", "a"),
+                crowd(port, "half a body", "POST /api/v1/session" + head + "Content-Length: 60000\r\n\r\n{", "a"),
+                crowd(
+                        port,
+                        "half a body of pieces",
+                        "POST /api/v1/session" + head + "Transfer-Encoding: chunked\r\n\r\n",
+                        "1\r\n \r\n"),
+                crowd(
+                        port,
+                        "a body that nobody wants",
+                        "POST /api/v1/drones" + head + "Content-Length: 60000\r\n\r\n{",
+                        "a"),
+                crowd(
+                        port,
+                        "half a message of SOAP",
+                        "POST /services/MAVLinkControllerService HTTP/1.1\r\nHost: localhost\r\n"
+                                + "Content-Type: text/xml\r\nContent-Length: 60000\r\n\r\n<a>",
+                        "a"));
+    }
+
+    private List<Crowd> ofTheStream() {
+        int port = house.bean(StreamPort.class).number();
+        return List.of(
+                crowd(port, "nothing at all to the stream", "", ""),
+                crowd(port, "half a handshake", "GET /stream HTTP/1.1\r\nHost: localhost\r\nX-A: ", "a"),
+                crowd(port, "a handshake and no key", UPGRADE, ""),
+                // text, masked, of 200,000 bytes, and then not all of it
+                crowd(port, "a handshake and half a message", UPGRADE + "\u0001\u007f", ""));
+    }
+
+    /** All at once: each has to wait until the server's patience is over. */
+    @Test
+    void cutsWhoDribblesAndServesOthersMeanwhile() {
+        List<Crowd> slow = new ArrayList<>(ofHttp());
+        slow.addAll(ofTheStream());
+        List<RawClient> all =
+                slow.stream().flatMap(crowd -> crowd.left().stream()).toList();
+        assertThat(all).hasSize(11 * CLIENTS);
+        try {
+            Awaitility.await("all are cut")
+                    .atMost(LONG_ENOUGH)
+                    .pollInterval(Duration.ofMillis(100))
+                    .until(() -> stillThere(slow), List::isEmpty);
+            try (StreamListener listener = StreamListener.withKey(house, key)) {
+                listener.await(message -> message.path("type").asString().equals("drones"));
+            }
+        } finally {
+            all.forEach(RawClient::close);
+        }
+    }
+
+    private List<Crowd> stillThere(List<Crowd> slow) {
+        slow.forEach(Crowd::forgetCut);
+        othersAreServed();
+        return slow.stream().filter(crowd -> !crowd.left().isEmpty()).toList();
     }
 
     /** From the same host, which the slow ones have no more than their share of. */
@@ -129,30 +159,6 @@ class SlowClientsTest {
                 .atMost(LONG_ENOUGH)
                 .ignoreExceptions()
                 .until(() -> other.get("/api/v1/drones").status() == 200);
-    }
-
-    static Stream<Arguments> handshakes() {
-        return Stream.of(
-                Arguments.of("nothing at all", ""),
-                Arguments.of("half a handshake", "GET /stream HTTP/1.1\r\nHost: localhost\r\nX-A: "),
-                Arguments.of("a handshake and no key", UPGRADE),
-                // text, masked, of 200,000 bytes, and then not all of it
-                Arguments.of("a handshake and half a message", UPGRADE + "\u0001\u007f"));
-    }
-
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("handshakes")
-    void cutsWhoDribblesAtTheStream(String what, String beginning) {
-        int port = house.bean(StreamPort.class).number();
-        List<RawClient> slow = crowd(port, CLIENTS, beginning);
-        try {
-            awaitAllCut(slow, what.startsWith("half") ? "a" : "");
-            try (StreamListener listener = StreamListener.withKey(house, key)) {
-                listener.await(message -> message.path("type").asString().equals("drones"));
-            }
-        } finally {
-            slow.forEach(RawClient::close);
-        }
     }
 
     @Test
