@@ -2,21 +2,50 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.tngtech.archunit.ArchConfiguration;
+import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.core.importer.resolvers.SelectedClassResolverFromClasspath;
 import com.tngtech.archunit.lang.ArchRule;
+import java.util.Arrays;
 import java.util.stream.Stream;
+import org.dronemap.ws.planted.PlantedTime;
 import org.dronemap.ws.planted.PlantedViolation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** All modules obey the rules of the house, and the rules can fail. */
+/**
+ * All modules obey the rules of the house, and the rules can fail. Whatever flies can be stepped, but for a few classes that
+ * are named with their reasons. In one class, as all classes that ship are read for it.
+ */
 class HouseTest {
-    private static final JavaClasses HOUSE = new ClassFileImporter()
-            .withImportOption(new ImportOption.DoNotIncludeTests())
-            .importPackages("org.dronemap");
+    private static final int MOST_EXCEPTIONS = 15;
+    /**
+     * Of what our classes mention, the JDK and the libraries of links and arithmetic are read too, as rules ask what is a
+     * thread. The web framework takes longer than all of these, and no rule asks what its classes are.
+     */
+    private static final String[] READ_TOO = {
+        "java",
+        "org.dronemap",
+        "org.java_websocket",
+        "com.fazecast",
+        "org.bouncycastle",
+        "org.eclipse",
+        "org.locationtech"
+    };
+
+    private static final JavaClasses HOUSE = ArchConfiguration.withThreadLocalScope(configuration -> {
+        configuration.setClassResolver(SelectedClassResolverFromClasspath.class);
+        configuration.setClassResolverArguments(READ_TOO);
+        return new ClassFileImporter()
+                .withImportOption(new ImportOption.DoNotIncludeTests())
+                .importPackages("org.dronemap");
+    });
+    private static final JavaClasses PLANTED =
+            new ClassFileImporter().importClasses(PlantedTime.class.getDeclaredClasses());
 
     static Stream<ArchRule> rules() {
         return Stream.of(
@@ -24,6 +53,8 @@ class HouseTest {
                 HouseRules.CORE_OPENS_NO_SOCKETS,
                 HouseRules.CORE_NAMES_NO_PROTOCOL,
                 HouseRules.FLOORS_OF_CORE,
+                HouseRules.FLOORS_OF_PROXY,
+                HouseRules.NO_CYCLES_IN_PROXY,
                 HouseRules.FLOORS_OF_WS,
                 HouseRules.ONLY_THE_WIRING_SEES_LINKS_AND_STORES,
                 HouseRules.NO_CYCLES,
@@ -54,5 +85,65 @@ class HouseTest {
                         .evaluate(planted)
                         .hasViolation())
                 .isTrue();
+    }
+
+    static Stream<Class<?>> planted() {
+        return Arrays.stream(PlantedTime.class.getDeclaredClasses())
+                .filter(type -> !type.equals(PlantedTime.FromOutside.class));
+    }
+
+    static Stream<String> exceptions() {
+        return TimeRules.EXCEPTIONS.keySet().stream().sorted();
+    }
+
+    @Test
+    void whatFliesHasItsTimeFromOutside() {
+        TimeRules.WHAT_FLIES_HAS_ITS_TIME_FROM_OUTSIDE.check(HOUSE);
+    }
+
+    @Test
+    void looksAtAllThatFlies() {
+        assertThat(HOUSE.stream().filter(TimeRules::isOfFlight).map(type -> type.getPackageName()))
+                .contains(
+                        "org.dronemap.core.cloud",
+                        "org.dronemap.core.conduct",
+                        "org.dronemap.cognitive.allocate",
+                        "org.dronemap.proxy.session",
+                        "org.dronemap.proxy.roslink",
+                        "org.dronemap.proxy.outlet");
+        assertThat(TimeRules.OF_WS).allMatch(HOUSE::contain);
+    }
+
+    @ParameterizedTest
+    @MethodSource("planted")
+    void findsWhatIsPlanted(Class<?> planted) {
+        assertThat(TimeRules.noneOf(TimeRules.only(PlantedTime.class.getName()))
+                        .evaluate(alone(planted))
+                        .hasViolation())
+                .isTrue();
+    }
+
+    @Test
+    void letsThroughWhatHasItsTimeFromOutside() {
+        TimeRules.noneOf(TimeRules.only(PlantedTime.class.getName())).check(alone(PlantedTime.FromOutside.class));
+    }
+
+    private static JavaClasses alone(Class<?> planted) {
+        return PLANTED.that(JavaClass.Predicates.equivalentTo(planted));
+    }
+
+    @ParameterizedTest
+    @MethodSource("exceptions")
+    void needsEachException(String name) {
+        assertThat(HOUSE.contain(name)).isTrue();
+        assertThat(TimeRules.isOfFlight(HOUSE.get(name))).isTrue();
+        assertThat(TimeRules.noneOf(TimeRules.only(name)).evaluate(HOUSE).hasViolation())
+                .isTrue();
+    }
+
+    @Test
+    void hasFewExceptionsAndAReasonForEach() {
+        assertThat(TimeRules.EXCEPTIONS).hasSizeLessThanOrEqualTo(MOST_EXCEPTIONS);
+        assertThat(TimeRules.EXCEPTIONS.values()).allMatch(reason -> reason.endsWith("."));
     }
 }
