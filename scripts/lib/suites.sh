@@ -7,6 +7,8 @@ ONLY=""         # the pattern that tests and checks must match; empty: all
 ONLY_GLOB=""    # the same as the shell matches it
 ROUNDS=1
 readonly MOST_ROUNDS=1000
+# In a file of the scripts' tests: it asks for a checkout that is built, or for the list of what a jar holds.
+readonly ASKS_FOR_JARS='^(def test_.*[( ]|    )built: Checkout|^import bill_of_materials'
 # What `java: build` has done already; a compiler that asks what changed would take jars for changes.
 readonly AS_BUILT=(-Dspotless.check.skip=true -Dcheckstyle.skip=true -Dmaven.compiler.useIncrementalCompilation=false)
 
@@ -32,6 +34,7 @@ test_everything() {
     record archive skipped "days of telemetry as Parquet on HDFS, and a crash in the middle: ./dronemap soak tests them"
     suite_vulnerabilities
     suite_pytest "not soak" needs_jars
+    suite_scripts with_jars
 }
 
 soak_everything() {
@@ -46,6 +49,7 @@ suite_small() {
     suite_typescript
     suite_python_checks
     suite_pytest "not soak" needs_no_jars
+    suite_scripts without_jars -n "$(workers_beside)"
 }
 
 choose_tests() { # test|soak [--only PATTERN | --repeat N PATTERN]
@@ -238,21 +242,27 @@ suite_pytest() { # MARKER-EXPRESSION WHICH-PROJECTS
 }
 
 run_pytest() { # PROJECT ARGUMENT…
-    local project=$1 report
+    local project=$1 report=$TEST_LOGS/pytest-${1//\//-}${PYTEST_PART:+-$PYTEST_PART}.xml
     shift
-    report=$TEST_LOGS/pytest-${project//\//-}.xml
-    counted "$(suite_name "$project")" "pytest $project" "$report" \
+    counted "$(suite_name "$project")" "pytest $project${PYTEST_PART:+ (${PYTEST_PART//_/ })}" "$report" \
         env -C "$ROOT/$project" PATH="$PYTHON:$PATH" "$PYTHON/python" "$ROOT/scripts/pytest_or_none.py" \
         --junitxml="$report" --durations=10 -p no:cacheprovider "$@"
 }
 
-# A project that nobody named may need them.
-needs_no_jars() { [[ $1 == ros-bridge || $1 == sdk-python || $1 == dronemap-sim/exchanges ]]; } # PROJECT
-needs_jars() { ! needs_no_jars "$1"; }
+# Of the scripts' own tests some files need no jars. What is not known to need them is run without: it fails if it does.
+suite_scripts() { # with_jars|without_jars ARGUMENT…
+    local files
+    mapfile -t files < <(cd "$ROOT/scripts" && grep -lE "$ASKS_FOR_JARS" tests/test_*.py)
+    if [[ $1 == without_jars ]]; then files=("${files[@]/#/--ignore=}"); fi
+    PYTEST_PART=$1 run_pytest scripts -m "not soak" "${@:2}" "${files[@]}"
+}
 
-# Of the scripts' tests only those that ask for a built checkout do.
+# A project that nobody named may need them. The scripts' own has files of either kind.
+needs_no_jars() { [[ $1 == ros-bridge || $1 == sdk-python || $1 == dronemap-sim/exchanges ]]; } # PROJECT
+needs_jars() { ! needs_no_jars "$1" && [[ $1 != scripts ]]; }
+
 file_needs_jars() { # PROJECT FILE
-    needs_jars "$1" && { [[ $1 != scripts ]] || grep -qE 'built: Checkout|JARS' "$ROOT/$1/$2"; }
+    needs_jars "$1" || { [[ $1 == scripts ]] && grep -qE "$ASKS_FOR_JARS" "$ROOT/$1/$2"; }
 }
 
 any_project() { :; }

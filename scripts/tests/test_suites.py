@@ -1,5 +1,6 @@
 """How `./dronemap test` runs a suite: nothing that failed may end as a line of success in the table."""
 
+import ast
 import os
 import re
 import signal
@@ -115,12 +116,14 @@ def test_every_suite_is_part_of_a_test_run() -> None:
         ' ./dronemap soak tests them"',
         "suite_vulnerabilities",
         'suite_pytest "not soak" needs_jars',
+        "suite_scripts with_jars",
     ]
     assert called_by("suite_small") == [
         "suite_shell",
         "suite_typescript",
         "suite_python_checks",
         'suite_pytest "not soak" needs_no_jars',
+        'suite_scripts without_jars -n "$(workers_beside)"',
     ]
     assert called_by("command_test")[-1] == called_by("command_soak")[-1] == "report"
     assert (ROOT / ".ci" / "run").read_text().splitlines()[-1] == "exec ./dronemap test"
@@ -133,6 +136,38 @@ def test_each_python_project_is_run_by_one_of_the_two_halves(bench: Bench) -> No
     run = "run_pytest() { record $1 passed x; }"
     assert bench.results(run, "suite_pytest soak needs_no_jars") == ["ros-bridge passed"]
     assert bench.results(run, "suite_pytest soak needs_jars") == ["ros-bridge passed", "new passed"]
+
+
+def asks_for_jars(file: Path) -> bool:
+    """By what its tests are given, and by what it imports."""
+    given, imported = set(), set()
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.FunctionDef):
+            given |= {argument.arg for argument in node.args.args}
+        elif isinstance(node, ast.Import):
+            imported |= {each.name for each in node.names}
+    return bool(given & {"built", "with_jars"}) or "bill_of_materials" in imported
+
+
+def test_of_the_scripts_own_tests_each_file_is_run_by_one_of_the_two_halves(bench: Bench) -> None:
+    (bench.folder / "scripts").symlink_to(ROOT / "scripts")
+    run = 'run_pytest() { printf "%s\\n" "${@:4}"; }'
+    files = sorted((ROOT / "scripts").glob("tests/test_*.py"))
+    with_jars = [f"tests/{file.name}" for file in files if asks_for_jars(file)]
+    assert 0 < len(with_jars) < len(files)
+    assert bench.run(run, "suite_scripts with_jars").stdout.split() == with_jars
+    ignored = [f"--ignore={name}" for name in with_jars]
+    assert bench.run(run, "suite_scripts without_jars -n 1").stdout.split() == ["-n", "1", *ignored]
+
+
+def test_two_halves_of_a_project_leave_two_reports(bench: Bench) -> None:
+    (bench.folder / "scripts" / "tests").mkdir(parents=True)
+    (bench.folder / "scripts" / "tests" / "test_a.py").write_text("import bill_of_materials")
+    bench.results("PYTHON=/bin", "suite_scripts with_jars", "suite_scripts without_jars")
+    lines = [line.split("\t") for line in (bench.folder / "results.tsv").read_text().splitlines()]
+    reports = [what for _, kind, what, _ in lines if kind == "junit"]
+    logs = {log for *_, log in lines}
+    assert len(reports) == len(set(reports)) == len(logs) == 2
 
 
 # --- workers and lanes ---
@@ -154,7 +189,10 @@ def test_while_maven_compiles_beside_another_lane_it_leaves_that_its_worker(benc
 
 
 def test_the_number_of_workers_stands_in_one_place() -> None:
-    for pom in ROOT.glob("**/pom.xml"):
+    # Not of folders that Maven makes and removes meanwhile.
+    poms = [*ROOT.glob("pom.xml"), *ROOT.glob("*/pom.xml"), *ROOT.glob("*/*/pom.xml")]
+    assert len(poms) > 5
+    for pom in poms:
         assert "forkCount" not in pom.read_text(), pom
     for project in ("bench", "e2e", "ros-bridge", "scripts", "sdk-python"):
         settings = tomllib.loads((ROOT / project / "pyproject.toml").read_text())
@@ -175,10 +213,12 @@ def test_a_number_of_workers_that_is_none_is_refused(bench: Bench, workers: str)
     assert f"DRONEMAP_TEST_WORKERS is '{workers}'; it must be a number from 1 to 256" in outcome.stderr
 
 
+# A pipe opens for whoever writes into it when somebody reads it: at the same time or never.
 MEETING = (
-    "meets() { touch $ROOT/$1; for _ in {1..99}; do [[ -e $ROOT/$2 ]] && return; sleep 0.1; done; false; }",
-    "one() { check main meets meets a b; }",
-    "other() { check side meets meets b a; }",
+    "mkfifo $ROOT/door",
+    'meets() { timeout 25 bash -c ": $1 $ROOT/door"; }',
+    "one() { check main meets meets '<'; }",
+    "other() { check side meets meets '>'; }",
 )
 
 
@@ -189,12 +229,15 @@ def test_two_lanes_run_at_the_same_time(bench: Bench) -> None:
 
 
 def test_with_one_worker_lanes_run_one_after_the_other(bench: Bench) -> None:
+    """In one process, which can only do one thing after the other."""
     alone = (
-        "busy() { mkdir $ROOT/busy && sleep 0.7 && rmdir $ROOT/busy; }",
-        "one() { check main alone busy; }",
-        "other() { check side alone busy; }",
+        "busy() { mkdir $ROOT/busy && rmdir $ROOT/busy; }",
+        "one() { echo $BASHPID >>$ROOT/processes; check main alone busy; }",
+        "other() { echo $BASHPID >>$ROOT/processes; check side alone busy; }",
     )
     assert bench.results(*alone, "side_by_side one other", workers=1) == ["side passed", "main passed"]
+    first, second = (bench.folder / "processes").read_text().split()
+    assert first == second
 
 
 def test_a_lane_that_ends_early_is_a_failure(bench: Bench) -> None:
@@ -203,13 +246,16 @@ def test_a_lane_that_ends_early_is_a_failure(bench: Bench) -> None:
 
 
 def test_what_two_failed_checks_say_is_not_mixed(bench: Bench) -> None:
-    """They fail at the same time, and what is printed slowly leaves the other lane time to come between."""
+    """They fail at the same time; the first to speak goes on when the other one wants to speak as well."""
     outcome = bench.run(
-        MEETING[0],
-        "fails() { meets $1 $2; false; }",
-        "tail() { for n in {1..10}; do echo said of $3; sleep 0.2; done; }",
-        "one() { check main bad fails a b; }",
-        "other() { check side bad fails b a; }",
+        *MEETING[:2],
+        "fails() { meets $1; false; }",
+        "flock() { touch $ROOT/wants-$BASHPID; command flock $1; }",
+        "both_want() { set -- $ROOT/wants-*; (($# == 2)); }",
+        "rest() { until both_want; do sleep 0.01; done; for n in {2..10}; do echo said of $1; done; }",
+        "tail() { echo said of $3; rest $3; }",
+        "one() { check main bad fails '<'; }",
+        "other() { check side bad fails '>'; }",
         "side_by_side one other",
     )
     said = re.findall(r"^(?:==> |    said of \S+/)(main|side)", outcome.stdout, re.MULTILINE)
@@ -366,10 +412,12 @@ def test_of_the_scripts_tests_those_of_a_server_alone_need_its_jars(bench: Bench
     tests.mkdir(parents=True)
     (tests / "test_server.py").write_text("def test_up(built: Checkout) -> None: ...")
     (tests / "test_table.py").write_text("def test_counts() -> None: ...")
+    (tests / "test_list.py").write_text("import bill_of_materials")
     asked = "if any_needs_jars; then echo jars; else echo none; fi"
     for line, expected in [
         ("pytest\tscripts\ttests/test_table.py::test_counts", "none"),
         ("pytest\tscripts\ttests/test_server.py::test_up", "jars"),
+        ("pytest\tscripts\ttests/test_list.py::test_names", "jars"),
         ("pytest\te2e\ttests/test_a.py::test_b", "jars"),
         ("pytest\tsdk-python\ttests/test_a.py::test_b", "none"),
     ]:
