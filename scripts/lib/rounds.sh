@@ -73,7 +73,7 @@ round_of_java() { # test|soak
     tests=$(planned java | cut -f 2 | paste -sd,)
     [[ -n $modules ]] || return 0
     if [[ $1 == soak ]]; then options=(-Parchive -Dgroups=soak -DexcludedGroups=); fi
-    MAVEN_PHASE=test suite_java tests -Dspotless.check.skip=true -Dcheckstyle.skip=true "${options[@]}" \
+    suite_java tests -Dspotless.check.skip=true -Dcheckstyle.skip=true "${options[@]}" \
         -pl "$modules" -am -Dtest="$tests" -Dsurefire.failIfNoSpecifiedTests=false
 }
 

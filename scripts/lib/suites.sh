@@ -206,12 +206,12 @@ suite_java() { # WHAT OPTIONS…
     shift
     rm -rf "$ROOT"/dronemap-*/target/surefire-reports "$TEST_LOGS/java"
     mkdir "$TEST_LOGS/java"
-    counted java "$what" "$TEST_LOGS/java/TEST-*.xml" verify_java "$@" "${MAVEN_PHASE:-verify}"
+    counted java "$what" "$TEST_LOGS/java/TEST-*.xml" test_java "$@" test
 }
 
 # One module after the other, each with so many machines that test as there are workers: modules at the same time would each
 # have as many. A failed test must not keep the modules that build on it from being tested; the reports tell that it failed.
-verify_java() { # OPTIONS…
+test_java() { # OPTIONS…
     local status=0
     mvn -B -ntp -T 1 -DforkCount="$WORKERS" -fae -Dmaven.test.failure.ignore=true -f "$ROOT/pom.xml" "$@" || status=$?
     find "$ROOT"/dronemap-*/target/surefire-reports -name 'TEST-*.xml' -exec cp -t "$TEST_LOGS/java" {} + 2>/dev/null || true

@@ -177,7 +177,7 @@ def test_maven_has_one_module_at_work_and_as_many_machines_as_there_are_workers(
     bench.maven(0, PASSED_REPORT)
     bench.results("suite_java tests", workers=2)
     asked = (bench.folder / "asked").read_text()
-    assert "-T 1 -DforkCount=2 " in asked and asked.endswith("verify\n")
+    assert "-T 1 -DforkCount=2 " in asked and asked.endswith(" test\n")
 
 
 def test_while_maven_compiles_beside_another_lane_it_leaves_that_its_worker(bench: Bench) -> None:
