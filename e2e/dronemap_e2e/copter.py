@@ -7,7 +7,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from .api import Api, Json
 from .server import Server
-from .simulator import Simulator
+from .simulator import QUICK_FLIGHT, Simulator
 from .tap import Tap
 from .waiting import wait_for
 
@@ -29,7 +29,8 @@ class Copter:
         self._simulator = Simulator(
             log,
             f"udp://127.0.0.1:{self.tap.port}",
-            *("--sysid", "1", "--hardware", str(hardware), "--speedup", "3"),
+            *("--sysid", "1", "--hardware", str(hardware)),
+            *QUICK_FLIGHT,
             *("--parameters", str(PARAMETERS)),
         )
 

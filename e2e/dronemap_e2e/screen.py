@@ -3,7 +3,7 @@
 import os
 from typing import Any
 
-from playwright.sync_api import Browser, Page, ViewportSize
+from playwright.sync_api import Browser, Locator, Page, ViewportSize
 
 DESK: ViewportSize = {"width": 1440, "height": 900}
 PHONE: ViewportSize = {"width": 390, "height": 844}
@@ -33,6 +33,16 @@ SPARING = """(() => {
   window.cancelAnimationFrame = (cancelled) => { waiting.delete(cancelled); };
   Object.defineProperty(window, 'devicePixelRatio', { get: () => 0.25 });
 })()"""
+
+
+def also_at(page: Page, size: ViewportSize, *targets: Locator) -> None:
+    """What is pressed at one size can be at another, too: it is in sight, at rest, with nothing over it."""
+    before = page.viewport_size
+    assert before
+    page.set_viewport_size(size)
+    for target in targets:
+        target.click(trial=True)
+    page.set_viewport_size(before)
 
 
 def open_page(

@@ -63,6 +63,10 @@ class Server:
         assert self._process is not None
         return self._process.pid
 
+    def start_unless_it_runs(self) -> None:
+        if self._process is None or self._process.poll() is not None:
+            self.start()
+
     def start(self) -> None:
         self.begin()
         try:

@@ -9,11 +9,11 @@ from .server import QUICK, ROOT
 from .waiting import wait_for
 
 GROUND_STATION_TIMEOUT = 5  # seconds, as of the real ones
-# Comes home low, waits for nothing there, and sets down three times as fast as it would by itself.
-QUICKLY_HOME = tuple(
-    part
-    for setting in ("RTL_ALT=800", "RTL_LOIT_TIME=0", "LAND_SPEED=150")
-    for part in ("--parameter", setting)
+# Five times as fast as life; comes home low, waits for nothing there, and sets down three times as fast as
+# it would by itself.
+QUICK_FLIGHT = (
+    *("--speedup", "5"),
+    *("--parameter", "RTL_ALT=800", "--parameter", "RTL_LOIT_TIME=0", "--parameter", "LAND_SPEED=150"),
 )
 SIMULATOR_JAR = ROOT / "dronemap-sim" / "target" / "dronemap-sim.jar"
 

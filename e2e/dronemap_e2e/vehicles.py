@@ -3,12 +3,11 @@
 from pathlib import Path
 
 from .server import Server
-from .simulator import QUICKLY_HOME, Simulator
+from .simulator import QUICK_FLIGHT, Simulator
 from .tap import Tap, Wire
 
 FIRST = 101
 COUNT = 50
-SPEEDUP = 5
 FOR_GOOD_SECONDS = 86_400
 
 
@@ -20,8 +19,8 @@ class Vehicles:
         self._simulator = Simulator(
             log,
             f"udp://127.0.0.1:{self._tap.port}",
-            *("--count", str(COUNT), "--speedup", str(SPEEDUP), "--sysid", str(FIRST), "--asleep"),
-            *QUICKLY_HOME,
+            *("--count", str(COUNT), "--sysid", str(FIRST), "--asleep"),
+            *QUICK_FLIGHT,
         )
         self._next = FIRST
 

@@ -73,9 +73,24 @@ def api(server: Server) -> Api:
     return Api(server.address, server.local_key())
 
 
+@pytest.fixture(scope="session")
+def fallen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A server that the tests share which break one; `killable` makes sure that it runs."""
+    server = Server(tmp_path_factory.mktemp("fallen") / "data")
+    yield server
+    server.stop()
+
+
+@pytest.fixture
+def killable(fallen: Server) -> Server:
+    """One that the test may kill, stop and start again; it knows the drones and users of other such tests."""
+    fallen.start_unless_it_runs()
+    return fallen
+
+
 @pytest.fixture
 def own_server(tmp_path: Path) -> Iterator[Server]:
-    """One that the test may kill."""
+    """One that the test may kill, with fresh data."""
     started = Server(tmp_path / "data")
     started.start()
     yield started

@@ -3,39 +3,44 @@
 import os
 import re
 import secrets
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.screen import DESK, PHONE, open_page
+from dronemap_e2e.screen import DESK, PHONE, also_at, open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Pointer, Station, Touch
+from dronemap_e2e.station import Pointer, Station, Touch
 
 PATIENCE = 30_000
-Open = Callable[[], Station]
+
+
+class People:
+    """Pages that share nothing, as those of several people: by day at a desk, by night on a phone."""
+
+    def __init__(self, browser: Browser) -> None:
+        self._browser = browser
+        self.stations: list[Station] = []
+
+    def at_desk(self) -> Station:
+        return self._sits(Station(open_page(self._browser, DESK), Pointer()))
+
+    def on_phone(self) -> Station:
+        return self._sits(Station(open_page(self._browser, PHONE, touch=True, dark=True), Touch()))
+
+    def _sits(self, station: Station) -> Station:
+        self.stations.append(station)
+        return station
 
 
 @pytest.fixture
-def open_station(request: pytest.FixtureRequest, browser: Browser) -> Iterator[Open]:
-    """Pages that share nothing, as those of several people."""
-    size, touch, dark = request.param
-    stations: list[Station] = []
-
-    def opened() -> Station:
-        hands: Hands = Touch() if touch else Pointer()
-        stations.append(Station(open_page(browser, size, touch, dark), hands))
-        return stations[-1]
-
-    yield opened
-    for station in stations:
+def people(browser: Browser) -> Iterator[People]:
+    together = People(browser)
+    yield together
+    for station in together.stations:
         station.page.context.close()
-
-
-DESK_LIGHT = pytest.param((DESK, False, False), id="desk-light")
-PHONE_DARK = pytest.param((PHONE, True, True), id="phone-dark")
 
 
 def picture(page: Page, name: str) -> None:
@@ -81,37 +86,38 @@ def reload_users(station: Station) -> None:
     station.press("Administration")
 
 
-@pytest.mark.parametrize("open_station", [DESK_LIGHT, PHONE_DARK], indirect=True)
 def test_an_invited_viewer_watches_until_disabled(
-    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_station: Open
+    server: Server, api: Api, copter: Json, people: People
 ) -> None:
     """End to end because two people have pages of their own, and one of them loses what it shows."""
-    look = request.node.callspec.id
-    chief = administrator(server, api, open_station())
+    chief = administrator(server, api, people.at_desk())
     invitations = card(chief, "Invitations")
     invitations.get_by_label("Whom you invite").fill("Ann of the fire brigade")
     invitations.get_by_label("Role of the invited").select_option("viewer")
-    press_in(chief, invitations, "Make a link")
+    make = invitations.get_by_role("button", name="Make a link")
+    also_at(chief.page, PHONE, make)
+    chief.hands.press(chief.page, make)
     expect(invitations.get_by_role("status")).to_contain_text("shown this once")
-    picture(chief.page, f"accounts-{look}-1-invited")
+    picture(chief.page, "accounts-1-invited")
     link = invitations.get_by_role("status").locator("code").inner_text()
     assert link.startswith(server.address + "/#invitation=")
 
     ann, password = new_name("ann"), secrets.token_hex(10)
-    guest = open_station()
+    guest = people.on_phone()
     guest.page.goto(link)
     expect(guest.page.get_by_role("heading", name="You are invited")).to_be_visible()
     guest.page.get_by_label("User name").fill(ann)
     guest.page.get_by_label("Password", exact=True).fill(password)
-    picture(guest.page, f"accounts-{look}-2-invitation")
+    picture(guest.page, "accounts-2-invitation")
+    also_at(guest.page, DESK, guest.button("Make my account"))
     guest.press("Make my account")
     guest.choose(copter["name"])
     expect(guest.button("Arm")).to_have_attribute("aria-disabled", "true")
     guest.shows("Your role may look, not command")
     expect(guest.page.get_by_role("button", name=f"Rename {copter['name']}")).to_have_count(0)
-    picture(guest.page, f"accounts-{look}-3-viewer")
+    picture(guest.page, "accounts-3-viewer")
 
-    again = open_station()
+    again = people.on_phone()
     again.page.goto(link)
     again.page.get_by_label("User name").fill(new_name("bob"))
     again.page.get_by_label("Password", exact=True).fill(password)
@@ -120,43 +126,42 @@ def test_an_invited_viewer_watches_until_disabled(
 
     reload_users(chief)
     press_in(chief, row(chief, ann), f"More for {ann}")
-    picture(chief.page, f"accounts-{look}-4-more")
+    picture(chief.page, "accounts-4-more")
     chief.hold(f"Disable {ann}")
     expect(row(chief, ann)).to_contain_text("disabled", timeout=PATIENCE)
     guest.shows("You were signed out.")
     expect(guest.page.get_by_text(copter["name"])).to_have_count(0)
-    picture(guest.page, f"accounts-{look}-5-signed-out")
+    picture(guest.page, "accounts-5-signed-out")
     guest.page.get_by_label("User name").fill(ann)
     guest.page.get_by_label("Password", exact=True).fill(password)
     guest.press("Sign in")
     guest.shows("Your account has been disabled; ask an administrator.")
 
 
-@pytest.mark.parametrize("open_station", [DESK_LIGHT, PHONE_DARK], indirect=True)
 def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_password(
-    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_station: Open
+    server: Server, api: Api, copter: Json, people: People
 ) -> None:
     """End to end because the pages of two people change with what one does on the other."""
-    look = request.node.callspec.id
     carol, password = new_name("carol"), secrets.token_hex(10)
-    guest = open_station()
+    guest = people.at_desk()
     guest.page.goto(server.address)
     guest.press("No account yet? Ask for one")
     guest.page.get_by_label("User name").fill(carol)
     guest.page.get_by_label("Password", exact=True).fill(password)
-    picture(guest.page, f"accounts-{look}-6-asks")
+    picture(guest.page, "accounts-6-asks")
+    also_at(guest.page, PHONE, guest.button("Ask for an account"))
     guest.press("Ask for an account")
     guest.shows("An administrator has to let you in")
-    picture(guest.page, f"accounts-{look}-7-waits")
+    picture(guest.page, "accounts-7-waits")
     guest.press("Back to the sign-in")
     guest.page.get_by_label("User name").fill(carol)
     guest.page.get_by_label("Password", exact=True).fill(password)
     guest.press("Sign in")
     guest.shows("Your account waits until an administrator lets you in")
 
-    chief = administrator(server, api, open_station())
+    chief = administrator(server, api, people.on_phone())
     expect(row(chief, carol)).to_contain_text("waits to be let in")
-    picture(chief.page, f"accounts-{look}-8-users")
+    picture(chief.page, "accounts-8-users")
     press_in(chief, row(chief, carol), re.compile("^Let in"))
     expect(row(chief, carol)).not_to_contain_text("waits", timeout=PATIENCE)
     guest.press("Sign in")
@@ -177,7 +182,7 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     guest.page.get_by_label("Password", exact=True).fill(one_time)
     guest.press("Sign in")
     expect(guest.page.get_by_label("New password")).to_be_visible()
-    picture(guest.page, f"accounts-{look}-9-own-password")
+    picture(guest.page, "accounts-9-own-password")
     guest.page.get_by_label("New password").fill(secrets.token_hex(10))
     guest.press("Save and continue")
     guest.choose(copter["name"])
@@ -185,22 +190,21 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     row(chief, carol).get_by_label(f"Role of {carol}").select_option("reporter")
     expect(guest.page.get_by_role("heading", name="You are signed in")).to_be_visible(timeout=PATIENCE)
     expect(guest.page.get_by_text(copter["name"])).to_have_count(0)
-    picture(guest.page, f"accounts-{look}-10-reporter")
+    picture(guest.page, "accounts-10-reporter")
 
 
-@pytest.mark.parametrize("open_station", [DESK_LIGHT, PHONE_DARK], indirect=True)
 def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
-    request: pytest.FixtureRequest, server: Server, api: Api, copter: Json, open_station: Open
+    server: Server, api: Api, copter: Json, people: People
 ) -> None:
     """End to end because a key that a page shows once is used by a program."""
-    look = request.node.callspec.id
-    station = administrator(server, api, open_station())
+    station = administrator(server, api, people.on_phone())
     keys = card(station, "Access keys")
     keys.get_by_label("What the key is for").fill("survey script")
     keys.get_by_label("What it may do").select_option("only look")
     keys.get_by_label("For which drones").select_option("only some")
     keys.get_by_label(copter["name"], exact=True).check()
-    picture(station.page, f"accounts-{look}-11-key")
+    picture(station.page, "accounts-11-key")
+    also_at(station.page, DESK, keys.get_by_role("button", name="Create key"))
     press_in(station, keys, "Create key")
     made = keys.get_by_role("status").locator("code")
     expect(made).to_be_visible()
@@ -211,6 +215,8 @@ def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
 
     line = keys.get_by_role("listitem").filter(has_text="survey script")
     expect(line).to_contain_text(copter["name"])
+    changes = [line.get_by_role("button", name=re.compile(name)) for name in ("^Renew", "^Revoke")]
+    also_at(station.page, DESK, *changes)
     station.hands.hold(station.page, line.get_by_role("button", name=re.compile("^Renew")))
     expect(made).not_to_have_text(program.key or "", timeout=PATIENCE)
     assert program.call("GET", "/drones").status_code == 401

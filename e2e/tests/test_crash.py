@@ -2,11 +2,12 @@
 
 import secrets
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 from pymavlink import mavutil
 
 from dronemap_e2e.api import Api, Json
@@ -14,10 +15,12 @@ from dronemap_e2e.flight import items, triangle
 from dronemap_e2e.peer import Peer, with_hardware
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
 from dronemap_e2e.station import Pointer, Station
 from dronemap_e2e.stopwatch import Stopwatch
 from dronemap_e2e.waiting import wait_for
+
+from .conftest import SYSTEM_IDS
 
 # So soon after a restart all is shown again.
 RETURN_SECONDS = 15
@@ -33,11 +36,17 @@ def shipped(tmp_path: Path) -> Iterator[Server]:
 
 
 @pytest.fixture
-def in_mission(own_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
+def in_mission(killable: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
     """A copter that has just begun a mission of three waypoints."""
-    simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{own_server.udp_port}", "--count", "1")
-    api = Api(own_server.address, own_server.local_key())
-    drone = wait_for("the copter is ready", lambda: api.ready(1), 90)
+    system_id = next(SYSTEM_IDS)
+    simulator = Simulator(
+        tmp_path / "sim.log",
+        f"udp://127.0.0.1:{killable.udp_port}",
+        *("--count", "1", "--sysid", str(system_id)),
+        *QUICK_FLIGHT,
+    )
+    api = Api(killable.address, killable.local_key())
+    drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)
     api.do(drone["id"], type="arm")
     api.do(drone["id"], type="takeOff", altitude=10)
     wait_for("it hovers", lambda: api.drone(drone["id"])["position"]["altitudeAboveHome"] > 9, 60)
@@ -56,60 +65,89 @@ def page(browser: Browser) -> Iterator[Page]:
 
 def signed_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
     """Signed in before the crash, with the drone's panel open."""
-    pilot = {"name": "pilot", "password": secrets.token_hex(10), "role": "operator"}
+    name = f"pilot-{secrets.token_hex(4)}"
+    pilot = {"name": name, "password": secrets.token_hex(10), "role": "operator"}
     assert api.call("POST", "/users", pilot).status_code == 201
     station = Station(page, Pointer())
-    station.sign_in(server.address, pilot["name"], pilot["password"], secrets.token_hex(10))
+    station.sign_in(server.address, name, pilot["password"], secrets.token_hex(10))
     station.choose(drone["name"])
     return station
 
 
-def restart(server: Server) -> tuple[Api, Stopwatch]:
-    watch = Stopwatch()
-    server.start()
-    return Api(server.address, server.local_key()), watch
-
-
 def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
-    own_server: Server, in_mission: tuple[Api, Json], page: Page
+    killable: Server, in_mission: tuple[Api, Json], page: Page
 ) -> None:
     """End to end because an open page comes back by itself, and pymavlink takes the dead server's place."""
     api, drone = in_mission
-    station = signed_in(page, own_server, api, drone)
+    station = signed_in(page, killable, api, drone)
     api.do(drone["id"], type="startMission")
-    own_server.kill()
-    _replace_mission(own_server.udp_port, drone["home"])
+    killable.kill()
+    _replace_mission(killable.udp_port, drone["home"])
 
-    again, watch = restart(own_server)
+    killable.start()
+    again = Api(killable.address, killable.local_key())
     now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 60)
 
     station.shows("2 items instead of 4", 60)
-    watch.expect_at_most(RETURN_SECONDS)
     assert len(now["mission"]["items"]) == 2
     assert "2 items instead of 4" in now["mission"]["notice"]
 
 
-def test_after_a_crash_vehicles_hear_the_server_before_its_pages_are_there(shipped: Server) -> None:
+def test_after_a_crash_vehicles_hear_the_server_before_its_pages_are_there(killable: Server) -> None:
     """Pages take most of a start; ArduPilot flies home when it hears nothing for five seconds.
 
-    End to end because it is about how long each part of a process takes to start.
+    End to end because it is about the order in which the parts of a process start.
     """
-    api = Api(shipped.address, shipped.local_key())
-    peer = Peer(shipped.udp_port, system_id=7, handlers={"COMMAND_LONG": with_hardware(0x5107)})
-    wait_for("it is known", lambda: len(api.drones()) == 1)
-    wait_for("it hears the server", lambda: peer.received("HEARTBEAT"))
-    shipped.kill()
-    peer.state.received.clear()
+    with known_peer(killable) as peer:
+        killable.kill()
+        hears_it_before_the_pages(killable, peer)
 
-    watch = Stopwatch()
-    shipped.begin()
+
+@pytest.mark.soak
+def test_so_soon_after_a_crash_all_is_shown_again(shipped: Server, page: Page) -> None:
+    with known_peer(shipped) as peer:
+        api = Api(shipped.address, shipped.local_key())
+        station = signed_in(page, shipped, api, listed(api, peer))
+        shipped.kill()
+        station.shows("No connection to the cloud")
+        watch = Stopwatch()
+        hears_it_before_the_pages(shipped, peer)
+        expect(page.get_by_text("No connection to the cloud")).to_have_count(0, timeout=60_000)
+        station.shows("Live", 60)
+        watch.expect_at_most(RETURN_SECONDS)
+
+
+@contextmanager
+def known_peer(server: Server) -> Iterator[Peer]:
+    """One that the server lists, and that hears it."""
+    api = Api(server.address, server.local_key())
+    peer = Peer(server.udp_port, system_id=7, handlers={"COMMAND_LONG": with_hardware(0x5107)})
+    try:
+        wait_for("it is live", lambda: [d["link"]["state"] for d in of(api, peer)] == ["live"])
+        wait_for("it hears the server", lambda: peer.received("HEARTBEAT"))
+        yield peer
+    finally:
+        peer.close()
+
+
+def of(api: Api, peer: Peer) -> list[Json]:
+    return [drone for drone in api.drones() if drone["link"]["port"] == peer.port]
+
+
+def listed(api: Api, peer: Peer) -> Json:
+    (drone,) = of(api, peer)
+    return drone
+
+
+def hears_it_before_the_pages(server: Server, peer: Peer) -> None:
+    """From its end on until it is up again."""
+    peer.state.received.clear()
+    server.begin()
     wait_for("it hears the server again", lambda: peer.received("HEARTBEAT"), 60)
-    assert not shipped.is_up()
-    wait_for("the pages are there", shipped.is_up, 60)
-    again = Api(shipped.address, shipped.local_key())
-    assert [drone["link"]["state"] for drone in again.drones()] == ["live"]
-    watch.expect_at_most(RETURN_SECONDS)
-    peer.close()
+    assert not server.is_up()
+    wait_for("the pages are there", server.is_up, 60)
+    again = Api(server.address, server.local_key())
+    assert [drone["link"]["state"] for drone in of(again, peer)] == ["live"]
 
 
 def _with_mission(api: Api, drone: str) -> Json | None:

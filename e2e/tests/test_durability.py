@@ -3,7 +3,6 @@
 import random
 import threading
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 import requests
@@ -21,22 +20,17 @@ ITEMS = [{"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20
     [(300, 2), pytest.param(1_000, 4, marks=pytest.mark.soak)],
     ids=["some", "a thousand"],
 )
-def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, tmp_path: Path) -> None:
+def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killable: Server) -> None:
     """End to end because a process is killed with -9 under its clients, and its own PostgreSQL goes on."""
-    server = Server(tmp_path / "data")
-    server.start()
     chance = random.Random(20)
     acknowledged: list[str] = []
-    try:
-        for kill in range(kills):
-            goal = writes * (kill + 1) // (kills + 1) + chance.randrange(50)
-            _write_until(server, acknowledged, goal, and_then=server.kill)
-            server.start()
-        _write_until(server, acknowledged, writes)
-        api = Api(server.address, server.local_key())
-        kept = {mission["name"] for mission in api.get("/missions")["missions"]}
-    finally:
-        server.stop()
+    for kill in range(kills):
+        goal = writes * (kill + 1) // (kills + 1) + chance.randrange(50)
+        _write_until(killable, acknowledged, goal, and_then=killable.kill)
+        killable.start()
+    _write_until(killable, acknowledged, writes)
+    api = Api(killable.address, killable.local_key())
+    kept = {mission["name"] for mission in api.get("/missions")["missions"]}
 
     assert len(acknowledged) >= writes
     assert set(acknowledged) <= kept

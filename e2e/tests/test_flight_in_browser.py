@@ -14,7 +14,6 @@ from dronemap_e2e.peer import OBEDIENT, Peer
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch
-from dronemap_e2e.stopwatch import Stopwatch
 from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
@@ -149,9 +148,7 @@ def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: O
         peer.close()
 
 
-def test_every_open_page_shows_a_lost_drone_within_six_seconds(
-    server: Server, open_station: Open, api: Api
-) -> None:
+def test_every_open_page_shows_a_lost_drone(server: Server, open_station: Open, api: Api) -> None:
     """End to end because each browser hears it by a stream of its own."""
     peer = Peer(server.udp_port, system_id=202, handlers=OBEDIENT)
     try:
@@ -159,11 +156,9 @@ def test_every_open_page_shows_a_lost_drone_within_six_seconds(
         pages = [open_station(Pointer(), DESK), open_station(Touch(), PHONE)]
         for page in pages:
             page.choose(drone["name"])
-        watch = Stopwatch()
         peer.silent = True
         for page in pages:
             page.shows("Lost", 60)
-        watch.expect_at_most(6)
         peer.silent = False
         for page in pages:
             page.shows("Live")

@@ -11,7 +11,7 @@ from dronemap_e2e.carriers import Bridge, OpenSsl
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
-from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
 from dronemap_e2e.waiting import wait_for
 
 from .conftest import SYSTEM_IDS
@@ -37,10 +37,10 @@ def _altitude(api: Api, drone: str) -> float:
 
 
 def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_server(
-    own_server: Server, tmp_path: Path
+    killable: Server, tmp_path: Path
 ) -> None:
     """End to end because OpenSSL is another program, and a restart one of the process with its database."""
-    api = Api(own_server.address, own_server.local_key())
+    api = Api(killable.address, killable.local_key())
     made = api.call("POST", "/dtls-keys", {"label": "OpenSSL copter"})
     assert made.status_code == 201, made.text
     key = made.json()
@@ -49,10 +49,10 @@ def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_serv
     added = api.call("POST", "/endpoints", {"url": url})
     assert added.status_code == 201, added.text
     path = f"/endpoints/{added.json()['id']}"
-    own_server.stop()
-    own_server.start()
+    killable.stop()
+    killable.start()
 
-    api = Api(own_server.address, own_server.local_key())
+    api = Api(killable.address, killable.local_key())
     opened = api.get(path)
     assert (opened["url"], opened["state"], opened["origin"]) == (url, "open", "added")
     system_id = next(SYSTEM_IDS)
@@ -60,13 +60,14 @@ def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_serv
     simulator = Simulator(
         tmp_path / "sim.log",
         f"udp://127.0.0.1:{bridge.port}",
-        *("--count", "1", "--speedup", "4", "--sysid", str(system_id)),
+        *("--count", "1", "--sysid", str(system_id)),
+        *QUICK_FLIGHT,
     )
     try:
         drone = wait_for("the copter is ready to arm", lambda: api.ready(system_id), 90)
         fly(api, drone["id"])
         assert api.drone(drone["id"])["link"]["transport"] == "dtls"
-        check_counters(own_server, api, api.get(path), drone)
+        check_counters(killable, api, api.get(path), drone)
         assert [p["identity"] for p in api.get(path)["peers"]] == [key["identity"]]
     finally:
         simulator.stop()

@@ -12,11 +12,11 @@ from dronemap_e2e.flight import items, triangle
 from dronemap_e2e.peer import OBEDIENT, Kind, Peer
 from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
-from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
 from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
-HEIGHT = 12.0
+HEIGHT = 8.0
 NAV_TAKEOFF = 22
 DO_REPOSITION = 192
 
@@ -98,7 +98,7 @@ def listed(api: Api, peer: Peer) -> Json | None:
 def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
     """End to end because only sockets of two processes show that a stream of bytes carries a flight."""
     simulator = Simulator(
-        tmp_path / "sim.log", f"tcp://127.0.0.1:{server.tcp_port}", "--speedup", "3", "--sysid", "152"
+        tmp_path / "sim.log", f"tcp://127.0.0.1:{server.tcp_port}", "--sysid", "152", *QUICK_FLIGHT
     )
     try:
         drone = wait_for("it is ready", lambda: api.ready(152), 90)

@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page, expect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.simulator import Simulator
+from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
 from dronemap_e2e.station import Pointer, Station
 from dronemap_e2e.waiting import wait_for
 
@@ -31,7 +31,8 @@ def fleet(tmp_path: Path) -> Iterator[Server]:
     simulator = Simulator(
         tmp_path / "sim.log",
         f"udp://127.0.0.1:{server.udp_port}",
-        *("--count", str(DRONES), "--speedup", "3", "--sysid", "1"),
+        *("--count", str(DRONES), "--sysid", "1"),
+        *QUICK_FLIGHT,
     )
     yield server
     simulator.stop()

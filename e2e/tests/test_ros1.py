@@ -2,7 +2,6 @@
 
 import math
 import signal
-import time
 import zlib
 from collections.abc import Iterator
 from contextlib import closing
@@ -107,10 +106,8 @@ def drive_it(server: Server, api: Api, robot: Robot) -> None:
         wait_for("it is told to drive", lambda: robot.machine.forward == 0.4)
         wait_for("its odometry shows it", lambda: api.drone(robot.drone)["local"]["x"] > before + 0.2)
         assert api.drone(robot.drone)["motion"]["groundSpeed"] == pytest.approx(0.4, abs=0.01)
-        began = time.monotonic()
         helm.cut()
         wait_for("it is told to stand", lambda: robot.machine.forward == 0, every=0.01)
-        assert time.monotonic() - began < 1
 
 
 def send_it_somewhere(server: Server, api: Api, robot: Robot) -> None:
@@ -170,9 +167,7 @@ def end_the_bridge(server: Server, api: Api, robot: Robot) -> None:
     with closing(Helm(server, api.new_key("stick", "operator"), robot.drone)):
         wait_for("it is told to drive", lambda: robot.machine.forward == 0.4)
         robot.bridge.send_signal(signal.SIGTERM)
-        began = time.monotonic()
         wait_for("it is told to stand", lambda: robot.machine.forward == 0, every=0.01)
-        assert time.monotonic() - began < 1
         assert robot.bridge.wait(10) == 0
 
 

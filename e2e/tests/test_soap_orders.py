@@ -37,7 +37,7 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
     system_id = next(SYSTEM_IDS)
     link = Impairer(server.udp_port, seed=system_id)
     address = f"udp://127.0.0.1:{link.port}"
-    simulator = Simulator(tmp_path / "sim.log", address, "--sysid", str(system_id))
+    simulator = Simulator(tmp_path / "sim.log", address, "--sysid", str(system_id), "--speedup", "5")
     station = PluggedStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)["id"]
     yield Bench(simulator, station, system_id, drone)
