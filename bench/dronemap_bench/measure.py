@@ -47,16 +47,8 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
             settled = disturbed + c.settle_seconds
             sender.tell(str(int(start * 1e9)))
             _sleep_until(begin - 3)
-            where = [
-                *pace,
-                "--start-nanos",
-                str(int(start * 1e9)),
-                *hosts,
-                "--port",
-                str(server.stream_port),
-                "--key",
-                server.key(),
-            ]
+            paced = [*pace, "--start-nanos", str(int(start * 1e9))]
+            where = [*paced, *hosts, "--port", str(server.stream_port), "--key", server.key()]
             watcher = programs.start("watch", *where, *_between(settled if c.halved else begin, end))
             calm = programs.start("watch", *where, *_between(begin, disturbed)) if c.halved else None
             flooder = _flooder(c, programs, port, (disturbed, end))
@@ -65,7 +57,7 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
             own_before = programs.cpu()
             _sleep_until(disturbed)
             middle_bytes = machine.resident_bytes(server.pid)
-            clients = _clients(c, programs, server, passphrases, (settled, end))
+            clients = _clients(c, programs, server, passphrases, paced, (settled, end))
             _sleep_until(end)
             after, heard_after = machine.sample(server.pid, server.udp_port), server.frames_in()
             own_after = programs.cpu()
@@ -162,14 +154,21 @@ def _flooder(c: Configuration, programs: Programs, port: int, when: tuple[float,
 
 
 def _clients(
-    c: Configuration, programs: Programs, server: Server, passphrases: list[str], when: tuple[float, float]
+    c: Configuration,
+    programs: Programs,
+    server: Server,
+    passphrases: list[str],
+    paced: list[str],
+    when: tuple[float, float],
 ) -> Load | None:
     if c.clients is None:
         return None
     ports = ["--port", str(server.outlet_udp_port), "--tcp-port", str(server.outlet_tcp_port)]
     keys = ["--passphrases", ",".join(passphrases)]
     # Ground stations run elsewhere: their own work on this machine must not pass for the server's.
-    return programs.start("attach", *ports, *keys, *_between(*when), *c.clients.arguments(), niceness=10)
+    return programs.start(
+        "attach", *ports, *keys, *paced, *_between(*when), *c.clients.arguments(), niceness=10
+    )
 
 
 def _live(server: Server) -> int:

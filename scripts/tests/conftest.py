@@ -15,10 +15,17 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 JARS = ("dronemap-ws/target/dronemap.jar", "dronemap-sim/target/dronemap-sim.jar")
 SOON = "-XX:TieredStopAtLevel=1"
+# The files that take longest begin first, or one process is still at them when the others have nothing left.
+LONGEST = ("test_life", "test_records", "test_full_disk", "test_public", "test_trouble", "test_trials")
 
 needs_root = pytest.mark.skipif(
     os.geteuid() != 0, reason="mounts, namespaces and other users need root rights"
 )
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    places = {name: place for place, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: places.get(item.path.stem, len(LONGEST)))
 
 
 @pytest.fixture(scope="session", autouse=True)

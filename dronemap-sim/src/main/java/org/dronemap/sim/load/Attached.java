@@ -35,8 +35,10 @@ final class Attached {
     private static final int STUCK_BUFFER_BYTES = 4_096;
     private static final int LARGEST = 2_048;
     private static final long SECOND_NANOS = 1_000_000_000L;
+    private static final long LATEST_NANOS = 20 * SECOND_NANOS;
     private static final long NAP_MILLIS = 20;
 
+    private final Pace pace;
     private final long fromNanos;
     private final long untilNanos;
     private final Selector selector = Selector.open();
@@ -45,6 +47,8 @@ final class Attached {
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(LARGEST);
 
     Attached(Arguments arguments) throws IOException {
+        pace = new Pace(
+                arguments.longInteger("--start-nanos"), arguments.integer("--vehicles"), arguments.integer("--rate"));
         fromNanos = arguments.longInteger("--from-nanos");
         untilNanos = arguments.longInteger("--until-nanos");
         String[] passphrases = arguments.text("--passphrases").split(",", -1);
@@ -62,7 +66,7 @@ final class Attached {
 
     String run() throws IOException {
         long beat = System.nanoTime() - SECOND_NANOS;
-        for (long now = System.nanoTime(); now < untilNanos; now = System.nanoTime()) {
+        for (long now = System.nanoTime(); now < untilNanos || isAwaiting(now); now = System.nanoTime()) {
             if (now - beat >= SECOND_NANOS) {
                 beat += SECOND_NANOS;
                 for (Station station : stations) {
@@ -73,17 +77,23 @@ final class Attached {
                 }
             }
             selector.select(NAP_MILLIS);
-            boolean counted = System.nanoTime() >= fromNanos;
             for (SelectionKey key : selector.selectedKeys()) {
-                ((Station) key.attachment()).read(counted);
+                ((Station) key.attachment()).read();
             }
             selector.selectedKeys().clear();
         }
-        long[] counts =
-                stations.stream().mapToLong(station -> station.frames).sorted().toArray();
+        long[] counts = stations.stream()
+                .mapToLong(station -> station.arrivals.frames())
+                .sorted()
+                .toArray();
         return "{\"clients\":" + counts.length + ",\"stuck\":" + stuck.size() + ",\"frames\":"
                 + Arrays.stream(counts).sum() + ",\"fewest\":" + counts[0] + ",\"most\":" + counts[counts.length - 1]
                 + "}";
+    }
+
+    /** What was lost never comes. */
+    private boolean isAwaiting(long now) {
+        return now < untilNanos + LATEST_NANOS && !stations.stream().allMatch(station -> station.arrivals.complete());
     }
 
     /** Signs what one of them says. */
@@ -112,7 +122,7 @@ final class Attached {
     private final class Station {
         private final DatagramChannel channel = DatagramChannel.open();
         private final Voice voice;
-        private long frames;
+        private final Arrivals arrivals = new Arrivals(pace, fromNanos, untilNanos);
 
         Station(InetSocketAddress outlet, Voice voice) throws IOException {
             this.voice = voice;
@@ -126,14 +136,14 @@ final class Attached {
             channel.write(voice.beat());
         }
 
-        void read(boolean counted) throws IOException {
+        void read() throws IOException {
             while (true) {
                 buffer.clear();
                 if (channel.read(buffer) <= 0) {
                     return;
                 }
-                if (counted && isOfAVehicle()) {
-                    frames++;
+                if (isOfAVehicle()) {
+                    arrivals.came(buffer);
                 }
             }
         }
