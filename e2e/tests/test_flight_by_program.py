@@ -102,7 +102,8 @@ def test_flies_by_websocket(server: Server, api: Api, wire: Wire, copter: Json) 
     """End to end because another maker's WebSocket client carries the whole flight."""
     points = triangle(copter["home"], altitude=7)
     headers = {"Authorization": f"Bearer {server.local_key()}"}
-    with connect(server.stream_address, additional_headers=headers) as stream:
+    # Without a bound: what nobody reads any more would keep its end waiting for as long as that may take.
+    with connect(server.stream_address, additional_headers=headers, max_queue=None) as stream:
 
         def act(kind: str, **body: Any) -> Json:
             request = f"{kind}-1"
