@@ -174,7 +174,7 @@ def closed_and_opened(machine: Machine, walker: Walker) -> None:
     def speaks() -> bool:
         """A page that the cloud does not hear yet again is not missed when it is closed, but cut off."""
         walker.step()
-        return bool(machine.api.get(f"/follows/{follow['id']}")["reach"] == "speaks")
+        return bool(machine.api.get(f"/follows/{follow['id']}")["now"]["reach"] == "speaks")
 
     wait_for("the cloud hears the page", speaks, 30)
     walker.page.close()
