@@ -22,20 +22,18 @@ import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * The one door for commands, whoever they come from: decides, writes the intent, sends, and sees to it that each one
  * ends in exactly one outcome. Any thread; what is under way belongs to the drone's lane.
  */
 public final class CommandGate {
-    private static final Logger LOG = LoggerFactory.getLogger(CommandGate.class);
     private static final String GATE = "gate";
 
     private final DroneRegistry registry;
     private final CommandStore store;
     private final Journal journal;
+    private final Intents intents;
     private final Time time;
     private final Clock clock;
     private final CloudListener listener;
@@ -75,6 +73,7 @@ public final class CommandGate {
         this.registry = registry;
         this.store = store;
         this.journal = journal;
+        this.intents = new Intents(store, journal, time);
         this.time = time;
         this.clock = time.clock();
         this.listener = listener;
@@ -104,33 +103,28 @@ public final class CommandGate {
         return begin(managed, command, record, (Passage.Open) passage, source.principal());
     }
 
-    /** The same id before; what brings to safety is given though that cannot be looked up, and may be so twice. */
+    /** The same id before. What brings to safety asks no store first: whether its id is new, its intent tells. */
     private Optional<CommandRecord> given(CommandId id, Command command) {
-        try {
-            return find(id);
-        } catch (RuntimeException e) {
-            if (!ControlRules.bringsToSafety(command)) {
-                throw e;
-            }
-            LOG.error("Whether {} was given before cannot be looked up; it is sent", command.summary(), e);
-            return Optional.empty();
-        }
+        return ControlRules.bringsToSafety(command)
+                ? Optional.ofNullable(underway.find(id))
+                        .map(entry -> entry.open().told())
+                : find(id);
     }
 
     private CommandRecord begin(
             ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage, Principal principal) {
-        CommandRecord record = passage.epoch() == null ? given : given.withEpoch(passage.epoch());
-        Underway entry = new Underway(
-                new OpenCommand(command, record, managed.lane().activeNanos()),
-                managed,
-                passage,
-                principal,
-                new CompletableFuture<>());
+        Underway entry = underway(managed, command, given, passage, principal);
         Underway earlier = underway.add(entry);
-        if (earlier != null) {
-            return earlier.open().told();
-        }
-        return send(entry, record);
+        return earlier == null
+                ? send(entry, entry.open().record())
+                : earlier.open().told();
+    }
+
+    private static Underway underway(
+            ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage, Principal principal) {
+        CommandRecord record = passage.epoch() == null ? given : given.withEpoch(passage.epoch());
+        OpenCommand open = new OpenCommand(command, record, managed.lane().activeNanos());
+        return new Underway(open, managed, passage, principal, new CompletableFuture<>());
     }
 
     /** What a rule of safety commands while nobody has control; whoever takes it ends this. Does not wait. */
@@ -140,14 +134,14 @@ public final class CommandGate {
 
     /** The same, also while somebody has the control of this epoch still. */
     void submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
-        managed.control().enterForSafety(SAFETY.principal(), command, epoch).ifPresent(passage -> {
-            CommandId id = new CommandId(time.newId());
-            // The lane must not wait for the disk.
-            journal.write(
-                    "what a rule commands: " + command.summary(),
-                    () -> begin(
-                            managed, command, intent(SAFETY, managed.id(), id, command), passage, SAFETY.principal()),
-                    () -> {});
+        Principal rule = SAFETY.principal();
+        managed.control().enterForSafety(rule, command, epoch).ifPresent(passage -> {
+            CommandRecord given = intent(SAFETY, managed.id(), new CommandId(time.newId()), command);
+            Underway entry = underway(managed, command, given, passage, rule);
+            underway.add(entry);
+            // Neither the lane nor the drone waits for the disk.
+            intents.writeLater(entry.open().record());
+            hand(entry);
         });
     }
 
@@ -216,24 +210,26 @@ public final class CommandGate {
 
     private CommandRecord send(Underway entry, CommandRecord record) {
         try {
-            if (!store.begin(record)) {
+            if (!intents.write(entry.open().command(), record)) {
                 underway.remove(entry);
                 return store.command(record.id()).orElse(record);
             }
         } catch (RuntimeException e) {
-            if (!ControlRules.bringsToSafety(entry.open().command())) {
-                underway.remove(entry);
-                throw e;
-            }
-            LOG.error("The intent of {} could not be written; it is sent all the same", record.summary(), e);
+            underway.remove(entry);
+            throw e;
         }
-        listener.commandChanged(record);
+        hand(entry);
+        return entry.open().told();
+    }
+
+    /** To the drone's lane. */
+    private void hand(Underway entry) {
+        listener.commandChanged(entry.open().record());
         try {
             entry.drone().lane().execute(() -> perform(entry));
         } catch (RejectedExecutionException e) {
             end(entry, new Outcome.Failed("The server is overloaded; nothing was sent."));
         }
-        return entry.open().told();
     }
 
     // From here on: the drone's lane.

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
+import java.time.Duration;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -17,7 +20,10 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.RelaySetting;
+import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
@@ -34,6 +40,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class CommandGateTest {
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
     private static final CommandGate.Source OPERATOR =
             new CommandGate.Source(new Principal("ann", Role.OPERATOR), "rest");
     private static final CommandGate.Source VIEWER = new CommandGate.Source(new Principal("vic", Role.VIEWER), "rest");
@@ -62,6 +69,7 @@ class CommandGateTest {
 
     @AfterEach
     void close() {
+        store.answers.countDown();
         lanes.close();
         journal.close();
     }
@@ -277,6 +285,61 @@ class CommandGateTest {
         report(home).ended(new Outcome.Succeeded());
 
         assertThat(end).succeedsWithin(5, TimeUnit.SECONDS);
+        assertThat(vehicle.performed).containsExactly(new Command.ReturnToLaunch());
+    }
+
+    @Test
+    void bringsADroneHomeThoughTheStoreDoesNotAnswer() {
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        store.answers = new CountDownLatch(1);
+
+        CompletableFuture<CommandRecord> given = CompletableFuture.supplyAsync(
+                () -> gate.submit(OPERATOR, link.id(), id("nodisk-03"), new Command.ReturnToLaunch()));
+
+        assertThat(given).succeedsWithin(PATIENCE);
+        CommandRecord home = given.join();
+        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.ReturnToLaunch())));
+        assertThat(home.outcome()).isNull();
+        store.answers.countDown();
+        CompletableFuture<CommandRecord> end = gate.end(home.id());
+        report(home).ended(new Outcome.Succeeded());
+        assertThat(end).succeedsWithin(PATIENCE);
+        assertThat(store.records.get(home.id()).outcome()).isEqualTo(new Outcome.Succeeded());
+    }
+
+    @Test
+    void aRuleHoldsADroneThoughTheStoreDoesNotAnswer() {
+        hear(new DroneEvent.Identified(
+                Fixtures.copter(null),
+                new Capabilities(Set.of(Capability.values()), List.of("LOITER"), Map.of("LOITER", Steering.STICKS))));
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        assertThat(cloud.setpoints().steer(OPERATOR, link.id(), new Setpoint.Sticks(0.5, 0, 0, 0)))
+                .isEmpty();
+        store.answers = new CountDownLatch(1);
+
+        assertThat(cloud.setpoints().steer(OPERATOR, link.id(), new Setpoint.Sticks(0, 0, 0, 0)))
+                .isEmpty();
+
+        await().atMost(PATIENCE).until(() -> vehicle.performed.equals(List.of(new Command.Hold())));
+        store.answers.countDown();
+        await().atMost(PATIENCE)
+                .until(() -> store.records.values().stream()
+                        .anyMatch(record ->
+                                record.by().equals("dronemap") && record.type().equals("Hold")));
+    }
+
+    @Test
+    void bringsNoDroneHomeTwiceForTheSameId() {
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        CommandRecord home = gate.submit(OPERATOR, link.id(), id("home-0002"), new Command.ReturnToLaunch());
+        CompletableFuture<CommandRecord> end = gate.end(home.id());
+        report(home).ended(new Outcome.Succeeded());
+        assertThat(end).succeedsWithin(PATIENCE);
+
+        CommandRecord again = gate.submit(OPERATOR, link.id(), id("home-0002"), new Command.ReturnToLaunch());
+
+        assertThat(again.outcome()).isEqualTo(new Outcome.Succeeded());
         assertThat(vehicle.performed).containsExactly(new Command.ReturnToLaunch());
     }
 

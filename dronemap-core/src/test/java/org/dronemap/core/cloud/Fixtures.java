@@ -79,9 +79,12 @@ public final class Fixtures {
         public volatile boolean broken;
         /** Outcomes wait for it before they are written. */
         public volatile CountDownLatch disk = new CountDownLatch(0);
+        /** Intents, and whoever looks for a command, wait for it. */
+        public volatile CountDownLatch answers = new CountDownLatch(0);
 
         @Override
         public boolean begin(CommandRecord command) {
+            awaits(answers);
             if (broken) {
                 throw new IllegalStateException("the disk is full");
             }
@@ -90,19 +93,24 @@ public final class Fixtures {
 
         @Override
         public void finish(CommandRecord command) {
-            try {
-                disk.await();
-            } catch (InterruptedException e) {
-                throw new IllegalStateException(e);
-            }
+            awaits(disk);
             if (broken) {
                 throw new IllegalStateException("the disk is full");
             }
             records.put(command.id(), command);
         }
 
+        private static void awaits(CountDownLatch latch) {
+            try {
+                latch.await();
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        }
+
         @Override
         public Optional<CommandRecord> command(CommandId id) {
+            awaits(answers);
             if (broken) {
                 throw new IllegalStateException("the disk is full");
             }

@@ -46,13 +46,13 @@ public final class Database implements Stores {
     private static final int MAX_CONNECTIONS = 8;
     private static final Duration PAUSE_BETWEEN_TRIES = Duration.ofMillis(100);
 
-    private final HikariDataSource pool;
+    private final PromptPool pool;
     private final @Nullable OwnPostgres own;
     private final Ledger ledger;
     private final Sql sql;
     private final AccessStore access;
 
-    private Database(HikariDataSource pool, @Nullable OwnPostgres own) {
+    private Database(PromptPool pool, @Nullable OwnPostgres own) {
         this.pool = pool;
         this.own = own;
         this.ledger = new Ledger(pool);
@@ -63,7 +63,7 @@ public final class Database implements Stores {
     /** Opens somebody else's PostgreSQL, waiting for it as long as the settings say. */
     public static Database open(DatabaseSettings settings) {
         waitFor(settings);
-        HikariDataSource pool = pool(settings);
+        PromptPool pool = pool(settings);
         try {
             new Migration(pool).toLatest(SCHEMA);
             return new Database(pool, null);
@@ -210,7 +210,7 @@ public final class Database implements Stores {
         }
     }
 
-    private static HikariDataSource pool(DatabaseSettings settings) {
+    private static PromptPool pool(DatabaseSettings settings) {
         HikariConfig config = new HikariConfig();
         config.setPoolName("database");
         config.setJdbcUrl(settings.jdbcUrl());
@@ -230,7 +230,7 @@ public final class Database implements Stores {
         config.addDataSourceProperty("connectTimeout", "5");
         config.addDataSourceProperty("socketTimeout", "60");
         config.addDataSourceProperty("tcpKeepAlive", "true");
-        return new HikariDataSource(config);
+        return new PromptPool(new HikariDataSource(config));
     }
 
     /** Asks without the pool, which would hide what the database says behind timeouts of its own. */
