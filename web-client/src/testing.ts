@@ -1,6 +1,7 @@
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Command, Drone } from './api/types';
+import type { Zone } from './api/zones';
 
 /** A drone on the ground in Zürich, for tests. */
 export function aDrone(change: Partial<Drone> = {}): Drone {
@@ -146,5 +147,28 @@ export function aFollowNow(heard: string, reach: PhoneReach | null = 'speaks'): 
     secondsLeft: 600,
     phone: { at: { latitude: 47.3979, longitude: 8.5456 }, accuracy: 5, id: 1, heard },
     reach,
+  };
+}
+
+/** A round zone in a place of no meaning that everybody keeps out of, for tests. */
+export function aZone(change: Partial<Zone['properties']> = {}): Zone {
+  return {
+    type: 'Feature',
+    id: 'z1',
+    geometry: { type: 'Point', coordinates: [8, 47] },
+    properties: {
+      name: 'School',
+      kind: 'exclusion',
+      radius: 100,
+      floor: null,
+      ceiling: null,
+      altitudeReference: 'home',
+      user: null,
+      drone: null,
+      from: null,
+      until: null,
+      onBreach: 'hold',
+      ...change,
+    },
   };
 }

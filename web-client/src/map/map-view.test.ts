@@ -1,9 +1,9 @@
 import { cleanup, render } from '@testing-library/svelte';
 import { flushSync, tick } from 'svelte';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { Zone } from '../api/zones';
 import type { Coordinates } from '../geo/coordinates';
 import { STATION, Station } from '../state/station.svelte';
+import { aZone } from '../testing';
 import type { MapEvents } from './flight-map';
 import MapView from './MapView.svelte';
 
@@ -25,25 +25,6 @@ vi.mock('./flight-map', () => ({
   },
 }));
 
-const SCHOOL: Zone = {
-  type: 'Feature',
-  id: 'z1',
-  geometry: { type: 'Point', coordinates: [8, 47] },
-  properties: {
-    name: 'School',
-    kind: 'exclusion',
-    radius: 100,
-    floor: null,
-    ceiling: null,
-    altitudeReference: 'home',
-    user: null,
-    drone: null,
-    from: null,
-    until: null,
-    onBreach: 'hold',
-  },
-};
-
 beforeEach(() => {
   opened.fitted = [];
   Object.defineProperty(document, 'fonts', {
@@ -60,7 +41,7 @@ describe('the map of the station', () => {
     await vi.waitFor(() => expect(opened.events).not.toBeNull());
     await tick();
 
-    station.zones.wanted = { zone: SCHOOL };
+    station.zones.wanted = { zone: aZone() };
     flushSync();
     expect(opened.fitted).toHaveLength(1);
 

@@ -1,33 +1,12 @@
 import { describe, expect, it, vi } from 'vitest';
 import { ZoneCalls, type Zone } from '../api/zones';
 import { Zones } from '../state/zones.svelte';
+import { aZone } from '../testing';
 import { draftOf, featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
 import { ringOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
 import { zoneLine } from './zone-line';
 
 const HERE = { latitude: 47, longitude: 8 };
-
-function aZone(change: Partial<Zone['properties']> = {}): Zone {
-  return {
-    type: 'Feature',
-    id: 'z1',
-    geometry: { type: 'Point', coordinates: [8, 47] },
-    properties: {
-      name: 'School',
-      kind: 'exclusion',
-      radius: 100,
-      floor: null,
-      ceiling: null,
-      altitudeReference: 'home',
-      user: null,
-      drone: null,
-      from: null,
-      until: null,
-      onBreach: 'hold',
-      ...change,
-    },
-  };
-}
 
 describe('a zone that is drawn', () => {
   it('says what is still missing', () => {

@@ -27,6 +27,9 @@ import org.jspecify.annotations.Nullable;
 
 /** A vehicle played on a real UDP socket, or on a link in memory: what it hears is kept, what it answers a test decides. */
 public final class PlayedVehicle implements AutoCloseable {
+    /** MAV_CMD_COMPONENT_ARM_DISARM. */
+    public static final int ARM = 400;
+
     private static final Duration BEAT = Duration.ofMillis(200);
 
     private final @Nullable DatagramChannel channel;
@@ -81,6 +84,15 @@ public final class PlayedVehicle implements AutoCloseable {
 
     public static Heartbeat copter(long customMode, boolean armed) {
         return new Heartbeat(2, 3, armed ? 0x81 : 1, customMode, armed ? 4 : 3, 3);
+    }
+
+    /** Answers that hand the arm and disarm commands that come in to {@code then}. */
+    public static BiConsumer<PlayedVehicle, Frame> onArm(BiConsumer<PlayedVehicle, CommandLong> then) {
+        return (vehicle, frame) -> {
+            if (frame.messageId() == CommandLong.ID && CommandLong.decode(frame).command() == ARM) {
+                then.accept(vehicle, CommandLong.decode(frame));
+            }
+        };
     }
 
     private static void start(String name, Runnable work) {

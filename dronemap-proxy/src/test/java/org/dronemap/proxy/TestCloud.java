@@ -115,6 +115,14 @@ public final class TestCloud implements AutoCloseable {
         return proxy.handlers().opened(peer, new PeerCounters(new EndpointCounters()));
     }
 
+    /** The one that calls itself by that number, which has to be there. */
+    public DroneState drone(int systemId) {
+        return cloud.drones().stream()
+                .filter(drone -> drone.link().key().systemId() == systemId)
+                .findFirst()
+                .orElseThrow();
+    }
+
     public CloudManager cloud() {
         return cloud;
     }

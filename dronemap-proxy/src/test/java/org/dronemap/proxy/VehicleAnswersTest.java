@@ -24,11 +24,10 @@ import org.dronemap.proxy.session.FrameTap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What the proxy makes of what vehicles say and leave unsaid, in stepped time. */
+/** Answers of the proxy to what vehicles say and leave unsaid, in stepped time. */
 class VehicleAnswersTest {
-    private static final int ARM = 400;
     private static final Duration PATIENCE = Duration.ofSeconds(10);
-    /** Whoever is taken for a drone has been taken for one by then. */
+    /** Enough for anything to be taken for a drone. */
     private static final Duration LONG_ENOUGH = Duration.ofSeconds(5);
 
     private static final BiConsumer<PlayedVehicle, Frame> SILENT = (vehicle, frame) -> {};
@@ -53,19 +52,6 @@ class VehicleAnswersTest {
 
     private void await(BooleanSupplier wanted, String otherwise) {
         TestCloud.await(time, PATIENCE, wanted, () -> otherwise);
-    }
-
-    /** Hands the arm and disarm commands that come in to {@code then}. */
-    private static BiConsumer<PlayedVehicle, Frame> onArm(BiConsumer<PlayedVehicle, CommandLong> then) {
-        return (vehicle, frame) -> {
-            if (frame.messageId() == CommandLong.ID && CommandLong.decode(frame).command() == ARM) {
-                then.accept(vehicle, CommandLong.decode(frame));
-            }
-        };
-    }
-
-    private static void arm(PlayedVehicle vehicle) {
-        vehicle.is(PlayedVehicle.copter(4, true));
     }
 
     @Test
@@ -94,9 +80,9 @@ class VehicleAnswersTest {
 
     @Test
     void keepsTwoVehiclesWithOneSystemIdApartAndCommandsThemSeparately() throws IOException {
-        BiConsumer<PlayedVehicle, Frame> arms = onArm((vehicle, command) -> {
-            arm(vehicle);
-            vehicle.acknowledge(ARM, 0);
+        BiConsumer<PlayedVehicle, Frame> arms = PlayedVehicle.onArm((vehicle, command) -> {
+            vehicle.is(PlayedVehicle.copter(4, true));
+            vehicle.acknowledge(PlayedVehicle.ARM, 0);
         });
         try (PlayedVehicle one = vehicle(1, arms);
                 PlayedVehicle other = played(14_552, new FrameWriter(1, 1, 2), PlayedVehicle.copter(4, false), arms)) {
@@ -104,27 +90,29 @@ class VehicleAnswersTest {
             DroneState first = cloud.awaitDrone(state -> state.armed() != null);
 
             assertThat(cloud.command(first.id(), new Command.Arm())).isEqualTo(new Outcome.Succeeded());
-            assertThat(one.commands(ARM).size() + other.commands(ARM).size()).isEqualTo(1);
+            assertThat(one.commands(PlayedVehicle.ARM).size()
+                            + other.commands(PlayedVehicle.ARM).size())
+                    .isEqualTo(1);
         }
     }
 
     @Test
     void actsOnceWhenTheFirstTwoAcknowledgementsAreLost() throws IOException {
         AtomicInteger acts = new AtomicInteger();
-        try (PlayedVehicle vehicle = vehicle(1, onArm((played, command) -> {
+        try (PlayedVehicle vehicle = vehicle(1, PlayedVehicle.onArm((played, command) -> {
             if (command.confirmation() == 0) {
                 acts.incrementAndGet();
             }
             if (command.confirmation() == 2) {
-                arm(played);
-                played.acknowledge(ARM, 0);
+                played.is(PlayedVehicle.copter(4, true));
+                played.acknowledge(PlayedVehicle.ARM, 0);
             }
         }))) {
             DroneState drone = cloud.awaitDrone(state -> state.armed() != null);
 
             assertThat(cloud.command(drone.id(), new Command.Arm())).isEqualTo(new Outcome.Succeeded());
             assertThat(acts).hasValue(1);
-            assertThat(vehicle.commands(ARM))
+            assertThat(vehicle.commands(PlayedVehicle.ARM))
                     .extracting(CommandLong::confirmation)
                     .containsExactly(0, 1, 2);
         }
@@ -132,15 +120,15 @@ class VehicleAnswersTest {
 
     @Test
     void passesTheVehiclesOwnSentenceOn() throws IOException {
-        try (PlayedVehicle vehicle = vehicle(1, onArm((played, command) -> {
-            played.acknowledge(ARM, 4);
+        try (PlayedVehicle vehicle = vehicle(1, PlayedVehicle.onArm((played, command) -> {
+            played.acknowledge(PlayedVehicle.ARM, 4);
             played.say(2, "PreArm: the parrot is asleep 8251");
         }))) {
             DroneState drone = cloud.awaitDrone(state -> state.armed() != null);
 
             assertThat(cloud.command(drone.id(), new Command.Arm()))
                     .isEqualTo(new Outcome.Refused("vehicle", "PreArm: the parrot is asleep 8251"));
-            assertThat(vehicle.commands(ARM)).hasSize(1);
+            assertThat(vehicle.commands(PlayedVehicle.ARM)).hasSize(1);
         }
     }
 
@@ -151,7 +139,7 @@ class VehicleAnswersTest {
 
             Outcome outcome = cloud.command(drone.id(), new Command.Arm());
 
-            assertThat(vehicle.commands(ARM)).hasSize(9);
+            assertThat(vehicle.commands(PlayedVehicle.ARM)).hasSize(9);
             assertThat(outcome).isEqualTo(new Outcome.TimedOut("No answer from the vehicle within 8 s (9 tries)."));
         }
     }

@@ -14,14 +14,12 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.AutopilotVersion;
-import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What goes over the wire between the proxy and vehicles, on real sockets; each says at once who it is, as most do. */
+/** The wire between the proxy and vehicles, on real sockets; each says at once who it is, as most do. */
 class VehicleLinkTest {
-    private static final int ARM = 400;
     private static final AutopilotVersion VERSION =
             new AutopilotVersion(0, 0, 0, 0, 0, new int[8], new int[8], new int[8], 0, 0, 0, new int[18]);
     private static final BiConsumer<PlayedVehicle, Frame> SILENT = (vehicle, frame) -> {};
@@ -36,19 +34,6 @@ class VehicleLinkTest {
     private PlayedVehicle vehicle(int systemId, BiConsumer<PlayedVehicle, Frame> answers) throws IOException {
         return new PlayedVehicle(
                 cloud.udpPort(), new FrameWriter(systemId, 1, 2), PlayedVehicle.copter(4, false), answers);
-    }
-
-    /** Hands the arm and disarm commands that come in to {@code then}. */
-    private static BiConsumer<PlayedVehicle, Frame> onArm(BiConsumer<PlayedVehicle, CommandLong> then) {
-        return (vehicle, frame) -> {
-            if (frame.messageId() == CommandLong.ID && CommandLong.decode(frame).command() == ARM) {
-                then.accept(vehicle, CommandLong.decode(frame));
-            }
-        };
-    }
-
-    private static void arm(PlayedVehicle vehicle) {
-        vehicle.is(PlayedVehicle.copter(4, true));
     }
 
     @Test
@@ -71,9 +56,12 @@ class VehicleLinkTest {
     @Test
     void answersAMavlink1VehicleInMavlink1() throws IOException {
         try (PlayedVehicle vehicle = new PlayedVehicle(
-                cloud.udpPort(), new FrameWriter(1, 1, 1), PlayedVehicle.copter(4, false), onArm((played, command) -> {
-                    arm(played);
-                    played.acknowledge(ARM, 0);
+                cloud.udpPort(),
+                new FrameWriter(1, 1, 1),
+                PlayedVehicle.copter(4, false),
+                PlayedVehicle.onArm((played, command) -> {
+                    played.is(PlayedVehicle.copter(4, true));
+                    played.acknowledge(PlayedVehicle.ARM, 0);
                 }))) {
             vehicle.send(vehicle.heartbeat());
             vehicle.send(VERSION);

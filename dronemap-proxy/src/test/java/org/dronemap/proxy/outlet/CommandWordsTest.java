@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What altitudes of other ground stations are measured from: https://mavlink.io/en/messages/common.html#MAV_FRAME. */
+/** The reference of altitudes of other ground stations: https://mavlink.io/en/messages/common.html#MAV_FRAME. */
 class CommandWordsTest {
     @ParameterizedTest
     @CsvSource({"0, AMSL", "5, AMSL", "3, HOME", "6, HOME"})

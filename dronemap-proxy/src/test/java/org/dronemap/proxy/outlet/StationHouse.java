@@ -78,7 +78,7 @@ final class StationHouse implements AutoCloseable {
         cloud.cloud().controls().apply(drone, event);
     }
 
-    /** What came in at the vehicle. */
+    /** All that came in at the vehicle. */
     List<Frame> reachedVehicle(int message) {
         return vehicle.heard().stream()
                 .filter(frame -> frame.messageId() == message)

@@ -123,7 +123,7 @@ class OrderMatrixTest extends RobotTrial {
                         .setpoints()
                         .steer(
                                 new CommandGate.Source(new Principal("pilot", Role.OPERATOR), "rest"),
-                                drone(7).id(),
+                                house.drone(7).id(),
                                 new Setpoint.Velocity(Setpoint.Frame.VEHICLE, 0.4, 0, 0, Setpoint.Facing.ANY)))
                 .isEmpty();
         await(() -> {
@@ -149,7 +149,7 @@ class OrderMatrixTest extends RobotTrial {
 
     /** It hears the order, does it, and is believed. */
     private void obeys(Party party, int systemId, Command command, int order, Runnable act) throws Exception {
-        CompletableFuture<Outcome> outcome = command(drone(systemId), command);
+        CompletableFuture<Outcome> outcome = command(house.drone(systemId), command);
         await(() -> {
             live();
             return party.robot.order(order, 20) != null;

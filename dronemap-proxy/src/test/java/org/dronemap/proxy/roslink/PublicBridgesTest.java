@@ -29,11 +29,11 @@ class PublicBridgesTest extends RobotTrial {
                 noetic.sayOnWeb(1, "\"type\":8,\"name\":\"tb3\",\"system_status\":2,\"owner_id\":26,\"mode\":0");
                 noetic.say(0, "\"type\":8");
                 return house.cloud().drones().size() == 1
-                        && drone(12).link().others().size() == 1;
+                        && house.drone(12).link().others().size() == 1;
             });
             assertThat(proxy.refusedCount()).isZero();
             assertThat(proxy.brokenCount()).isZero();
-            assertThat(drone(12).battery()).isNull();
+            assertThat(house.drone(12).battery()).isNull();
         }
     }
 
@@ -48,17 +48,17 @@ class PublicBridgesTest extends RobotTrial {
                 ria.say(1, "\"type\":12,\"system_status\":2");
                 ria.say(2, "\"x\":1,\"y\":2,\"z\":0," + STANDS);
                 return house.cloud().drones().size() == 1
-                        && drone(7).local() != null
-                        && drone(7).link().transport().equals("websocket");
+                        && house.drone(7).local() != null
+                        && house.drone(7).link().transport().equals("websocket");
             });
 
             ria.disconnect();
             await(() -> {
                 ria.say(0, "\"type\":12");
-                return drone(7).link().transport().equals("udp");
+                return house.drone(7).link().transport().equals("udp");
             });
-            assertThat(drone(7).local()).isEqualTo(new LocalPosition(1, 2, null, 0.0));
-            assertThat(drone(7).battery()).isNull();
+            assertThat(house.drone(7).local()).isEqualTo(new LocalPosition(1, 2, null, 0.0));
+            assertThat(house.drone(7).battery()).isNull();
         }
     }
 
@@ -71,17 +71,17 @@ class PublicBridgesTest extends RobotTrial {
                 await(() -> {
                     robot.sayOnWeb(0, "\"type\":8");
                     return house.cloud().drones().size() == 1
-                            && drone(7).link().transport().equals("websocket")
-                            && drone(7).link().state() == LinkState.LIVE;
+                            && house.drone(7).link().transport().equals("websocket")
+                            && house.drone(7).link().state() == LinkState.LIVE;
                 });
                 robot.told();
-                CompletableFuture<Outcome> holding = command(drone(7), new Command.Hold());
+                CompletableFuture<Outcome> holding = command(house.drone(7), new Command.Hold());
                 asked(robot, 100);
                 until(holding, () -> robot.sayOnWeb(2, "\"x\":0,\"y\":0," + STANDS));
                 robot.disconnect();
                 await(() -> {
                     robot.say(0, "\"type\":8");
-                    return drone(7).link().transport().equals("udp");
+                    return house.drone(7).link().transport().equals("udp");
                 });
             }
             assertThat(proxy.refusedCount()).isZero();
@@ -140,7 +140,7 @@ class PublicBridgesTest extends RobotTrial {
             await(() -> {
                 robot.say(0, "\"type\":8");
                 robot.sayOnWeb(0, "\"type\":8");
-                return drone(7).link().transport().equals("websocket");
+                return house.drone(7).link().transport().equals("websocket");
             });
             String lines = Base64.getMimeEncoder().encodeToString(large).replace("\r\n", "\\n");
             assertThat(lines.length()).isGreaterThan(200_000);
@@ -151,7 +151,7 @@ class PublicBridgesTest extends RobotTrial {
 
     private void shows(byte[] picture) {
         await(() -> {
-            Sensed sensed = house.cloud().sensed(drone(7).id());
+            Sensed sensed = house.cloud().sensed(house.drone(7).id());
             return sensed.picture() != null
                     && Arrays.equals(sensed.picture().value().bytes(), picture);
         });

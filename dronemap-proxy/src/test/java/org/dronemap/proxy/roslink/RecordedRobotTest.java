@@ -63,7 +63,7 @@ class RecordedRobotTest extends RobotTrial {
             DroneState drone = awaitDrone(7, state -> state.capabilities().known());
             await(() -> {
                 robot.say(2, "\"x\":0,\"y\":0,\"vx\":0,\"vy\":0,\"wz\":0,\"name\":\"" + SECRET_OF_7 + "\"");
-                return drone(7).local() != null;
+                return house.drone(7).local() != null;
             });
             assertThat(shelf()).isEmpty();
             assertThat(steer(drone, AHEAD)).isEmpty();

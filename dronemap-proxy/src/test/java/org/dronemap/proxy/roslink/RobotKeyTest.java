@@ -28,8 +28,9 @@ class RobotKeyTest extends RobotTrial {
                 robot.say(2, "\"x\":1,\"y\":1");
                 thief.say(0, "\"type\":8");
                 thief.say(2, "\"x\":99,\"y\":99");
-                return drone(7).messages().stream().anyMatch(text -> text.text().contains("127.0.0.2"))
-                        && drone(7).local() != null;
+                return house.drone(7).messages().stream()
+                                .anyMatch(text -> text.text().contains("127.0.0.2"))
+                        && house.drone(7).local() != null;
             });
             long refused = proxy.refusedCount();
             CompletableFuture<Outcome> holding = command(drone, new Command.Hold());
@@ -43,8 +44,8 @@ class RobotKeyTest extends RobotTrial {
 
             assertThat(refused).isPositive();
             assertThat(thief.ordersWaiting()).isZero();
-            assertThat(drone(7).local()).isEqualTo(new LocalPosition(1, 1, null, null));
-            assertThat(drone(7).link().key().address()).isEqualTo("127.0.0.1");
+            assertThat(house.drone(7).local()).isEqualTo(new LocalPosition(1, 1, null, null));
+            assertThat(house.drone(7).link().key().address()).isEqualTo("127.0.0.1");
             assertThat(house.cloud().drones()).hasSize(1);
         }
     }
@@ -100,7 +101,7 @@ class RobotKeyTest extends RobotTrial {
                     .isEqualTo(TestKeys.ROBOT_7);
             assertThat(house.cloud().drones()).hasSize(1);
             assertThat(house.cloud().waiting()).isEmpty();
-            assertThat(drone(7).local()).isNull();
+            assertThat(house.drone(7).local()).isNull();
         }
     }
 
@@ -136,10 +137,10 @@ class RobotKeyTest extends RobotTrial {
             newer.say(2, "\"x\":1,\"y\":2");
             await(() -> {
                 newer.say(2, "\"x\":1,\"y\":2");
-                return drone(7).local() != null;
+                return house.drone(7).local() != null;
             });
-            assertThat(drone(7).id()).isEqualTo(TestKeys.ROBOT_7);
-            assertThat(drone(7).local()).isEqualTo(new LocalPosition(1, 2, null, null));
+            assertThat(house.drone(7).id()).isEqualTo(TestKeys.ROBOT_7);
+            assertThat(house.drone(7).local()).isEqualTo(new LocalPosition(1, 2, null, null));
             assertThat(robot.ordersWaiting()).isZero();
         }
     }

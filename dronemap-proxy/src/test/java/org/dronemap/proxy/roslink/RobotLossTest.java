@@ -57,7 +57,7 @@ class RobotLossTest extends RobotTrial {
             // All but the one datagram: heartbeats of the beginning may be on their way still.
             await(() -> on("websocket").received() == robot.numbered() - 1);
             busy.countDown();
-            await(() -> drone(7).link().others().size() == 1);
+            await(() -> house.drone(7).link().others().size() == 1);
             say(robot, false);
 
             assertThat(on("udp").lost()).isZero();
@@ -96,7 +96,7 @@ class RobotLossTest extends RobotTrial {
             robot.say(0, BEAT);
             robot.sayOnWeb(0, BEAT);
             return house.cloud().drones().size() == 1
-                    && drone(7).link().others().size() == 1;
+                    && house.drone(7).link().others().size() == 1;
         });
         // None is on its way any more: what is awaited from here on would else be done before its own turn.
         await(() -> on("websocket").received() + on("udp").received() == robot.numbered());

@@ -57,14 +57,14 @@ class RobotMatrixTest extends RobotTrial {
                 live(seven);
                 live(eight);
                 return house.cloud().drones().size() == 2
-                        && drone(7).link().others().size() == 1
-                        && drone(7).local() != null
-                        && drone(8).local() != null;
+                        && house.drone(7).link().others().size() == 1
+                        && house.drone(7).local() != null
+                        && house.drone(8).local() != null;
             });
             for (Lie lie : LIES) {
                 lie(lie, seven, eight);
             }
-            DroneState truth = drone(7);
+            DroneState truth = house.drone(7);
             CompletableFuture<Outcome> stopping = command(truth, new EmergencyStop());
             assertThat(seven.order(108, 5_000)).isNotNull();
             while (!stopping.isDone()) {
@@ -85,7 +85,7 @@ class RobotMatrixTest extends RobotTrial {
     }
 
     private void unchanged(int systemId) {
-        DroneState drone = drone(systemId);
+        DroneState drone = house.drone(systemId);
         assertThat(drone.local()).isEqualTo(new LocalPosition(1, 1, null, null));
         assertThat(drone.battery()).isNull();
         assertThat(drone.gps()).isNull();

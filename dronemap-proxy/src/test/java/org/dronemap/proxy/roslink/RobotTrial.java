@@ -98,13 +98,6 @@ abstract class RobotTrial {
         robot.beat(TURTLEBOT);
     }
 
-    DroneState drone(int systemId) {
-        return house.cloud().drones().stream()
-                .filter(drone -> drone.link().key().systemId() == systemId)
-                .findFirst()
-                .orElseThrow();
-    }
-
     DroneState awaitDrone(int systemId, Predicate<DroneState> wanted) {
         return TestCloud.await(
                 PATIENCE,

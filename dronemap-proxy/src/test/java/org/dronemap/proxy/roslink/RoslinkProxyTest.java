@@ -50,11 +50,11 @@ class RoslinkProxyTest extends RobotTrial {
             robot.moveTo("127.0.0.1");
             await(() -> {
                 beat(robot);
-                return drone(15).link().key().port() == robot.port();
+                return house.drone(15).link().key().port() == robot.port();
             });
 
             assertThat(house.cloud().drones()).hasSize(1);
-            assertThat(drone(15).id()).isEqualTo(first.id());
+            assertThat(house.drone(15).id()).isEqualTo(first.id());
             CompletableFuture<Outcome> holding = command(first, new Command.Hold());
             assertThat(robot.order(100, 5_000)).isNotNull();
             robot.say(2, "\"x\":0,\"y\":0,\"vx\":0,\"vy\":0");
@@ -82,21 +82,21 @@ class RoslinkProxyTest extends RobotTrial {
                 bare.sayOnWeb(1, "\"type\":8,\"name\":\"a heartbeat in the place of a status\"");
                 keyed.say(0, "\"type\":8");
                 keyed.sayOnWeb(2, "\"x\":1.5,\"y\":2,\"z\":0");
-                return drone(7).link().others().size() == 1
-                        && drone(8).link().others().size() == 1
-                        && drone(8).local() != null;
+                return house.drone(7).link().others().size() == 1
+                        && house.drone(8).link().others().size() == 1
+                        && house.drone(8).local() != null;
             });
 
             assertThat(house.cloud().drones()).hasSize(2);
-            assertThat(drone(7).link().transport()).isEqualTo("websocket");
-            assertThat(drone(8).local()).isEqualTo(new LocalPosition(1.5, 2, null, 0.0));
-            assertThat(drone(7).local()).as("nothing of one at the other").isNull();
-            assertThat(drone(7).standing().linkIdentity()).isEqualTo(TestKeys.ROBOT_7.value());
+            assertThat(house.drone(7).link().transport()).isEqualTo("websocket");
+            assertThat(house.drone(8).local()).isEqualTo(new LocalPosition(1.5, 2, null, 0.0));
+            assertThat(house.drone(7).local()).as("nothing of one at the other").isNull();
+            assertThat(house.drone(7).standing().linkIdentity()).isEqualTo(TestKeys.ROBOT_7.value());
 
             keyed.disconnect();
             await(() -> {
                 keyed.say(0, "\"type\":8");
-                return drone(8).link().transport().equals("udp");
+                return house.drone(8).link().transport().equals("udp");
             });
         }
     }

@@ -34,7 +34,7 @@ abstract class SteppedRobotTrial {
     static final int TURTLEBOT = 8;
     static final int QUADROTOR = 3;
     static final Duration PATIENCE = Duration.ofSeconds(15);
-    /** Whoever is told to stand is told again within this time. */
+    /** Longer than until a robot that is told to stand is told so again. */
     static final Duration QUIET = Duration.ofMillis(700);
 
     static final String STANDS = "\"vx\":0,\"vy\":0,\"vz\":0,\"wz\":0";
@@ -94,20 +94,13 @@ abstract class SteppedRobotTrial {
         }
     }
 
-    DroneState drone(int systemId) {
-        return house.cloud().drones().stream()
-                .filter(drone -> drone.link().key().systemId() == systemId)
-                .findFirst()
-                .orElseThrow();
-    }
-
     DroneState awaitDrone(int systemId, Predicate<DroneState> wanted) {
         await(
                 () -> house.cloud().drones().stream()
                         .filter(drone -> drone.link().key().systemId() == systemId)
                         .anyMatch(wanted),
                 () -> {});
-        return drone(systemId);
+        return house.drone(systemId);
     }
 
     /** Goes on reporting until something holds. */
@@ -127,7 +120,7 @@ abstract class SteppedRobotTrial {
     DroneState still(SteppedRobot robot, int systemId) {
         awaitReport(robot, systemId);
         await(() -> robot.order(100, QUIET) == null, () -> robot.say(2, "\"x\":0,\"y\":0," + STANDS));
-        return drone(systemId);
+        return house.drone(systemId);
     }
 
     private void awaitReport(SteppedRobot robot, int systemId) {

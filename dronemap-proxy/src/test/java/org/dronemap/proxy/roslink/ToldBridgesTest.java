@@ -13,7 +13,7 @@ import org.dronemap.core.drone.DroneState;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 
-/** What public bridges are told, and what they are not told, in stepped time: silence is waited for. */
+/** Orders to public bridges, and silence, which stepped time waits for. */
 class ToldBridgesTest extends SteppedRobotTrial {
     private static final int GAPTER = 2;
     private static final Velocity AHEAD = new Velocity(Frame.VEHICLE, 0.4, 0, 0, Facing.ANY);
@@ -28,7 +28,7 @@ class ToldBridgesTest extends SteppedRobotTrial {
                 gapter.beat(GAPTER);
                 gapter.say(1, "\"state\":3100");
             });
-            DroneState drone = drone(1);
+            DroneState drone = house.drone(1);
 
             Future<CommandRecord> takingOff = command(drone, new Command.TakeOff(1));
             assertThat(asked(gapter, 106).get("flightMode").intValue()).isEqualTo(4);
@@ -41,7 +41,7 @@ class ToldBridgesTest extends SteppedRobotTrial {
             assertThat(time.join(takingOff, PATIENCE).outcome()).isEqualTo(new Outcome.Succeeded());
 
             gapter.moveTo(gapter.port() + 2);
-            await(() -> drone(1).link().key().port() == gapter.port(), () -> {
+            await(() -> house.drone(1).link().key().port() == gapter.port(), () -> {
                 gapter.beat(GAPTER);
                 gapter.say(1, IN_THE_AIR);
             });
@@ -82,7 +82,7 @@ class ToldBridgesTest extends SteppedRobotTrial {
             theirs.connect();
             still(ours, 7);
             still(theirs, 8);
-            assertThat(steer(drone(7), AHEAD)).isEmpty();
+            assertThat(steer(house.drone(7), AHEAD)).isEmpty();
             moving(ours);
             asked(ours, 100);
             time.advance(QUIET);
@@ -96,7 +96,7 @@ class ToldBridgesTest extends SteppedRobotTrial {
     void aRobotIsToldToStandAfterTheLastWordOfWhoSteersIt() {
         try (SteppedRobot robot = robot(7, QUOTED_7)) {
             still(robot, 7);
-            assertThat(steer(drone(7), AHEAD)).isEmpty();
+            assertThat(steer(house.drone(7), AHEAD)).isEmpty();
             moving(robot);
             JsonNode next = asked(robot, 100);
 
