@@ -1,4 +1,4 @@
-"""What tests ask of a server that runs, and of the machine about it."""
+"""Questions of tests to a server that runs, and to the machine about it."""
 
 import json
 import re

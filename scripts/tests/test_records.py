@@ -1,4 +1,4 @@
-"""What a server stores: kept in a backup, brought back, and verified."""
+"""The records of a server: kept in a backup, brought back, and verified."""
 
 import hashlib
 import json

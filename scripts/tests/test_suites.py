@@ -5,13 +5,13 @@ import os
 import re
 import signal
 import subprocess
-import time
 import tomllib
 from pathlib import Path
 
 import pytest
 
 from .conftest import ROOT
+from .waiting import until
 
 PASSED_REPORT = '<testsuite><testcase name="lands"/></testsuite>'
 FAILED_REPORT = '<testsuite><testcase name="lands"><failure message="crashed"/></testcase></testsuite>'
@@ -273,10 +273,7 @@ def test_an_interruption_ends_both_lanes(bench: Bench) -> None:
     with subprocess.Popen(
         bench.words(waits, *lanes), env=bench.environment(), stderr=subprocess.PIPE, text=True
     ) as run:
-        deadline = time.monotonic() + 20
-        while not pids.exists() or len(pids.read_text().split()) < 2:
-            assert time.monotonic() < deadline
-            time.sleep(0.05)
+        until("both have begun", lambda: pids.exists() and len(pids.read_text().split()) == 2)
         run.send_signal(signal.SIGTERM)
         said = run.communicate(timeout=30)[1]
     assert run.returncode == 143

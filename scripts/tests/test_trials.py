@@ -6,7 +6,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,6 +14,7 @@ import pytest
 import trials
 
 from .conftest import ROOT
+from .waiting import until
 
 TABLE = """
 [seeds]
@@ -81,13 +81,6 @@ class Field:
 @pytest.fixture
 def field(tmp_path: Path) -> Field:
     return Field(tmp_path)
-
-
-def until(holds: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + 30
-    while not holds():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
 
 
 def alive(pid: str) -> bool:
@@ -158,7 +151,7 @@ def in_the_second_unit(field: Field) -> subprocess.Popen[str]:
     run = subprocess.Popen(
         field.command("seeds"), text=True, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
     )
-    until(lambda: (field.root / "waits").exists() and (field.root / "waits").read_text().strip() != "")
+    until("it has begun", lambda: (field.root / "waits").exists() and (field.root / "waits").read_text().strip() != "")
     return run
 
 
@@ -172,7 +165,7 @@ def test_a_trial_that_was_ended_in_the_middle_goes_on_with_the_unit_that_it_was_
     assert run.returncode == (-number if number == signal.SIGKILL else trials.INTERRUPTED)
     assert number == signal.SIGKILL or "run the same command again and it goes on" in said
     unit = (field.root / "waits").read_text().strip()
-    until(lambda: not alive(unit))
+    until("it has ended", lambda: not alive(unit))
     assert len(field.state("seeds").read_text().splitlines()) == 1
     assert field.results("seeds")[2] == "# 1 of 3 units done, 0 failed", "shown at once, not at the end"
 
@@ -260,9 +253,9 @@ def test_a_busy_process_runs_beside_each_unit_and_ends_with_it(field: Field) -> 
 def test_busy_processes_end_with_a_trial_that_is_killed(field: Field) -> None:
     field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >busy; sleep 300")
     with subprocess.Popen(field.command("names"), stdout=subprocess.DEVNULL) as run:
-        until(lambda: (field.root / "busy").exists() and (field.root / "busy").read_text() != "")
+        until("it is busy", lambda: (field.root / "busy").exists() and (field.root / "busy").read_text() != "")
         run.kill()
-    until(lambda: not alive((field.root / "busy").read_text().split()[0]))
+    until("it has ended", lambda: not alive((field.root / "busy").read_text().split()[0]))
 
 
 def test_files_are_units_but_those_left_out(field: Field, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,6 +14,7 @@ from typing import IO
 import pytest
 
 from .conftest import Checkout, copy_tree, needs_root, small_disk
+from .waiting import until
 
 USAGE, RIGHTS, PORT, DISK, NETWORK, START = 2, 3, 4, 5, 6, 8
 INTERRUPTED = 130
@@ -238,9 +239,8 @@ def test_two_at_once_in_one_checkout_do_not_disturb_each_other(untouched: Checko
     tools = untouched.path / ".tools"
     tools.mkdir(exist_ok=True)
     with subprocess.Popen(["flock", tools / "lock", "cat"], stdin=subprocess.PIPE) as holder:
-        deadline = time.monotonic() + 10
-        while subprocess.run(["flock", "-n", tools / "lock", "true"], check=False).returncode == 0:
-            assert time.monotonic() < deadline
+        free = ["flock", "-n", tools / "lock", "true"]
+        until("it is taken", lambda: subprocess.run(free, check=False).returncode != 0)
         outcome = untouched.run("up")
         assert holder.stdin is not None
         holder.stdin.close()

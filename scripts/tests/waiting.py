@@ -1,0 +1,14 @@
+"""Waits of tests for what other processes do."""
+
+import time
+from collections.abc import Callable
+
+PATIENCE_SECONDS = 60
+BETWEEN_LOOKS_SECONDS = 0.02
+
+
+def until(what: str, holds: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + PATIENCE_SECONDS
+    while not holds():
+        assert time.monotonic() < deadline, f"Not within {PATIENCE_SECONDS} s: {what}"
+        time.sleep(BETWEEN_LOOKS_SECONDS)
