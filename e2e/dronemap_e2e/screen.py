@@ -36,7 +36,7 @@ SPARING = """(() => {
 
 
 def also_at(page: Page, size: ViewportSize, *targets: Locator) -> None:
-    """What is pressed at one size can be at another, too: it is in sight, at rest, with nothing over it."""
+    """Can be pressed at this size, too: it is in sight, at rest, with nothing over it."""
     before = page.viewport_size
     assert before
     page.set_viewport_size(size)

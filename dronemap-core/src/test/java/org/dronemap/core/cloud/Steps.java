@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.time.SteppedTime;
 
-/** How tests let stepped time go by. */
+/** Lets stepped time go by until something holds, or while it does. */
 final class Steps {
     private static final Duration LONGEST = Duration.ofSeconds(30);
 

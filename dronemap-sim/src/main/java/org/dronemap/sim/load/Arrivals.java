@@ -6,7 +6,7 @@ import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 
 /**
- * What came to one ground station of all that was due to be sent within a span of time, however late it came: a machine
+ * Counts what came to one ground station of all that was due to be sent within a span of time, however late it came: a machine
  * that stands still for a moment must not make frames of another moment count. Not thread-safe.
  */
 final class Arrivals {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.ByteBuffer;
 import org.junit.jupiter.api.Test;
 
-/** What counts at a ground station: by when it was due, which does not depend on when the test runs. */
+/** Frames count at a ground station by when they were due, whenever the test runs. */
 class ArrivalsTest {
     private static final int RATE = 20;
     private static final long SECOND_NANOS = 1_000_000_000L;

@@ -67,7 +67,7 @@ final class TenMinutes {
         }
     }
 
-    /** What was begun, two minutes later. */
+    /** The run, the virtual drone and the phone of the first two minutes. */
     private record Begun(RunFlight run, String virtual, Phone phone) {}
 
     private Begun begin() {

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.NullSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What waits for a client that is slow: all that must arrive, or it is closed. */
+/** The outbox of a slow client: all that must arrive does, or it is closed. */
 class ClientOutboxTest {
     private static final DroneId DRONE = new DroneId("drone-1");
 

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class OwnPostgresTest {
-    /** What a server left that had run once and was stopped: most tests begin with a copy of it. */
+    /** The folder of a server that had run once and was stopped: most tests begin with a copy of it. */
     @TempDir
     private static Path stopped;
 
