@@ -1,10 +1,20 @@
 package org.dronemap.store;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.dronemap.core.access.AccessKey;
@@ -19,7 +29,8 @@ import org.slf4j.LoggerFactory;
 /**
  * Who was recognised lately is recognised while the store is away, too, so that drones can be held and called home then:
  * what was read last answers where it cannot be read now. Every change of an account forgets all of that, whether the change
- * succeeded or not; nothing can be changed while the store is away. At most 1,000 accounts, sessions and keys each. Thread-safe.
+ * succeeded or not; nothing can be changed while the store is away. A store that hangs counts as away after a second, for
+ * whoever is remembered. At most 1,000 accounts, sessions and keys each. Thread-safe.
  */
 public final class RememberedAccess implements AccessStore {
     private static final Logger LOG = LoggerFactory.getLogger(RememberedAccess.class);
@@ -27,8 +38,14 @@ public final class RememberedAccess implements AccessStore {
     /** A store that is away takes its time to say so: it is not asked each time. */
     private static final long BETWEEN_QUESTIONS_NANOS = 1_000_000_000L;
 
+    /** So long a store that may be in trouble is asked for somebody who is remembered. */
+    private static final Duration PATIENCE = Duration.ofSeconds(1);
+
+    private static final int MOST_QUESTIONS = 8;
+
     private final AccessStore store;
     private final LongSupplier nanoTime;
+    private final ExecutorService questions;
     private final Map<String, User> users = bounded();
     private final Map<String, SignIn> signIns = bounded();
     private final Map<String, AccessKey> keys = bounded();
@@ -42,6 +59,19 @@ public final class RememberedAccess implements AccessStore {
     public RememberedAccess(AccessStore store, LongSupplier nanoTime) {
         this.store = store;
         this.nanoTime = nanoTime;
+        this.questions = questions();
+    }
+
+    /** They end when nothing was asked for a while. */
+    private static ExecutorService questions() {
+        ThreadPoolExecutor threads = new ThreadPoolExecutor(
+                MOST_QUESTIONS, MOST_QUESTIONS, 10, TimeUnit.SECONDS, new ArrayBlockingQueue<>(MOST), work -> {
+                    Thread thread = new Thread(work, "access");
+                    thread.setDaemon(true);
+                    return thread;
+                });
+        threads.allowCoreThreadTimeOut(true);
+        return threads;
     }
 
     private static <T> Map<String, T> bounded() {
@@ -96,6 +126,19 @@ public final class RememberedAccess implements AccessStore {
         if (known != null) {
             return Optional.of(known);
         }
+        if (last(() -> from.get(key)) == null) {
+            return ask(from, key, asked);
+        }
+        Optional<Optional<T>> answer = soon(() -> ask(from, key, asked));
+        if (answer.isPresent()) {
+            return answer.get();
+        }
+        // It may have been forgotten meanwhile, for a change.
+        T last = last(() -> from.get(key));
+        return last == null ? ask(from, key, asked) : Optional.of(last);
+    }
+
+    private <T> Optional<T> ask(Map<String, T> from, String key, Supplier<Optional<T>> asked) {
         long began = now();
         try {
             Optional<T> read = asked.get();
@@ -104,6 +147,39 @@ public final class RememberedAccess implements AccessStore {
         } catch (StoreException failed) {
             return Optional.of(remembered(failed, () -> from.get(key)));
         }
+    }
+
+    /** The answer, unless the store does not give one soon: whoever is remembered must not wait for a store that hangs. */
+    private <T> Optional<T> soon(Callable<T> question) {
+        Future<T> answer;
+        try {
+            answer = questions.submit(question);
+        } catch (RejectedExecutionException e) {
+            return isAway(e);
+        }
+        try {
+            return Optional.of(answer.get(PATIENCE.toNanos(), TimeUnit.NANOSECONDS));
+        } catch (TimeoutException e) {
+            return isAway(e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return isAway(e);
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof RuntimeException failed) {
+                throw failed;
+            }
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private synchronized <T> Optional<T> isAway(Exception why) {
+        LOG.warn("The store does not say who may do what; who was recognised lately is recognised from memory", why);
+        awayNanos = nanoTime.getAsLong();
+        return Optional.empty();
+    }
+
+    private synchronized <T> @Nullable T last(Supplier<@Nullable T> known) {
+        return known.get();
     }
 
     private synchronized <T> void remember(Map<String, T> in, String key, @Nullable T read, long began) {
@@ -205,16 +281,24 @@ public final class RememberedAccess implements AccessStore {
         return changing(() -> store.replaceSecret(owner, id, secretHash));
     }
 
-    /** Not worth refusing anything for. */
+    /** Not worth refusing anything for, nor waiting. */
     @Override
     public void accessKeyUsed(String id, Instant at) {
+        Optional<Boolean> written = soon(() -> isWritten(id, at));
+        if (!written.orElse(false)) {
+            LOG.info("That the key {} was used is not written down: the store is away", id);
+        }
+    }
+
+    private boolean isWritten(String id, Instant at) {
         try {
             store.accessKeyUsed(id, at);
+            return true;
         } catch (StoreException failed) {
             if (!failed.isPassing()) {
                 throw failed;
             }
-            LOG.info("That the key {} was used is not written down: the store is away", id);
+            return false;
         }
     }
 

@@ -2,10 +2,15 @@ package org.dronemap.store;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
+import java.time.Duration;
 import java.time.Instant;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dronemap.core.access.AccessStore;
@@ -19,6 +24,7 @@ import org.junit.jupiter.api.Test;
 
 /** As any store of accounts; and while the one behind it is away it knows whom it knew, and nobody else. */
 class RememberedAccessTest extends AccessStoreContract {
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
     private static final Instant NOW = Instant.parse("2026-03-04T05:06:07Z");
     private static final User ANN = new User("ann", Role.OPERATOR, AccountState.ACTIVE, "salt$hash", false);
     private static final User BOB = new User("bob", Role.OPERATOR, AccountState.ACTIVE, "salt$other", false);
@@ -27,7 +33,8 @@ class RememberedAccessTest extends AccessStoreContract {
     private final AtomicInteger asked = new AtomicInteger();
     private final AtomicLong nanos = new AtomicLong();
     private final RememberedAccess access = new RememberedAccess(behind(), nanos::get);
-    private boolean away;
+    private volatile boolean away;
+    private volatile CountDownLatch answers = new CountDownLatch(0);
 
     @Override
     protected AccessStore emptyStore() {
@@ -39,6 +46,7 @@ class RememberedAccessTest extends AccessStoreContract {
         return (AccessStore) Proxy.newProxyInstance(
                 AccessStore.class.getClassLoader(), new Class<?>[] {AccessStore.class}, (proxy, method, arguments) -> {
                     asked.incrementAndGet();
+                    answers.await();
                     if (away) {
                         throw StoreException.passing("It is away.", new IllegalStateException("no connection"));
                     }
@@ -64,6 +72,37 @@ class RememberedAccessTest extends AccessStoreContract {
         assertThat(access.signIn("token", NOW)).isPresent();
         assertThat(access.user("ann")).contains(ANN);
         assertThatThrownBy(() -> access.user("bob")).isInstanceOf(StoreException.class);
+    }
+
+    @Test
+    void knowsWhomItKnewWhileTheStoreHangs() {
+        signedIn(ANN, "token");
+        answers = new CountDownLatch(1);
+
+        CompletableFuture<Optional<User>> known = CompletableFuture.supplyAsync(() -> access.user("ann"));
+        assertThat(known).succeedsWithin(PATIENCE).isEqualTo(Optional.of(ANN));
+        CompletableFuture<Void> used = CompletableFuture.runAsync(() -> access.accessKeyUsed("key", NOW));
+        assertThat(used).succeedsWithin(PATIENCE);
+
+        answers.countDown();
+    }
+
+    @Test
+    void asksAgainForWhomItForgotWhileTheStoreHung() {
+        signedIn(ANN, "token");
+        answers = new CountDownLatch(1);
+        int before = asked.get();
+        CompletableFuture<Optional<User>> known = CompletableFuture.supplyAsync(() -> access.user("ann"));
+        await().atMost(PATIENCE).until(() -> asked.get() == before + 1);
+
+        CompletableFuture<Void> changed =
+                CompletableFuture.runAsync(() -> access.updateUser(ANN.withState(AccountState.DISABLED)));
+        await().atMost(PATIENCE).until(() -> asked.get() == before + 3);
+        assertThat(known).as("waits for what is stored").isNotDone();
+
+        answers.countDown();
+        assertThat(changed).succeedsWithin(PATIENCE);
+        assertThat(known).succeedsWithin(PATIENCE);
     }
 
     @Test
