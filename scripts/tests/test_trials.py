@@ -151,7 +151,10 @@ def in_the_second_unit(field: Field) -> subprocess.Popen[str]:
     run = subprocess.Popen(
         field.command("seeds"), text=True, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
     )
-    until("it has begun", lambda: (field.root / "waits").exists() and (field.root / "waits").read_text().strip() != "")
+    until(
+        "it has begun",
+        lambda: (field.root / "waits").exists() and (field.root / "waits").read_text().strip() != "",
+    )
     return run
 
 
@@ -253,7 +256,9 @@ def test_a_busy_process_runs_beside_each_unit_and_ends_with_it(field: Field) -> 
 def test_busy_processes_end_with_a_trial_that_is_killed(field: Field) -> None:
     field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >busy; sleep 300")
     with subprocess.Popen(field.command("names"), stdout=subprocess.DEVNULL) as run:
-        until("it is busy", lambda: (field.root / "busy").exists() and (field.root / "busy").read_text() != "")
+        until(
+            "it is busy", lambda: (field.root / "busy").exists() and (field.root / "busy").read_text() != ""
+        )
         run.kill()
     until("it has ended", lambda: not alive((field.root / "busy").read_text().split()[0]))
 

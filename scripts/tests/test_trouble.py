@@ -239,7 +239,7 @@ def test_two_at_once_in_one_checkout_do_not_disturb_each_other(untouched: Checko
     tools = untouched.path / ".tools"
     tools.mkdir(exist_ok=True)
     with subprocess.Popen(["flock", tools / "lock", "cat"], stdin=subprocess.PIPE) as holder:
-        free = ["flock", "-n", tools / "lock", "true"]
+        free = ["flock", "-n", str(tools / "lock"), "true"]
         until("it is taken", lambda: subprocess.run(free, check=False).returncode != 0)
         outcome = untouched.run("up")
         assert holder.stdin is not None
