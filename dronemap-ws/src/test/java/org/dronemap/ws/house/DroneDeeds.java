@@ -18,6 +18,7 @@ import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.session.FrameTap;
+import tools.jackson.databind.JsonNode;
 
 /** What is done with drones and what belongs to them, each with success. */
 public final class DroneDeeds extends Deeds {
@@ -286,10 +287,22 @@ public final class DroneDeeds extends Deeds {
                 + "{\"latitude\":47.4077,\"longitude\":8.5476,\"altitude\":20}]}");
         root.http().post("/api/v1/plans/" + id + "/accept", "{\"start\":true}");
         Waiting.until(
-                "one of them waits",
+                "one of them waits, and the record of what the other was told is written",
                 () -> Optional.of(root.http().get("/api/v1/plans/" + id))
-                        .filter(answer -> answer.raw().body().contains("\"stage\":\"waiting\"")));
+                        .filter(answer -> oneWaits(answer.json().path("launch").path("drones"))));
         return id;
+    }
+
+    private boolean oneWaits(JsonNode drones) {
+        boolean waits = false;
+        boolean told = false;
+        for (JsonNode drone : drones) {
+            waits |= drone.path("stage").asString("").equals("waiting");
+            String command = drone.path("command").asString("");
+            told |= house.records().stream()
+                    .anyMatch(record -> command.equals(record.entry().command()));
+        }
+        return waits && told;
     }
 
     private String plan() {
