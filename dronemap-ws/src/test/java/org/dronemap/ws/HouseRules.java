@@ -9,8 +9,14 @@ import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.lang.ArchRule;
+import java.util.List;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.proxy.endpoint.BoundedDraft;
+import org.java_websocket.client.WebSocketClient;
+import org.java_websocket.drafts.Draft;
+import org.java_websocket.drafts.Draft_6455;
+import org.java_websocket.server.WebSocketServer;
 
 /** The rules of the house that the compiler cannot see. */
 final class HouseRules {
@@ -187,4 +193,25 @@ final class HouseRules {
                 }
             })
             .as("only the gate calls a vehicle channel's perform");
+
+    static final ArchRule MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED = noClasses()
+            .that()
+            .areNotAssignableTo(BoundedDraft.class)
+            .should()
+            .callCodeUnitWhere(new DescribedPredicate<JavaCall<?>>("it opens a WebSocket that says nothing of bounds") {
+                @Override
+                public boolean test(JavaCall<?> call) {
+                    JavaClass owner = call.getTargetOwner();
+                    boolean draft = owner.isEquivalentTo(Draft_6455.class);
+                    boolean end =
+                            owner.isEquivalentTo(WebSocketServer.class) || owner.isEquivalentTo(WebSocketClient.class);
+                    return call.getName().equals("<init>")
+                            && (draft
+                                    || end
+                                            && call.getTarget().getRawParameterTypes().stream()
+                                                    .noneMatch(type -> type.isEquivalentTo(List.class)
+                                                            || type.isAssignableTo(Draft.class)));
+                }
+            })
+            .as("messages of WebSockets are bounded while they grow");
 }

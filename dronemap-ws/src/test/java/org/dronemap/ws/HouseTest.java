@@ -58,7 +58,8 @@ class HouseTest {
                 HouseRules.FLOORS_OF_WS,
                 HouseRules.ONLY_THE_WIRING_SEES_LINKS_AND_STORES,
                 HouseRules.NO_CYCLES,
-                HouseRules.ONLY_THE_GATE_COMMANDS);
+                HouseRules.ONLY_THE_GATE_COMMANDS,
+                HouseRules.MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED);
     }
 
     @ParameterizedTest
@@ -80,6 +81,10 @@ class HouseTest {
         JavaClasses planted = new ClassFileImporter().importClasses(PlantedViolation.class);
 
         assertThat(HouseRules.ONLY_THE_GATE_COMMANDS.evaluate(planted).hasViolation())
+                .isTrue();
+        assertThat(HouseRules.MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED
+                        .evaluate(planted)
+                        .hasViolation())
                 .isTrue();
         assertThat(HouseRules.ONLY_THE_WIRING_SEES_LINKS_AND_STORES
                         .evaluate(planted)

@@ -184,6 +184,29 @@ class StreamTest {
         }
     }
 
+    @Test
+    void whoIsNotSignedInMaySayAFewKilobytesAtATime() {
+        try (StreamListener stream = StreamListener.with(house, "", Map.of())) {
+            stream.sendInPieces("a".repeat(9_000), 1_000);
+
+            assertThat(stream.awaitClose()).contains("8192 bytes");
+        }
+    }
+
+    @Test
+    void aMessageMayHave256KilobytesInPiecesToo() {
+        String ping = "{\"type\":\"ping\"}";
+        String largest = ping + " ".repeat(256 * 1024 - ping.length());
+        try (StreamListener stream = StreamListener.withKey(house, key)) {
+            stream.await(message -> isType(message, "drones"));
+            stream.sendInPieces(largest, 1_000);
+            stream.await(message -> isType(message, "pong"));
+
+            stream.sendInPieces(largest + " ", 1_000);
+            assertThat(stream.awaitClose()).contains("262144 bytes");
+        }
+    }
+
     private int clients() {
         return house.bean(StreamFace.class).clientCount();
     }

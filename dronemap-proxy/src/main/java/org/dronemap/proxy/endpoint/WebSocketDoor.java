@@ -31,10 +31,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Makes the connections of a WebSocket server, with or without TLS, and bounds what the library does not: how many one
- * host may have, how many may be there without having shaken hands, how long that may take and how much may be said in it.
+ * host may have, how many may be there without having shaken hands, how long that may take and how much may be said in it,
+ * and how much after a farewell.
  * Any thread.
  */
 public final class WebSocketDoor implements WebSocketServerFactory {
+    private static final int MOST_BYTES_AFTER_FAREWELL = 1_048_576;
     private static final Duration BETWEEN_SWEEPS = Duration.ofMillis(500);
 
     private final Limits limits;
@@ -175,6 +177,7 @@ public final class WebSocketDoor implements WebSocketServerFactory {
         private final long sinceNanos = time.nanos();
         // owned by the worker that decodes
         private int said;
+        private int saidAfterFarewell;
 
         Guarded(WebSocketAdapter server, List<Draft> drafts) {
             super(server, drafts);
@@ -197,6 +200,12 @@ public final class WebSocketDoor implements WebSocketServerFactory {
                     bytes.position(bytes.limit());
                     closeConnection(CloseFrame.POLICY_VALIDATION, "the handshake is too long");
                     return;
+                }
+            }
+            if (isClosing()) {
+                saidAfterFarewell += bytes.remaining();
+                if (saidAfterFarewell > MOST_BYTES_AFTER_FAREWELL) {
+                    closeConnection(CloseFrame.ABNORMAL_CLOSE, "it goes on after the farewell");
                 }
             }
             super.decode(bytes);

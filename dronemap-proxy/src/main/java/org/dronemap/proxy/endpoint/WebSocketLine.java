@@ -5,14 +5,10 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.ByteBuffer;
-import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.java_websocket.client.WebSocketClient;
-import org.java_websocket.drafts.Draft_6455;
-import org.java_websocket.extensions.IExtension;
 import org.java_websocket.handshake.ServerHandshake;
-import org.java_websocket.protocols.Protocol;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -113,11 +109,7 @@ final class WebSocketLine implements NetworkLine {
         private volatile String why = "nobody answered within 5 s";
 
         Client(URI address) {
-            super(
-                    address,
-                    new Draft_6455(List.<IExtension>of(), List.of(new Protocol("")), LARGEST_MESSAGE_BYTES),
-                    null,
-                    PATIENCE_MILLIS);
+            super(address, BoundedDraft.ofOurChoice(LARGEST_MESSAGE_BYTES), null, PATIENCE_MILLIS);
             setDaemon(true);
             setTcpNoDelay(true);
             setConnectionLostTimeout(20);

@@ -13,13 +13,10 @@ import java.util.concurrent.TimeoutException;
 import org.dronemap.core.time.Time;
 import org.java_websocket.WebSocket;
 import org.java_websocket.drafts.Draft;
-import org.java_websocket.drafts.Draft_6455;
 import org.java_websocket.exceptions.InvalidDataException;
-import org.java_websocket.extensions.IExtension;
 import org.java_websocket.framing.CloseFrame;
 import org.java_websocket.handshake.ClientHandshake;
 import org.java_websocket.handshake.ServerHandshakeBuilder;
-import org.java_websocket.protocols.Protocol;
 import org.java_websocket.server.WebSocketServer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -119,13 +116,7 @@ final class WebSocketServerEndpoint implements Endpoint {
         private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
         Server(InetSocketAddress address, Seat.Place place, WebSocketDoor door) {
-            super(
-                    address,
-                    1,
-                    List.<Draft>of(new Draft_6455(
-                            List.<IExtension>of(),
-                            List.of(new Protocol("")),
-                            handlers.speech().longestMessage())));
+            super(address, 1, List.<Draft>of(new BoundedDraft(handlers.speech().longestMessage())));
             this.place = place;
             setWebSocketFactory(door);
             setReuseAddr(true);
@@ -170,6 +161,9 @@ final class WebSocketServerEndpoint implements Endpoint {
             long now = time.nanos();
             if (seat != null) {
                 seat.received(bytes, now);
+                if (!seat.isStranger()) {
+                    BoundedDraft.admit(socket);
+                }
             }
             peers.sweep(now);
         }

@@ -42,6 +42,10 @@ final class StreamClient {
         this.answeredNanos = nowNanos;
     }
 
+    WebSocket socket() {
+        return socket;
+    }
+
     Optional<SignedIn> caller() {
         return Optional.ofNullable(caller);
     }

@@ -3,6 +3,7 @@ package org.dronemap.ws.stream;
 import java.util.Collection;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Consumer;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.service.Rejection;
@@ -15,11 +16,14 @@ public final class StreamCrowd {
     private static final int MOST_CLIENTS = 2_000;
 
     private final int mostOfOneUser;
+    private final Consumer<WebSocket> onAdmission;
     private final ConcurrentHashMap<WebSocket, StreamClient> clients = new ConcurrentHashMap<>();
     private final LongAdder turnedAway = new LongAdder();
 
-    public StreamCrowd(int mostOfOneUser) {
+    /** {@code onAdmission}: what is done with the connection of somebody who signed in. */
+    public StreamCrowd(int mostOfOneUser, Consumer<WebSocket> onAdmission) {
         this.mostOfOneUser = mostOfOneUser;
+        this.onAdmission = onAdmission;
     }
 
     Collection<StreamClient> clients() {
@@ -68,6 +72,7 @@ public final class StreamCrowd {
                     RejectionKind.THROTTLED,
                     "As many streams are open as one user may have (" + mostOfOneUser + "); close one first.");
         }
+        onAdmission.accept(client.socket());
     }
 
     /** How many found no place since the start. */

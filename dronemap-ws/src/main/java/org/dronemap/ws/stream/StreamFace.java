@@ -48,10 +48,13 @@ import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.service.ZoneFeature;
 import org.dronemap.ws.service.ZoneService;
 import org.java_websocket.WebSocketServerFactory;
+import org.java_websocket.drafts.Draft;
 import org.java_websocket.framing.CloseFrame;
 
 /** The WebSocket face as a whole. Lanes only put news down; one pump thread carries them to the clients. */
 public final class StreamFace implements CloudListener, AutoCloseable {
+    public static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
+
     private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
     private static final long PING_NANOS = TimeUnit.SECONDS.toNanos(5);
     private static final long TIME_TO_SIGN_IN_NANOS = TimeUnit.SECONDS.toNanos(5);
@@ -82,6 +85,9 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             Reins reins,
             JsonReader json) {}
 
+    /** Where it listens, who makes its connections, and how their messages are read: {@link #LARGEST_MESSAGE_BYTES} at most. */
+    public record Port(InetSocketAddress address, WebSocketServerFactory door, Draft draft) {}
+
     /** Who has control of drones, and who steers them by it. */
     public record Reins(ControlService controls, SteeringService steering) {}
 
@@ -106,12 +112,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             RunService runs,
             FollowService follows) {}
 
-    public StreamFace(
-            CloudManager cloud,
-            Services services,
-            InetSocketAddress address,
-            WebSocketServerFactory door,
-            Clock clock) {
+    public StreamFace(CloudManager cloud, Services services, Port port, Clock clock) {
         this.cloud = cloud;
         this.services = services;
         this.clock = clock;
@@ -125,13 +126,12 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.requests = new StreamRequests(services, phones);
         services.entrance().accounts().onChangeFirst(this::judgeAnew);
         this.server = new StreamServer(
-                address,
+                port,
                 requests,
                 services.entrance().bounds().crowd(),
                 services.entrance().authentication(),
                 services.entrance().tickets(),
                 pump::wake);
-        server.setWebSocketFactory(door);
     }
 
     /** Returns the port when it listens. */

@@ -1,6 +1,5 @@
 package org.dronemap.ws.stream;
 
-import java.net.InetSocketAddress;
 import java.nio.channels.ClosedSelectorException;
 import java.util.Collection;
 import java.util.List;
@@ -15,13 +14,9 @@ import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
 import org.java_websocket.WebSocket;
-import org.java_websocket.drafts.Draft;
-import org.java_websocket.drafts.Draft_6455;
-import org.java_websocket.extensions.IExtension;
 import org.java_websocket.framing.CloseFrame;
 import org.java_websocket.framing.Framedata;
 import org.java_websocket.handshake.ClientHandshake;
-import org.java_websocket.protocols.Protocol;
 import org.java_websocket.server.WebSocketServer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -31,7 +26,6 @@ import org.slf4j.LoggerFactory;
 final class StreamServer extends WebSocketServer {
     private static final Logger LOG = LoggerFactory.getLogger(StreamServer.class);
     private static final int WORKERS = 2;
-    private static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
     private static final String PATH = "/stream";
     private static final String TICKET = "ticket=";
     private static final String FAREWELL = "The server stops.";
@@ -46,13 +40,14 @@ final class StreamServer extends WebSocketServer {
     private final CompletableFuture<Integer> listening = new CompletableFuture<>();
 
     StreamServer(
-            InetSocketAddress address,
+            StreamFace.Port port,
             StreamRequests requests,
             StreamCrowd crowd,
             Authentication authentication,
             StreamTickets tickets,
             Runnable onNews) {
-        super(address, WORKERS, List.of(draft()));
+        super(port.address(), WORKERS, List.of(port.draft()));
+        setWebSocketFactory(port.door());
         this.requests = requests;
         this.crowd = crowd;
         this.authentication = authentication;
@@ -188,9 +183,5 @@ final class StreamServer extends WebSocketServer {
 
     private static String hostOf(String hostAndPort) {
         return hostAndPort.replaceFirst(":\\d+$", "");
-    }
-
-    private static Draft draft() {
-        return new Draft_6455(List.<IExtension>of(), List.of(new Protocol("")), LARGEST_MESSAGE_BYTES);
     }
 }

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
 import org.dronemap.core.audit.AuditDesk;
 import org.dronemap.core.time.Time;
+import org.dronemap.proxy.endpoint.BoundedDraft;
 import org.dronemap.proxy.endpoint.WebSocketDoor;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.security.Authentication;
@@ -41,7 +42,7 @@ public class StreamConfiguration {
 
     @Bean
     StreamCrowd streamCrowd(Settings settings) {
-        return new StreamCrowd(settings.protection().streamsPerUser());
+        return new StreamCrowd(settings.protection().streamsPerUser(), BoundedDraft::admit);
     }
 
     @Bean
@@ -100,7 +101,8 @@ public class StreamConfiguration {
     StreamFace streamFace(
             House house, StreamFace.Services services, Settings settings, WebSocketDoor door, Clock clock) {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
-        return new StreamFace(house.cloud(), services, address, door, clock);
+        StreamFace.Port port = new StreamFace.Port(address, door, new BoundedDraft(StreamFace.LARGEST_MESSAGE_BYTES));
+        return new StreamFace(house.cloud(), services, port, clock);
     }
 
     /** Listens before the HTTP port does, so that whoever finds the page finds the stream. */

@@ -1,6 +1,8 @@
 package org.dronemap.ws.house;
 
 import java.net.URI;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.dronemap.ws.wiring.StreamPort;
 import org.java_websocket.client.WebSocketClient;
+import org.java_websocket.enums.Opcode;
 import org.java_websocket.handshake.ServerHandshake;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -66,6 +69,15 @@ public final class StreamListener implements AutoCloseable {
 
     public void send(String message) {
         socket.send(message);
+    }
+
+    /** One message in pieces of at most so many bytes. */
+    public void sendInPieces(String message, int most) {
+        byte[] all = message.getBytes(StandardCharsets.UTF_8);
+        for (int from = 0; from < all.length; from += most) {
+            int length = Math.min(most, all.length - from);
+            socket.sendFragmentedFrame(Opcode.TEXT, ByteBuffer.wrap(all, from, length), from + length == all.length);
+        }
     }
 
     public List<JsonNode> heard() {

@@ -4,13 +4,16 @@ import org.dronemap.core.cloud.Mandate;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.command.Command;
 import org.dronemap.store.memory.MemoryMissionStore;
+import org.java_websocket.drafts.Draft;
+import org.java_websocket.drafts.Draft_6455;
 
-/** Commands a vehicle past the gate, and reaches into a store. */
+/** Commands a vehicle past the gate, reaches into a store, and speaks WebSocket without a bound. */
 public final class PlantedViolation {
     private final MemoryMissionStore store = new MemoryMissionStore();
+    private final Draft unbounded = new Draft_6455();
 
     public void violate(VehicleChannel channel, VehicleChannel.Report report) {
-        if (store.missions().isEmpty()) {
+        if (store.missions().isEmpty() && unbounded.getRole() == null) {
             channel.perform(Mandate.HOUSEKEEPING, new Command.Arm(), report);
         }
     }
