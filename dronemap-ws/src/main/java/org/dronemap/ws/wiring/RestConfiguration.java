@@ -8,6 +8,7 @@ import org.dronemap.ws.guard.BodyLimitFilter;
 import org.dronemap.ws.guard.ClientLimits;
 import org.dronemap.ws.guard.CrowdFilter;
 import org.dronemap.ws.guard.PatientProtocol;
+import org.dronemap.ws.guard.PlainAddressFilter;
 import org.dronemap.ws.rest.AccessKeyController;
 import org.dronemap.ws.rest.AccessLogFilter;
 import org.dronemap.ws.rest.ApiDescription;
@@ -194,10 +195,16 @@ public class RestConfiguration {
         };
     }
 
+    /** Within the bounds of time and length, and before it is judged who may go there. */
+    @Bean
+    FilterRegistrationBean<OncePerRequestFilter> plainAddress(ProblemWriter problems) {
+        return first(new PlainAddressFilter(problems), 5);
+    }
+
     @Bean
     FilterRegistrationBean<OncePerRequestFilter> access(
             Authentication authentication, Budgets budgets, ProblemWriter problems) {
-        return first(new AccessFilter(authentication, budgets, problems), 5);
+        return first(new AccessFilter(authentication, budgets, problems), 6);
     }
 
     @Bean
