@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
@@ -14,9 +15,12 @@ import org.dronemap.ws.security.SignedIn;
 import org.java_websocket.WebSocket;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** One connection of the stream. Any thread; its sending belongs to the pump. */
 final class StreamClient {
+    private static final Logger LOG = LoggerFactory.getLogger(StreamClient.class);
     private static final int LONGEST_REASON_BYTES = 123;
     private static final int TOO_SLOW = CloseFrame.TRY_AGAIN_LATER;
 
@@ -64,8 +68,24 @@ final class StreamClient {
 
     /** Its connection shows that it stands, if it does. */
     void probe() {
-        if (socket.isOpen()) {
-            socket.sendPing();
+        boolean unused = guarded(() -> {
+            if (socket.isOpen()) {
+                socket.sendPing();
+            }
+            return true;
+        });
+    }
+
+    /** A connection may end between any two calls; what comes of that is of this client alone, which is cut off. */
+    private boolean guarded(BooleanSupplier work) {
+        try {
+            return work.getAsBoolean();
+        } catch (RuntimeException e) {
+            LOG.debug("A connection of the stream broke while it was written to", e);
+            caller = null;
+            outbox.clear();
+            socket.closeConnection(CloseFrame.ABNORMAL_CLOSE, "it cannot be written to");
+            return true;
         }
     }
 
@@ -140,7 +160,10 @@ final class StreamClient {
     void close(int code, String reason) {
         if (closingSinceNanos == 0) {
             closingSinceNanos = Math.max(1, System.nanoTime());
-            socket.close(code, fitting(reason));
+            boolean unused = guarded(() -> {
+                socket.close(code, fitting(reason));
+                return true;
+            });
         }
     }
 
@@ -158,8 +181,10 @@ final class StreamClient {
      * when something still waits.
      */
     boolean pump(long nowNanos, WriteReminder reminder) {
-        reminder.remind(socket);
-        return pump(nowNanos);
+        return guarded(() -> {
+            reminder.remind(socket);
+            return pump(nowNanos);
+        });
     }
 
     private boolean pump(long nowNanos) {

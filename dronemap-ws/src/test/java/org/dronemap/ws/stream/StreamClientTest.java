@@ -1,0 +1,45 @@
+package org.dronemap.ws.stream;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.List;
+import org.java_websocket.WebSocket;
+import org.java_websocket.exceptions.WebsocketNotConnectedException;
+import org.java_websocket.framing.CloseFrame;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A connection that ends while it is written to fails for nobody but its client. */
+class StreamClientTest {
+    private final List<String> called = new ArrayList<>();
+
+    private WebSocket thatBreaksAt(String call) {
+        return (WebSocket) Proxy.newProxyInstance(
+                WebSocket.class.getClassLoader(), new Class<?>[] {WebSocket.class}, (proxy, method, arguments) -> {
+                    called.add(method.getName());
+                    if (method.getName().equals(call)) {
+                        throw new WebsocketNotConnectedException();
+                    }
+                    return method.getReturnType() == boolean.class
+                            ? method.getName().equals("isOpen")
+                            : null;
+                });
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"isClosed", "isOpen", "hasBufferedData", "send", "sendPing", "close"})
+    void isCutOffAlone(String call) {
+        StreamClient client = new StreamClient(thatBreaksAt(call), 0);
+        client.outbox().add("news");
+
+        client.probe();
+        client.pump(1, new WriteReminder(socket -> {}));
+        client.expel(new StreamClient.Farewell(CloseFrame.NORMAL, "over", "{}"));
+        client.pump(2, new WriteReminder(socket -> {}));
+
+        assertThat(called).contains(call, "closeConnection");
+        assertThat(client.caller()).isEmpty();
+    }
+}
