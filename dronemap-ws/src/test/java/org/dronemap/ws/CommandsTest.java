@@ -63,6 +63,19 @@ class CommandsTest {
     }
 
     @Test
+    void anIdIsOfOneUserAndOfWhatWasSaidWithIt() {
+        operator.post(commands + "?wait=10", "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"" + sameId + "\"}");
+
+        Http.Answer otherMode =
+                operator.post(commands, "{\"type\":\"setMode\",\"mode\":\"GUIDED\",\"id\":\"" + sameId + "\"}");
+        assertThat(otherMode.status()).isEqualTo(409);
+        assertThat(otherMode.text("detail")).contains("belongs to another command");
+        Http.Answer otherUser = tenant.http(Role.SUPERVISOR)
+                .post(commands, "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"" + sameId + "\"}");
+        assertThat(otherUser.status()).isEqualTo(409);
+    }
+
+    @Test
     void actsOnceWhenTheSameIdComesTwice() {
         String body = "{\"type\":\"arm\",\"id\":\"" + sameId + "\"}";
         Http.Answer first = operator.post(commands + "?wait=10", body);

@@ -13,6 +13,8 @@ import java.util.List;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.proxy.endpoint.BoundedDraft;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.service.PasswordHashing;
 import org.java_websocket.client.WebSocketClient;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
@@ -193,6 +195,13 @@ final class HouseRules {
                 }
             })
             .as("only the gate calls a vehicle channel's perform");
+
+    static final ArchRule PASSWORDS_ARE_COMPARED_IN_ONE_PLACE = noClasses()
+            .that()
+            .areNotAssignableTo(Authentication.class)
+            .should()
+            .callMethod(PasswordHashing.class, "matches", String.class, String.class)
+            .as("passwords are compared in one place, which slows down who guesses");
 
     static final ArchRule MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED = noClasses()
             .that()

@@ -59,7 +59,8 @@ class HouseTest {
                 HouseRules.ONLY_THE_WIRING_SEES_LINKS_AND_STORES,
                 HouseRules.NO_CYCLES,
                 HouseRules.ONLY_THE_GATE_COMMANDS,
-                HouseRules.MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED);
+                HouseRules.MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED,
+                HouseRules.PASSWORDS_ARE_COMPARED_IN_ONE_PLACE);
     }
 
     @ParameterizedTest
@@ -81,6 +82,10 @@ class HouseTest {
         JavaClasses planted = new ClassFileImporter().importClasses(PlantedViolation.class);
 
         assertThat(HouseRules.ONLY_THE_GATE_COMMANDS.evaluate(planted).hasViolation())
+                .isTrue();
+        assertThat(HouseRules.PASSWORDS_ARE_COMPARED_IN_ONE_PLACE
+                        .evaluate(planted)
+                        .hasViolation())
                 .isTrue();
         assertThat(HouseRules.MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED
                         .evaluate(planted)

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
+import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.Role;
 import org.dronemap.ws.house.Http;
@@ -226,6 +227,38 @@ class UsersTest {
                 .isEqualTo(404);
         assertThat(tenant.http(Role.SUPERVISOR).get("/api/v1/users").text("detail"))
                 .isEqualTo("Only an administrator may do this; you are signed in as supervisor.");
+    }
+
+    @Test
+    void slowsDownWhoGuessesThePresentPasswordAsAtTheSignIn() {
+        String cookie = join(bob, "operator");
+        String wrong = "{\"current\":\"a guess\",\"next\":\"another password\"}";
+        for (int guess = 0; guess < 5; guess++) {
+            assertThat(with(cookie, "POST", "/api/v1/session/password", wrong).status())
+                    .isEqualTo(422);
+        }
+
+        assertThat(with(cookie, "POST", "/api/v1/session/password", wrong).status())
+                .isEqualTo(429);
+        assertThat(signIn(bob, OWN).status()).isEqualTo(429);
+    }
+
+    @Test
+    void aLimitedKeyTouchesNoAccount() {
+        String cookie = join(bob, "operator");
+        for (String limits : List.of("\"role\":\"viewer\"", "\"operations\":[\"view\"]")) {
+            String key = with(cookie, "POST", "/api/v1/access-keys", "{\"label\":\"script\"," + limits + "}")
+                    .text("key");
+            Http limited = new Http(house, key);
+
+            Http.Answer changed = limited.post(
+                    "/api/v1/session/password", "{\"current\":\"" + OWN + "\",\"next\":\"another password\"}");
+            assertThat(changed.status()).isEqualTo(403);
+            assertThat(changed.text("detail")).startsWith("A limited access key changes no password");
+            assertThat(limited.post("/api/v1/session/sign-out-everywhere", "").status())
+                    .isEqualTo(403);
+        }
+        assertThat(signIn(bob, OWN).status()).isEqualTo(200);
     }
 
     /** A user with a password of their own; the answer is a session's cookie. */

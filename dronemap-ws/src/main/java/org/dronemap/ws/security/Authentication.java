@@ -20,6 +20,7 @@ import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.service.FirstPassword;
 import org.dronemap.ws.service.InvalidInput;
+import org.dronemap.ws.service.OwnPassword;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.Roles;
@@ -28,7 +29,7 @@ import org.dronemap.ws.service.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** Proves who asks: by session, access key, or name and password. Any thread. */
-public final class Authentication {
+public final class Authentication implements OwnPassword {
     /** How long a browser stays signed in. */
     public static final Duration SESSION_LENGTH = Duration.ofHours(12);
 
@@ -226,18 +227,31 @@ public final class Authentication {
         if (password == null) {
             throw InvalidInput.missing("password", "your password");
         }
-        throttle.check(name, address);
         Optional<User> user = store.user(name);
         // A name that is none may be a password in the wrong field.
         user.ifPresent(known -> Activity.current().ifPresent(call -> call.parameters("name=" + known.name())));
         // an unknown name takes as long as a wrong password, so that names cannot be found out
-        boolean right = passwords.matches(password, user.map(User::passwordHash).orElse(nobodysHash));
+        boolean right = isRight(name, password, user.map(User::passwordHash).orElse(nobodysHash), address);
         if (!right || user.isEmpty()) {
-            throttle.wrong(name, address);
             throw Rejection.notSignedIn(WRONG);
         }
-        throttle.right(name, address);
         return active(user.get());
+    }
+
+    @Override
+    public boolean isOf(User user, String password, String address) {
+        return isRight(user.name(), password, user.passwordHash(), address);
+    }
+
+    private boolean isRight(String name, String password, String hash, String address) {
+        throttle.check(name, address);
+        boolean right = passwords.matches(password, hash);
+        if (right) {
+            throttle.right(name, address);
+        } else {
+            throttle.wrong(name, address);
+        }
+        return right;
     }
 
     /** Told only to who knows the password. */

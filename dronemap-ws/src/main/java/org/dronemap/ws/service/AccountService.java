@@ -11,6 +11,7 @@ public final class AccountService {
     private final AccessStore store;
     private final Accounts accounts;
     private final PasswordHashing passwords;
+    private final OwnPassword ownPassword;
     private final FirstPassword firstPassword;
 
     /** A change of one's own password. */
@@ -18,22 +19,30 @@ public final class AccountService {
             @Nullable String current, @Nullable String next) {}
 
     public AccountService(
-            AccessStore store, Accounts accounts, PasswordHashing passwords, FirstPassword firstPassword) {
+            AccessStore store,
+            Accounts accounts,
+            PasswordHashing passwords,
+            OwnPassword ownPassword,
+            FirstPassword firstPassword) {
         this.store = store;
         this.accounts = accounts;
         this.passwords = passwords;
+        this.ownPassword = ownPassword;
         this.firstPassword = firstPassword;
     }
 
-    /** Ends every session of the user but the one kept. */
-    public void changePassword(Principal principal, String keepTokenHash, PasswordRequest request) {
+    /** Ends every session of the user but the one kept. {@code address}: where it is asked for. */
+    public void changePassword(Principal principal, String keepTokenHash, PasswordRequest request, String address) {
         User user = store.user(principal.name())
                 .orElseThrow(() -> Rejection.forbidden("Only a user who signed in by password has one to change."));
+        if (isLimited(principal, user)) {
+            throw Rejection.forbidden("A limited access key changes no password; sign in to do this.");
+        }
         String current = request.current();
         if (current == null) {
             throw InvalidInput.missing("current", "your present password");
         }
-        if (!passwords.matches(current, user.passwordHash())) {
+        if (!ownPassword.isOf(user, current, address)) {
             throw new InvalidInput("current", "your present password", "The present password is not right.");
         }
         String next = PasswordRule.acceptable("next", request.next());
@@ -48,10 +57,17 @@ public final class AccountService {
 
     /** Ends every session of the user, this one, too, with their open streams; access keys stay. */
     public void signOutEverywhere(Principal principal) {
-        if (!principal.scope().equals(KeyScope.ALL)) {
+        if (store.user(principal.name())
+                .filter(user -> !isLimited(principal, user))
+                .isEmpty()) {
             throw Rejection.forbidden("A limited access key ends no sessions; sign in to do this.");
         }
         store.deleteOtherSignIns(principal.name(), "");
         accounts.tell(principal.name());
+    }
+
+    /** By a key that reaches less far than its owner does. */
+    private static boolean isLimited(Principal principal, User user) {
+        return !principal.scope().equals(KeyScope.ALL) || principal.role() != user.role();
     }
 }

@@ -87,8 +87,7 @@ public final class CommandService {
     private CommandView give(CommandGate.Source source, DroneState drone, @Nullable String givenId, Command command) {
         CommandId id = id(givenId);
         CommandRecord record = ask(source, drone, id, command);
-        if (!record.drone().equals(drone.id())
-                || !record.type().equals(command.getClass().getSimpleName())) {
+        if (!isOf(record, source, drone, command)) {
             String which = source.principal().sees(record.drone()) ? " (" + record.summary() + ")" : "";
             throw Rejection.conflict(
                     "The id " + id + " belongs to another command already" + which + "; take a new one.");
@@ -100,6 +99,14 @@ public final class CommandService {
                     : Rejection.refused(refused.reason(), id.value());
         }
         return CommandView.of(record);
+    }
+
+    /** What was said of the same again is no new command; whatever else has its id is. */
+    private static boolean isOf(CommandRecord record, CommandGate.Source source, DroneState drone, Command command) {
+        return record.drone().equals(drone.id())
+                && record.by().equals(source.principal().name())
+                && record.type().equals(command.getClass().getSimpleName())
+                && record.summary().equals(command.summary());
     }
 
     private CommandRecord ask(CommandGate.Source source, DroneState drone, CommandId id, Command command) {

@@ -118,8 +118,12 @@ public class ServiceConfiguration {
 
     @Bean
     AccountService accountService(
-            House house, Accounts accounts, PasswordHashing passwords, FirstPassword firstPassword) {
-        return new AccountService(house.access(), accounts, passwords, firstPassword);
+            House house,
+            Accounts accounts,
+            PasswordHashing passwords,
+            Authentication authentication,
+            FirstPassword firstPassword) {
+        return new AccountService(house.access(), accounts, passwords, authentication, firstPassword);
     }
 
     @Bean
