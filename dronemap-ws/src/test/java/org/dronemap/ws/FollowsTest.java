@@ -66,12 +66,15 @@ class FollowsTest {
     private WillingCopter copter(String name, Geodetic stand) {
         WillingCopter copter = tenant.copter(name, stand).wellHeard(house.cloud());
         waiting.add(copter.id());
-        Http.Answer waiting = supervisor.send(
+        assertThat(served(supervisor, copter).status()).isLessThan(300);
+        return copter;
+    }
+
+    private static Http.Answer served(Http by, WillingCopter copter) {
+        return by.send(
                 "/api/v1/warehouse/" + copter.id(),
                 request -> request.header("Content-Type", "application/json")
                         .PUT(HttpRequest.BodyPublishers.ofString("{}")));
-        assertThat(waiting.status()).isLessThan(300);
-        return copter;
     }
 
     private String asked(String members) {
@@ -210,6 +213,22 @@ class FollowsTest {
 
     private static String position(int number, Instant at) {
         return "{\"id\":" + number + ",\"at\":\"" + at + "\"," + HERE + ",\"accuracy\":4}";
+    }
+
+    @Test
+    void aKeyWithAnAreaLeadsNoDroneAway() {
+        String follow = asked("");
+        String area = "\"area\":{\"type\":\"Point\",\"coordinates\":[8.5456,47.3977],\"radius\":100}";
+
+        assertThat(detail(says(limited(phone, area), follow))).startsWith("403").contains("area or heights");
+        assertThat(says(limited(phone, "\"operations\":[\"view\"]"), follow).status())
+                .isEqualTo(403);
+        assertThat(served(limited(supervisor, area), falcon).status()).isEqualTo(403);
+    }
+
+    private Http limited(Http owner, String limits) {
+        Http.Answer made = owner.post("/api/v1/access-keys", "{\"label\":\"x\"," + limits + "}");
+        return new Http(house, made.text("key"));
     }
 
     private static String positions(String follow, String request, Instant sent, String... positions) {

@@ -147,6 +147,9 @@ public final class FollowService {
         if (!follow.saved().owner().equals(principal.name())) {
             throw Rejection.forbidden("Only " + follow.saved().owner() + " says where the phone is.");
         }
+        // Where the phone is said to be, there the drone flies.
+        desk.requireWithoutBounds(principal);
+        Roles.require(principal, Role.OPERATOR, follow.state().drone());
         FollowReceipt.Count count = new FollowReceipt.Count();
         for (Sighting sighting : FollowReader.sightings(request, desk.now())) {
             Reception reception = operations.sighted(kind, follow.saved().id(), sighting);

@@ -32,6 +32,10 @@ public final class WarehouseService {
 
     public WarehouseView put(Principal principal, String id) {
         DroneState drone = known(principal, id);
+        if (principal.scope().isBounded()) {
+            throw Rejection.forbidden(
+                    "This access key has an area or heights, and a drone in the warehouse flies without them.");
+        }
         if (drone.replay()) {
             throw Rejection.conflict("This is a recording; it cannot fly.");
         }
