@@ -19,7 +19,7 @@ import org.java_websocket.protocols.Protocol;
  * without it: pieces that hold nothing, and answers to pings that they do not read.
  */
 public final class BoundedDraft extends Draft_6455 {
-    /** What somebody unknown may say in one message, bytes: more than any proof of who they are. */
+    /** Bytes of one message of somebody unknown: more than any proof of who they are has. */
     public static final int STRANGERS_BYTES = 8_192;
 
     private static final int MOST_PONGS_WAITING = 64;

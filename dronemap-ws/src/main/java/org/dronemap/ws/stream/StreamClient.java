@@ -13,6 +13,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.security.SignedIn;
 import org.java_websocket.WebSocket;
+import org.java_websocket.exceptions.WebsocketNotConnectedException;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -81,7 +82,11 @@ final class StreamClient {
         try {
             return work.getAsBoolean();
         } catch (RuntimeException e) {
-            LOG.debug("A connection of the stream broke while it was written to", e);
+            if (e instanceof WebsocketNotConnectedException) {
+                LOG.debug("A connection of the stream broke while it was written to", e);
+            } else {
+                LOG.error("A client of the stream is cut off, as it cannot be served", e);
+            }
             caller = null;
             outbox.clear();
             socket.closeConnection(CloseFrame.ABNORMAL_CLOSE, "it cannot be written to");

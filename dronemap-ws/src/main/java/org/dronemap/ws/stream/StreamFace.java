@@ -85,7 +85,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
             Reins reins,
             JsonReader json) {}
 
-    /** Where it listens, who makes its connections, and how their messages are read: {@link #LARGEST_MESSAGE_BYTES} at most. */
+    /** The address to listen at, the maker of connections, the reader of messages ({@link #LARGEST_MESSAGE_BYTES} at most). */
     public record Port(InetSocketAddress address, WebSocketServerFactory door, Draft draft) {}
 
     /** Who has control of drones, and who steers them by it. */
