@@ -64,12 +64,13 @@ class PlainAddressTest {
         routes.add("GET /api/openapi.json");
         List<String> reached = new ArrayList<>();
         for (String route : routes) {
-            String method = route.substring(0, route.indexOf(' '));
             String address = route.substring(route.indexOf(' ') + 1).replaceAll("\\{\\w+}", "a");
             for (String way : otherWaysTo(address)) {
-                String status = statusOf(method, way);
+                // Asked in a way that leaves no record: of what strangers may not do, so many are written down and no
+                // more.
+                String status = statusOf("GET", way);
                 if (!status.equals("400")) {
-                    reached.add(method + " " + way + " is answered " + status);
+                    reached.add(way + " is answered " + status);
                 }
             }
         }
