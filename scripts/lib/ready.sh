@@ -42,7 +42,7 @@ wait_until_up() {
     while :; do
         answer=$(health)
         if [[ $(json_value status "$answer") == up ]]; then break; fi
-        is_running server || fail_from_server_log "The server ended while it started."
+        is_supervised || fail_from_server_log "The server ended while it started."
         if ((SECONDS >= deadline)); then
             fail_from_server_log "The server was not up after $UP_SECONDS s${answer:+; it says: $answer}."
         fi
@@ -60,7 +60,7 @@ wait_until_flyable() {
     while :; do
         answer=$(health)
         if [[ $(json_value ready "$answer")$(json_value armed "$answer") == *[1-9]* ]]; then break; fi
-        is_running server || fail_from_server_log "The server ended while it waited for the demo fleet."
+        is_supervised || fail_from_server_log "The server ended while it waited for the demo fleet."
         is_running sim || fail "$EXIT_START" "The demo fleet ended by itself: $(tail -n 1 "$LOGS/sim.log"). See ./dronemap logs sim"
         ((SECONDS < deadline)) || fail "$EXIT_START" "No demo drone could be armed after $FLYABLE_SECONDS s. See ./dronemap logs and ./dronemap logs sim"
         sleep 0.3
@@ -116,6 +116,10 @@ command_status() {
     (($# == 0)) || fail "$EXIT_USAGE" "status takes no options. See ./dronemap help"
     load_settings
     local answer free
+    if ! is_running server && is_running supervisor; then
+        echo "The server ended by itself and is being started again: $(last_end)"
+        exit "$EXIT_FAILED"
+    fi
     if ! is_running server; then
         echo "Dronemap is not running. Start it with ./dronemap up"
         exit "$EXIT_FAILED"
@@ -132,5 +136,8 @@ command_status() {
     if ((free < 100)); then warn "The disk that holds $DATA is nearly full. Make room, or the server can store nothing more."; fi
     [[ $(json_value status "$answer") == up ]] || exit "$EXIT_FAILED"
 }
+
+# What was said last of an end that nobody wanted.
+last_end() { grep -aE 'The server ends, to be started again|Terminating due to|ended by itself' "$LOGS/server.log" | tail -n 1; }
 
 resident_megabytes() { awk '/^VmRSS/ { print int($2 / 1024) }' "/proc/$(pid_of server)/status" 2>/dev/null; }

@@ -63,7 +63,7 @@ command_restore() {
     load_settings
     make_folders
     take_lock
-    ! is_running server || fail "$EXIT_FAILED" "The server is running. Stop it with ./dronemap down, then restore."
+    ! is_supervised || fail "$EXIT_FAILED" "The server is running. Stop it with ./dronemap down, then restore."
     if [[ -s $RUN_FILE && $sure == false ]]; then
         [[ -t 0 ]] || fail "$EXIT_USAGE" "restore replaces everything stored in $DATA. Say --yes if that is meant."
         read -r -p "This replaces everything stored in $DATA. Go on? [y/N] " answer

@@ -17,7 +17,7 @@ command_up() {
     PUBLIC=$WANT_PUBLIC
     set_bind
     install_missing
-    if ! is_running server; then check_ports; fi
+    if ! is_supervised; then check_ports; fi
     build_if_changed
     start_everything
     if [[ $FOREGROUND == true ]]; then stay; fi
@@ -51,12 +51,12 @@ start_everything() {
     provide_certificate
     local wanted
     wanted=$(run_description)
-    if is_running server && [[ $(cat "$RUN_FILE" 2>/dev/null) != "$wanted" ]]; then
+    if is_supervised && [[ $(cat "$RUN_FILE" 2>/dev/null) != "$wanted" ]]; then
         step "The server runs with another build or other settings: restarting it"
         stop_everything
         check_ports
     fi
-    if is_running server; then
+    if is_supervised; then
         step "The server is already running (process $(pid_of server))"
     else
         start_server "$wanted"
@@ -103,9 +103,15 @@ start_server() { # DESCRIPTION
     local options
     read -r -a options <<<"${DRONEMAP_JAVA_OPTS:-}"
     server_environment
-    start_daemon server "$LOGS/server.log" "$JDK/bin/java" -Xmx384m "${options[@]}" "-Ddronemap.checkout=$DATA" -jar "$SERVER"
+    # The process ends where Java says that its memory is used up, whoever would catch that; and is started again.
+    start_daemon supervisor "$LOGS/server.log" "$ROOT/scripts/supervise.sh" "$DATA/server.pid" \
+        "$JDK/bin/java" -Xmx384m -XX:+ExitOnOutOfMemoryError "${options[@]}" "-Ddronemap.checkout=$DATA" -jar "$SERVER"
+    until is_running server || ! is_running supervisor; do sleep 0.02; done
     printf '%s\n' "$1" >"$RUN_FILE"
 }
+
+# It runs, or is about to run again.
+is_supervised() { is_running supervisor || is_running server; }
 
 # A server with its libraries beside it starts in half the time of one that has them inside. Each build has a folder
 # of its own, so that none changes under a running server; those that no server runs from are removed.
@@ -165,7 +171,7 @@ keep_small() { # LOG
 pid_of() { cat "$DATA/$1.pid" 2>/dev/null || true; }
 
 # A process id can be given anew after a crash: the command line must be ours too.
-is_running() { # server|sim
+is_running() { # supervisor|server|sim
     local pid
     pid=$(pid_of "$1")
     [[ -n $pid && -r /proc/$pid/cmdline ]] && tr '\0' ' ' <"/proc/$pid/cmdline" | grep -qF -- "-Ddronemap.checkout=$DATA "
@@ -174,8 +180,8 @@ is_running() { # server|sim
 command_down() {
     (($# == 0)) || fail "$EXIT_USAGE" "down takes no options. See ./dronemap help"
     load_settings
-    if ! is_running server && ! is_running sim; then
-        rm -f "$DATA/server.pid" "$DATA/sim.pid"
+    if ! is_supervised && ! is_running sim; then
+        rm -f "$DATA/supervisor.pid" "$DATA/server.pid" "$DATA/sim.pid"
         stop_orphaned_database
         step "Dronemap is not running"
         return
@@ -198,6 +204,8 @@ warn_of_armed_drones() {
 
 stop_everything() {
     stop_fleet
+    # It hands the signal on, and ends when the server has.
+    stop_process supervisor 40
     stop_process server 40
     stop_orphaned_database
 }
@@ -236,9 +244,9 @@ stay() {
     WORK=""
     ON_INTERRUPT=stop_everything
     note "Stays until interrupted (Ctrl-C)."
-    while is_running server; do sleep 1; done
+    while is_running supervisor; do sleep 1; done
     stop_everything
-    fail "$EXIT_START" "The server ended by itself. See ./dronemap logs"
+    fail "$EXIT_START" "The server was stopped, or its supervisor ended. See ./dronemap logs"
 }
 
 command_logs() {

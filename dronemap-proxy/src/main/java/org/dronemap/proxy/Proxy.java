@@ -44,7 +44,14 @@ public final class Proxy implements AutoCloseable {
         this.urls = List.copyOf(urls);
         this.keyrings = policy.keyrings();
         sessions = new SessionTable(new Surroundings(
-                cloud, lanes, time::nanos, keyrings, policy.taps(), policy.enrolment(), new AskAllowance()));
+                cloud,
+                lanes,
+                time::nanos,
+                keyrings,
+                policy.taps(),
+                policy.enrolment(),
+                new AskAllowance(),
+                policy.doors().watch()));
         replays = new Replays(sessions, time);
         links = new Links(sessions, policy.doors(), time);
     }

@@ -45,6 +45,11 @@ public final class Journal implements AutoCloseable {
         return failed.sum();
     }
 
+    /** For how long it has been at the same write; zero: none is under way. */
+    public Duration busyFor() {
+        return thread.busyFor();
+    }
+
     private void guard(String what, Runnable work) {
         try {
             work.run();

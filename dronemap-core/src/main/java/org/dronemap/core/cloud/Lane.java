@@ -1,5 +1,6 @@
 package org.dronemap.core.cloud;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,8 +32,8 @@ public final class Lane implements AutoCloseable {
         void tick();
     }
 
-    /** When the task or tick that runs now began, and for how long the lane had stood still by then. */
-    private record Turn(long beganNanos, long stalledNanos) {}
+    /** When the task or tick that runs now began, for how long the lane had stood still by then; numbered. */
+    private record Turn(long beganNanos, long stalledNanos, long number) {}
 
     private final BlockingQueue<Runnable> tasks;
     private final int telemetryLimit;
@@ -54,7 +55,7 @@ public final class Lane implements AutoCloseable {
         tasks = new ArrayBlockingQueue<>(capacity);
         telemetryLimit = capacity / 4;
         lastTickNanos = time.nanos();
-        turn = new Turn(lastTickNanos, 0);
+        turn = new Turn(lastTickNanos, 0, 0);
         loop = time.loop(name, this::work);
         loop.start();
     }
@@ -93,6 +94,20 @@ public final class Lane implements AutoCloseable {
         return now.beganNanos() + Math.min(time.nanos() - now.beganNanos(), STALL_NANOS) - now.stalledNanos();
     }
 
+    public String name() {
+        return name;
+    }
+
+    /** Grows as long as the lane moves, at least fifty times a second when it has nothing to do. */
+    public long turns() {
+        return turn.number();
+    }
+
+    /** For how long it has been at the same task; what stands still while this process does counts as well. */
+    public Duration atTheSame() {
+        return Duration.ofNanos(Math.max(0, time.nanos() - turn.beganNanos()));
+    }
+
     /** Telemetry refused since the start. */
     public long droppedCount() {
         return dropped.sum();
@@ -122,7 +137,8 @@ public final class Lane implements AutoCloseable {
         if (gap < TURN_NANOS) {
             return;
         }
-        turn = new Turn(before.beganNanos() + gap, before.stalledNanos() + Math.max(0, gap - STALL_NANOS));
+        turn = new Turn(
+                before.beganNanos() + gap, before.stalledNanos() + Math.max(0, gap - STALL_NANOS), before.number() + 1);
         if (gap > STALL_NANOS) {
             LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", name, gap / 1_000_000);
         }

@@ -11,6 +11,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Holder;
@@ -62,6 +63,15 @@ final class Conducted<S, I> {
 
     /** As it is and as it is stored. */
     record Now<S>(SavedOperation saved, S state) {}
+
+    /** Its kind failed at what it was given: the same will fail again. */
+    static final class OwnFault extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        OwnFault(RuntimeException cause) {
+            super(cause.toString(), cause);
+        }
+    }
 
     private record Result<I>(Object run, I input) {}
 
@@ -166,12 +176,8 @@ final class Conducted<S, I> {
         drones.addAll(kind.machine().watched(state));
         String owner = now.saved().owner();
         Scene scene = means.scenery().of(owner, reins, drones);
-        take(kind.machine()
-                .looked(
-                        state,
-                        wheel == null
-                                ? scene
-                                : wheel.turn(state, means.scenery().around(owner, scene, drones))));
+        Scene seen = wheel == null ? scene : wheel.turn(state, means.scenery().around(owner, scene, drones));
+        take(own(() -> kind.machine().looked(state, seen)));
     }
 
     private void hearEnds() {
@@ -229,13 +235,21 @@ final class Conducted<S, I> {
         return why;
     }
 
+    private static <T> T own(Supplier<T> work) {
+        try {
+            return work.get();
+        } catch (RuntimeException e) {
+            throw new OwnFault(e);
+        }
+    }
+
     private void take(I input) {
         take(input, null);
     }
 
     private void take(I input, SavedOperation.@Nullable Given ended) {
         S before = now.state();
-        Decision<S, I> decision = kind.machine().decide(before, input);
+        Decision<S, I> decision = own(() -> kind.machine().decide(before, input));
         if (decision.next().equals(before) && decision.actions().isEmpty()) {
             forget(ended);
             return;
@@ -243,9 +257,9 @@ final class Conducted<S, I> {
         JournalEntry entry = new JournalEntry(
                 now.saved().last() + 1,
                 means.clock().instant(),
-                kind.codec().input(input),
-                kind.codec().decision(decision));
-        SavedOperation next = next(decision, ended);
+                own(() -> kind.codec().input(input)),
+                own(() -> kind.codec().decision(decision)));
+        SavedOperation next = own(() -> next(decision, ended));
         inDoubt = next;
         means.store().append(next, entry);
         inDoubt = null;

@@ -45,6 +45,10 @@ final class ConductorThread implements AutoCloseable {
         }
     }
 
+    Duration busyFor() {
+        return thread.busyFor();
+    }
+
     /**
      * Waits for what comes of it.
      *

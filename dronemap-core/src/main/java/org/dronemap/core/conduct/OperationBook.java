@@ -11,6 +11,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
@@ -23,17 +25,32 @@ import org.slf4j.LoggerFactory;
 final class OperationBook {
     private static final Logger LOG = LoggerFactory.getLogger(OperationBook.class);
 
+    /** As often as that it may fail at the same turn before it is set aside; it tries ten times a second. */
+    private static final int MOST_FAULTS = 10;
+
     private final Conducted.Means means;
+    private final SetAside aside;
+    private final Supplier<Stream<DroneId>> drones;
     private final Map<String, OperationKind<?, ?>> kinds = new HashMap<>();
     private final ConcurrentHashMap<OperationId, Conducted<?, ?>> conducted = new ConcurrentHashMap<>();
     private final ConcurrentHashMap<OperationId, String> troubles = new ConcurrentHashMap<>();
+    /** How often each failed by a fault of its own, one turn after the other. Owned by the thread. */
+    private final Map<OperationId, Integer> faults = new HashMap<>();
+
     /** Whoever asked was told that these did not begin; they may be stored all the same. Owned by the thread. */
     private final Set<OperationId> neverBegun = new HashSet<>();
 
     private final LongAdder failed = new LongAdder();
 
-    OperationBook(Conducted.Means means, Collection<OperationKind<?, ?>> kinds) {
+    /** {@code drones}: all that there are. */
+    OperationBook(
+            Conducted.Means means,
+            SetAside aside,
+            Collection<OperationKind<?, ?>> kinds,
+            Supplier<Stream<DroneId>> drones) {
         this.means = means;
+        this.aside = aside;
+        this.drones = drones;
         kinds.forEach(kind -> this.kinds.put(kind.name(), kind));
     }
 
@@ -45,18 +62,28 @@ final class OperationBook {
                 if (kind == null) {
                     throw new IllegalArgumentException("nobody conducts operations of the kind " + saved.kind());
                 }
+                if (aside.isAside(saved)) {
+                    aside.add(saved, "It was set aside before.", drones.get());
+                    continue;
+                }
                 Conducted<?, ?> one = read(kind, saved);
                 conducted.put(saved.id(), one);
                 one.takeUp();
             } catch (IllegalArgumentException unreadable) {
                 failed.increment();
-                troubles.put(
-                        saved.id(),
-                        "“" + saved.name() + "” of " + saved.owner() + " cannot be taken up again: "
-                                + unreadable.getMessage());
                 LOG.error("The operation {} cannot be taken up again", saved.id(), unreadable);
+                aside.add(saved, "It cannot be taken up again: " + unreadable.getMessage(), drones.get());
             }
         }
+    }
+
+    /** Takes up none. */
+    void setAside(String why) {
+        means.store().underWay().forEach(saved -> aside.add(saved, why, drones.get()));
+    }
+
+    SetAside aside() {
+        return aside;
     }
 
     void goOn() {
@@ -116,6 +143,12 @@ final class OperationBook {
             try {
                 one.turn();
                 troubles.remove(id);
+                faults.remove(id);
+            } catch (Conducted.OwnFault e) {
+                failed.increment();
+                if (faults.merge(id, 1, Integer::sum) >= MOST_FAULTS) {
+                    setAside(one, e);
+                }
             } catch (RuntimeException e) {
                 failed.increment();
                 String trouble = "“" + one.now().saved().name() + "” does not go on: " + e.getMessage();
@@ -124,7 +157,19 @@ final class OperationBook {
                 }
             }
         }
+        aside.turn();
         tidy();
+    }
+
+    /** What it cannot decide now it cannot decide ever, and its drones wait for it in the air. */
+    private void setAside(Conducted<?, ?> one, Conducted.OwnFault fault) {
+        OperationId id = one.now().saved().id();
+        LOG.error("Conducting {} fails again and again", id, fault);
+        aside.add(one.now().saved(), "It cannot go on: " + fault.getMessage(), drones.get());
+        one.callOff();
+        conducted.remove(id);
+        faults.remove(id);
+        troubles.remove(id);
     }
 
     private void forgetNeverBegun() {
@@ -152,6 +197,10 @@ final class OperationBook {
     }
 
     List<String> troubles() {
-        return List.copyOf(troubles.values());
+        return Stream.concat(
+                        troubles.values().stream(),
+                        aside.reasons().entrySet().stream()
+                                .map(one -> "The operation " + one.getKey() + " is set aside. " + one.getValue()))
+                .toList();
     }
 }

@@ -12,6 +12,7 @@ import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.operation.JournalEntry;
@@ -23,6 +24,7 @@ import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.Sighting;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.Time;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -38,6 +40,7 @@ public final class Operations implements CloudListener, AutoCloseable {
     public static final Duration KEPT = Duration.ofDays(90);
 
     private static final Logger LOG = LoggerFactory.getLogger(Operations.class);
+    private static final String SET_ASIDE = "The server set it aside, and sent its drones home; its journal says why.";
     private static final Duration RHYTHM = Duration.ofMillis(100);
     private static final Duration BETWEEN_TIDYINGS = Duration.ofHours(6);
     private static final int COMPUTING_THREADS = 2;
@@ -65,8 +68,13 @@ public final class Operations implements CloudListener, AutoCloseable {
         }
     }
 
-    /** An operation with its state, as they are at one moment. */
-    public record Picture<S>(SavedOperation saved, S state) {}
+    /**
+     * An operation with its state, as they are at one moment.
+     *
+     * @param setAside nobody conducts it any more although its state says so; then a sentence
+     */
+    public record Picture<S>(
+            SavedOperation saved, S state, @Nullable String setAside) {}
 
     /** {@code kinds}: all that can be stored, so that they are known after a restart. */
     public Operations(
@@ -91,12 +99,20 @@ public final class Operations implements CloudListener, AutoCloseable {
                 nanoTime,
                 this::wake,
                 (saved, why) -> listeners.forEach(listener -> listener.changed(saved, why)));
-        this.book = new OperationBook(means, kinds);
+        SetAside aside = new SetAside(means, new WayHome(crew, time), cloud::drone);
+        this.book = new OperationBook(
+                means, aside, kinds, () -> cloud.drones().stream().map(DroneState::id));
     }
 
     /** What was under way when the process ended is there again, in control of its drones; it is left as it is. */
     public void takeUp() {
         book.takeUp();
+        cloud.addListener(this);
+    }
+
+    /** Instead of taking up what was under way: none of it goes on, and its drones go home. */
+    public void setAside(String why) {
+        book.setAside(why);
         cloud.addListener(this);
     }
 
@@ -168,19 +184,38 @@ public final class Operations implements CloudListener, AutoCloseable {
         return book.find(kind, id).flatMap(Conducted::sighting);
     }
 
-    /** Under way or over. */
+    /** Under way, set aside or over. */
     public <S, I> Optional<Picture<S>> find(OperationKind<S, I> kind, OperationId id) {
         Optional<Picture<S>> underWay = book.find(kind, id).map(Operations::picture);
-        return underWay.isPresent()
-                ? underWay
-                : store.find(id)
-                        .filter(saved -> saved.kind().equals(kind.name()))
-                        .map(saved -> new Picture<>(saved, kind.codec().state(saved.state())));
+        return underWay.isPresent() ? underWay : store.find(id).flatMap(saved -> picture(kind, saved));
     }
 
     /** Those of a kind that are under way, the oldest first. */
     public <S, I> List<Picture<S>> underWay(OperationKind<S, I> kind) {
         return book.all(kind).stream().map(Operations::picture).toList();
+    }
+
+    /** Those of a kind that were set aside and still have drones to see to, and can be read. */
+    public <S, I> List<Picture<S>> setAside(OperationKind<S, I> kind) {
+        return book.aside().ofKind(kind.name()).stream()
+                .flatMap(saved -> picture(kind, saved).stream())
+                .toList();
+    }
+
+    /** As it is stored; empty: it is another kind of operation, or cannot be read. */
+    public <S, I> Optional<Picture<S>> picture(OperationKind<S, I> kind, SavedOperation saved) {
+        if (!saved.kind().equals(kind.name())) {
+            return Optional.empty();
+        }
+        try {
+            S state = kind.codec().state(saved.state());
+            boolean conducted = saved.endedAt() == null || kind.machine().isOver(state);
+            String why = book.aside().reasons().getOrDefault(saved.id(), conducted ? null : SET_ASIDE);
+            return Optional.of(new Picture<>(saved, state, why));
+        } catch (IllegalArgumentException unreadable) {
+            LOG.warn("The operation {} cannot be read", saved.id(), unreadable);
+            return Optional.empty();
+        }
     }
 
     /** The newest of an organisation and kind, under way or over, the newest first. */
@@ -195,7 +230,12 @@ public final class Operations implements CloudListener, AutoCloseable {
 
     private static <S, I> Picture<S> picture(Conducted<S, I> conducted) {
         Conducted.Now<S> now = conducted.now();
-        return new Picture<>(now.saved(), now.state());
+        return new Picture<>(now.saved(), now.state(), null);
+    }
+
+    /** For how long its thread has been at the same thing; zero: it rests. */
+    public Duration busyFor() {
+        return thread.busyFor();
     }
 
     /** Turns that failed since the start. */

@@ -74,6 +74,19 @@ final class Runs {
         }
     }
 
+    /** After a restart that has to do without what was under way. */
+    void suspendAll(String why) {
+        for (VirtualDrone drone : book.all()) {
+            Run run = drone.run();
+            DroneId bound = drone.boundTo();
+            if (run != null && drone.isUnderWay()) {
+                VirtualDrone suspended = drone.with(run.setAside(why, clock.instant()));
+                book.put(bound == null ? suspended : suspended.recalling(bound));
+            }
+        }
+        takeUp();
+    }
+
     void goOn(VirtualDrone start) {
         VirtualDrone now = start;
         for (int step = 0; step < MOST_STEPS; step++) {

@@ -96,12 +96,22 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         this.thread = new ConductorThread(time, "conductor");
         DroneCrew crew = new DroneCrew(cloud, FACE);
         this.runs = new Runs(cloud, book, crew, new Runs.Means(machine, rights, time));
-        this.recalls = new Recalls(cloud, book, crew, time);
+        this.recalls = new Recalls(cloud, book, new WayHome(crew, time));
     }
 
     /** Takes up what was under way when the process ended, before it returns; then goes on with it. */
     public void start() {
         runs.takeUp();
+        goOn();
+    }
+
+    /** The same, but what was under way is suspended: its drones go home, and nothing waits for drones any more. */
+    public void startSuspended(String why) {
+        runs.suspendAll(why);
+        goOn();
+    }
+
+    private void goOn() {
         cloud.addListener(this);
         thread.every(rhythm, this::turn);
     }
@@ -216,6 +226,11 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             book.takeOutOfWarehouse(drone);
             return drone;
         });
+    }
+
+    /** For how long its thread has been at the same thing; zero: it rests. */
+    public Duration busyFor() {
+        return thread.busyFor();
     }
 
     /** Turns that failed, each logged. */

@@ -32,7 +32,9 @@ public final class Replay<S, I> {
                 return;
             }
             next++;
-            take(entry);
+            if (!entry.setsAside()) {
+                take(entry);
+            }
         }
     }
 

@@ -101,6 +101,11 @@ final class SteppedWorker implements Worker {
     }
 
     @Override
+    public Duration busyFor() {
+        return Duration.ZERO;
+    }
+
+    @Override
     public int waiting() {
         return waiting;
     }

@@ -6,6 +6,7 @@ import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -16,6 +17,7 @@ final class SystemWorker implements Worker {
     private final String name;
     private final int capacity;
     private final AtomicInteger waiting = new AtomicInteger();
+    private volatile @Nullable Long begunNanos;
     private final ScheduledThreadPoolExecutor thread;
 
     SystemWorker(String name, int capacity) {
@@ -74,15 +76,24 @@ final class SystemWorker implements Worker {
     }
 
     private void guarded(Runnable work) {
+        begunNanos = System.nanoTime();
         try {
             work.run();
         } catch (RuntimeException e) {
             LOG.error("{} failed at one thing; it goes on with the next", name, e);
         } catch (Error e) {
             // The executor would keep it to itself.
-            LOG.error("{} failed for good at one thing", name, e);
+            FatalErrors.tell(e);
             throw e;
+        } finally {
+            begunNanos = null;
         }
+    }
+
+    @Override
+    public Duration busyFor() {
+        Long begun = begunNanos;
+        return begun == null ? Duration.ZERO : Duration.ofNanos(System.nanoTime() - begun);
     }
 
     @Override

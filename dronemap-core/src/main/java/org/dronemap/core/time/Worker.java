@@ -44,6 +44,9 @@ public interface Worker extends Executor, AutoCloseable {
         return result;
     }
 
+    /** For how long it has been at what it does now; zero: it has nothing to do. */
+    Duration busyFor();
+
     /** Handed in and not begun yet. */
     int waiting();
 

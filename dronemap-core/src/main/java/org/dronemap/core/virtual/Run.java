@@ -73,6 +73,11 @@ public record Run(
         return with(next, served, words, null, now);
     }
 
+    /** It shall not go on for now, whoever has its drone. */
+    public Run setAside(String why, Instant at) {
+        return unbound(Stage.SUSPENDED, "Resume when it shall go on, or stop.", why, at);
+    }
+
     /** Without a drone. */
     Run unbound(Stage next, String words, @Nullable String why, Instant now) {
         return with(next, null, words, why, now);

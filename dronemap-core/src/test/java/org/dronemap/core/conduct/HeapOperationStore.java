@@ -74,7 +74,10 @@ final class HeapOperationStore implements OperationStore {
 
     @Override
     public synchronized List<JournalEntry> journal(OperationId id, long from, int limit) {
-        return List.copyOf(journal);
+        return journal.stream()
+                .filter(entry -> entry.number() >= from)
+                .limit(limit)
+                .toList();
     }
 
     @Override

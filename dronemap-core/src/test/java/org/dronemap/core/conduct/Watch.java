@@ -59,6 +59,9 @@ final class Watch implements Operation<Watch.State, String> {
 
     static final OperationKind<State, String> KIND = new OperationKind<>("watch", new Watch(1), new Codec());
 
+    /** It fails at the end of any command. */
+    static volatile boolean poisonous;
+
     private final int step;
 
     /** {@code step}: by how much commands are counted. */
@@ -112,6 +115,9 @@ final class Watch implements Operation<Watch.State, String> {
 
     @Override
     public Decision<State, String> decide(State state, String input) {
+        if (poisonous && input.startsWith("note ended")) {
+            throw new IllegalStateException("a fault of its own");
+        }
         String[] words = input.split(" ", 3);
         return switch (words[0]) {
             case "note" -> new Decision<>(state.heard(input.substring(5)), List.of(), "It heard " + input.substring(5));

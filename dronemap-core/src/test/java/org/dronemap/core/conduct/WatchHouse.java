@@ -54,6 +54,13 @@ abstract class WatchHouse {
 
     @BeforeEach
     void connect() {
+        callIn();
+        operations.takeUp();
+        operations.goOn();
+    }
+
+    /** The drone's vehicle is heard. */
+    void callIn() {
         link = Fixtures.bound(cloud.admit(new Claim(
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle),
                 Fixtures.copter(null),
@@ -62,13 +69,12 @@ abstract class WatchHouse {
                 0)));
         hear(new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
         hear(new DroneEvent.ModeHeard("GUIDED", false));
-        operations.takeUp();
-        operations.goOn();
     }
 
     @AfterEach
     void close() {
         Watch.Work.mayEnd.countDown();
+        Watch.poisonous = false;
         operations.close();
         lanes.close();
         journal.close();
@@ -131,13 +137,24 @@ abstract class WatchHouse {
 
     /** The new one does not let vehicles in yet. */
     void restartDeaf() {
+        die();
+        operations.takeUp();
+    }
+
+    /** The new one goes on with nothing of what was under way. */
+    void restartWithout(String why) {
+        die();
+        operations.setAside(why);
+        operations.goOn();
+    }
+
+    private void die() {
         operations.close();
         commands.records.replaceAll((id, record) -> record.outcome() == null
                 ? record.ended(new Outcome.Unknown("The server restarted."), Instant.now())
                 : record);
         cloud = cloud();
         operations = operations();
-        operations.takeUp();
     }
 
     void assertReplays() {

@@ -56,6 +56,39 @@ class SystemTimeTest {
     }
 
     @Test
+    void whatEndsAThreadForGoodIsToldToWhoeverEndsTheProcess() {
+        List<String> told = new CopyOnWriteArrayList<>();
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler(
+                (thread, error) -> told.add(thread.getName() + " " + error.getMessage()));
+        try {
+            Worker worker = time.worker("worker", 10);
+            worker.execute(() -> fail("work"));
+            worker.after(Duration.ZERO, () -> fail("later"));
+            worker.every(Duration.ZERO, Duration.ofHours(1), () -> fail("round"));
+            time.loop("loop", () -> fail("turn")).start();
+            time.pool("pool", 1, 10).execute(() -> fail("piece"));
+            Thread unused = time.blocking("blocking", () -> fail("wait"));
+
+            await().dontCatchUncaughtExceptions()
+                    .atMost(LONG)
+                    .until(() -> told.containsAll(List.of(
+                            "worker work",
+                            "worker later",
+                            "worker round",
+                            "loop turn",
+                            "pool-1 piece",
+                            "blocking wait")));
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
+    }
+
+    private static long fail(String what) {
+        throw new InternalError(what);
+    }
+
+    @Test
     void whoAsksHearsAtOnceWhatBrokeForGood() {
         Worker worker = time.worker("worker", 10);
         StackOverflowError broken = new StackOverflowError("on purpose");

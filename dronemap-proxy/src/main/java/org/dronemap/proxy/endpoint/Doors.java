@@ -2,6 +2,7 @@ package org.dronemap.proxy.endpoint;
 
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
+import org.dronemap.core.process.PeerWatch;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -10,10 +11,11 @@ import org.jspecify.annotations.Nullable;
  * @param keys what vehicles prove themselves with on DTLS links
  * @param tls the server's certificate for {@code wssserver://}, asked for each new connection; null: it has none
  * @param limits of WebSockets that have not shaken hands
+ * @param watch over whose bytes are being worked on
  */
-public record Doors(DtlsKeys keys, Supplier<@Nullable SSLContext> tls, WebSocketDoor.Limits limits) {
+public record Doors(DtlsKeys keys, Supplier<@Nullable SSLContext> tls, WebSocketDoor.Limits limits, PeerWatch watch) {
     /** Without a certificate. */
     public static Doors of(DtlsKeys keys) {
-        return new Doors(keys, () -> null, WebSocketDoor.Limits.DEFAULT);
+        return new Doors(keys, () -> null, WebSocketDoor.Limits.DEFAULT, PeerWatch.NONE);
     }
 }

@@ -31,6 +31,11 @@ public interface Endpoint extends AutoCloseable {
         return EndpointState.OPEN;
     }
 
+    /** Nobody listens here any more although nobody closed it: it has to be closed and opened again. */
+    default boolean isOver() {
+        return false;
+    }
+
     EndpointCounters counters();
 
     List<PeerStatus> peers();

@@ -19,6 +19,7 @@ public final class Links implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Links.class);
     private static final int MOST = 64;
     private static final Duration RETRY = Duration.ofSeconds(5);
+    private static final Duration BETWEEN_LOOKS = Duration.ofSeconds(1);
     private static final EndpointCounters.Counts NOTHING = new EndpointCounters().counts();
 
     private final PeerHandler.Factory handlers;
@@ -31,12 +32,23 @@ public final class Links implements AutoCloseable {
 
     /** An endpoint that is wanted, open or not. */
     private static final class Link {
-        private final EndpointUrl wanted;
+        private EndpointUrl wanted;
         private @Nullable Endpoint endpoint;
         private String failure = "";
 
+        private boolean wasOpen;
+
         Link(EndpointUrl wanted) {
             this.wanted = wanted;
+        }
+
+        void is(Endpoint open) {
+            endpoint = open;
+            wasOpen = true;
+        }
+
+        boolean isBroken() {
+            return wasOpen && (endpoint == null || endpoint.isOver());
         }
     }
 
@@ -59,7 +71,7 @@ public final class Links implements AutoCloseable {
 
     /** {@code retry}: between two attempts to open what could not open. */
     Links(PeerHandler.Factory handlers, Doors doors, Time time, Duration retry) {
-        this.handlers = handlers;
+        this.handlers = new WatchedPeers(handlers, doors.watch());
         this.doors = doors;
         this.time = time;
         this.retry = retry;
@@ -72,8 +84,9 @@ public final class Links implements AutoCloseable {
      */
     public synchronized void open(String id, EndpointUrl url) throws IOException {
         Link link = room(id, url);
-        link.endpoint = Endpoint.open(url, handlers, doors, time);
+        link.is(Endpoint.open(url, handlers, doors, time));
         links.put(id, link);
+        lookAfterThem();
     }
 
     /**
@@ -85,9 +98,28 @@ public final class Links implements AutoCloseable {
         Link link = room(id, url);
         links.put(id, link);
         attempt(link);
+        lookAfterThem();
+    }
+
+    private void lookAfterThem() {
         if (retries == null) {
             retries = time.worker("links", 1);
             Repetition unused = retries.every(retry, retry, this::retry);
+            Repetition unusedToo = retries.every(BETWEEN_LOOKS, BETWEEN_LOOKS, this::openAgain);
+        }
+    }
+
+    /** At the port that it had, also when any would have done. */
+    private synchronized void openAgain() {
+        for (Link link : links.values()) {
+            Endpoint ended = link.endpoint;
+            if (ended != null && ended.isOver()) {
+                LOG.error("{} ended by itself; it is opened again", ended.url());
+                link.wanted = ended.url();
+                link.endpoint = null;
+                ended.close();
+                attempt(link);
+            }
         }
     }
 
@@ -116,8 +148,9 @@ public final class Links implements AutoCloseable {
 
     private void attempt(Link link) {
         try {
-            link.endpoint = Endpoint.open(link.wanted, handlers, doors, time);
-            LOG.info("{} is open", link.endpoint.url());
+            Endpoint opened = Endpoint.open(link.wanted, handlers, doors, time);
+            link.is(opened);
+            LOG.info("{} is open", opened.url());
         } catch (IOException | RuntimeException e) {
             String why = String.valueOf(e.getMessage());
             if (!why.equals(link.failure)) {
@@ -151,6 +184,14 @@ public final class Links implements AutoCloseable {
                 endpoint.disconnect(identity);
             }
         }
+    }
+
+    /** Those that listened and do not any more, by their URLs. */
+    public synchronized List<String> broken() {
+        return links.values().stream()
+                .filter(Link::isBroken)
+                .map(link -> link.wanted.toString())
+                .toList();
     }
 
     /** All, in the order in which they were added. */

@@ -36,6 +36,8 @@ final class TcpServerEndpoint implements Endpoint {
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BYTES_A_TURN);
     private final List<SelectionKey> heldBack = new ArrayList<>();
     private final Time time;
+    private volatile boolean closed;
+    private volatile boolean over;
     private @Nullable Thread thread;
 
     private TcpServerEndpoint(
@@ -83,7 +85,23 @@ final class TcpServerEndpoint implements Endpoint {
         return peers.status();
     }
 
+    @Override
+    public boolean isOver() {
+        return over;
+    }
+
     private void run() {
+        try {
+            serve();
+        } catch (ThreadDeath e) {
+            // What was lost with it is this door alone.
+            LOG.error("The thread of {} was stopped", url, e);
+        } finally {
+            over = !closed;
+        }
+    }
+
+    private void serve() {
         while (selector.isOpen()) {
             try {
                 selector.select(this::ready, heldBack.isEmpty() ? SELECT_MILLIS : HELD_BACK_MILLIS);
@@ -177,6 +195,7 @@ final class TcpServerEndpoint implements Endpoint {
 
     @Override
     public void close() {
+        closed = true;
         try {
             server.close();
             for (SelectionKey key : List.copyOf(selector.keys())) {

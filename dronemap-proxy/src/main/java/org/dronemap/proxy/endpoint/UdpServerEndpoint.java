@@ -30,6 +30,8 @@ final class UdpServerEndpoint implements Endpoint {
     private final EndpointCounters counters = new EndpointCounters();
     private final DatagramSeats<InetSocketAddress> peers;
     private final Intake intake;
+    private volatile boolean closed;
+    private volatile boolean over;
     private @Nullable Thread thread;
 
     private UdpServerEndpoint(
@@ -90,7 +92,23 @@ final class UdpServerEndpoint implements Endpoint {
         return KernelDrops.of(url.port());
     }
 
+    @Override
+    public boolean isOver() {
+        return over;
+    }
+
     private void run() {
+        try {
+            serve();
+        } catch (ThreadDeath e) {
+            // What was lost with it is this door alone.
+            LOG.error("The thread of {} was stopped", url, e);
+        } finally {
+            over = !closed;
+        }
+    }
+
+    private void serve() {
         WakeRhythm rhythm = new WakeRhythm();
         try (selector) {
             channel.register(selector, SelectionKey.OP_READ);
@@ -148,6 +166,7 @@ final class UdpServerEndpoint implements Endpoint {
 
     @Override
     public void close() {
+        closed = true;
         try {
             channel.close();
             selector.wakeup();

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
+import org.dronemap.core.time.FatalErrors;
 import org.dronemap.core.time.Time;
 import org.java_websocket.WebSocket;
 import org.java_websocket.drafts.Draft;
@@ -38,6 +39,8 @@ final class WebSocketServerEndpoint implements Endpoint {
     private final Server server;
     private final Time time;
     private int port;
+    private volatile boolean closed;
+    private volatile boolean over;
 
     private WebSocketServerEndpoint(
             EndpointUrl url, InetSocketAddress address, PeerHandler.Factory handlers, Doors doors, Time time) {
@@ -86,6 +89,11 @@ final class WebSocketServerEndpoint implements Endpoint {
     }
 
     @Override
+    public boolean isOver() {
+        return over;
+    }
+
+    @Override
     public EndpointCounters counters() {
         return counters;
     }
@@ -97,6 +105,7 @@ final class WebSocketServerEndpoint implements Endpoint {
 
     @Override
     public void close() {
+        closed = true;
         // Told first: the library's thread goes some 25 ms after stop() began, and who is told later breaks the rest of
         // it.
         server.getConnections().forEach(socket -> socket.close(CloseFrame.GOING_AWAY));
@@ -123,6 +132,18 @@ final class WebSocketServerEndpoint implements Endpoint {
             setTcpNoDelay(true);
             setDaemon(true);
             setConnectionLostTimeout(30);
+        }
+
+        @Override
+        public void run() {
+            try {
+                super.run();
+            } catch (ThreadDeath e) {
+                // What was lost with it is this door alone.
+                LOG.error("The thread of {} was stopped", url, e);
+            } finally {
+                over = !closed;
+            }
         }
 
         @Override
@@ -184,6 +205,7 @@ final class WebSocketServerEndpoint implements Endpoint {
 
         @Override
         public void onError(@Nullable WebSocket socket, Exception e) {
+            FatalErrors.tellOf(e);
             if (socket != null) {
                 LOG.debug("{}: a connection broke", url, e);
             } else if (!listening.completeExceptionally(e)) {

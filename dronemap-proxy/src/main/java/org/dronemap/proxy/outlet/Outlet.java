@@ -45,7 +45,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         keys = new OutletKeys(policy.store(), policy.time());
         rights = new RightsWatch(policy.rights(), keys, policy.time());
         room = new OutletRoom(policy, counts, vehicles, rights);
-        links = new Links(this, new Doors(keys::dtlsSecret, doors.tls(), doors.limits()), policy.time());
+        links = new Links(this, new Doors(keys::dtlsSecret, doors.tls(), doors.limits(), doors.watch()), policy.time());
         ports = new PersonalPorts(this, urls, personal, policy);
     }
 

@@ -14,10 +14,12 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.process.PeerName;
 import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.Packet;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
@@ -33,6 +35,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
 
     private final RobotTable table;
     private final RobotName name;
+    private final String mark;
     private final RobotTape tape;
     private final RobotLinks links;
     private final RobotTelemetry telemetry;
@@ -45,6 +48,8 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     RobotSession(RobotTable table, RobotLink first, RobotType type) {
         this.table = table;
         this.name = first.name();
+        DroneKey key = first.key();
+        mark = new PeerName(key.address(), key.port(), key.systemId()).text();
         tape = table.tape();
         links = new RobotLinks(first);
         standstill = new Standstill(
@@ -99,7 +104,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     /** Takes a message in; false when there was no room. Any thread. */
     boolean offer(Packet packet) {
         DroneLink bound = drone;
-        return bound != null && bound.lane().offer(() -> take(bound, packet));
+        return bound != null && bound.lane().offer(() -> table.atWork().at(mark, () -> take(bound, packet)));
     }
 
     private void take(DroneLink bound, Packet packet) {

@@ -19,6 +19,7 @@ import org.dronemap.core.cloud.LinkSession;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.link.RobotKey;
+import org.dronemap.core.process.PeersAtWork;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
@@ -43,6 +44,7 @@ final class RobotTable implements PeerHandler.Factory {
     private final CloudManager cloud;
     private final Lanes lanes;
     private final Enrolment enrolment;
+    private final PeersAtWork atWork;
     private final RobotKeys keys;
     private final Supplier<LineTap> taps;
     private final LongSupplier nanoTime;
@@ -57,6 +59,7 @@ final class RobotTable implements PeerHandler.Factory {
         this.cloud = cloud;
         this.lanes = lanes;
         enrolment = policy.enrolment();
+        atWork = policy.doors().watch().atWork();
         keys = policy.keys();
         taps = policy.taps();
         this.nanoTime = nanoTime;
@@ -109,6 +112,10 @@ final class RobotTable implements PeerHandler.Factory {
                 .collect(Collectors.toMap(
                         traffic -> traffic.key() + traffic.transport(), Function.identity(), VehicleTraffic::and))
                 .values());
+    }
+
+    PeersAtWork atWork() {
+        return atWork;
     }
 
     /** A link is there; the oldest silent ones go when there are too many. */

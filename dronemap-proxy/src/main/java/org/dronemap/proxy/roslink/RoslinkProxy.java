@@ -72,6 +72,11 @@ public final class RoslinkProxy implements AutoCloseable {
         return links.all();
     }
 
+    /** Those that were open and are not any more. */
+    public List<String> broken() {
+        return links.broken();
+    }
+
     /** Ends the links of whoever came with a key for that drone that is void now. */
     public void disconnect(String drone) {
         table.disconnect(drone);

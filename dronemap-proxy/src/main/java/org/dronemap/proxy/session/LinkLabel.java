@@ -2,6 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.List;
 import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.process.PeerName;
 import org.dronemap.proxy.endpoint.Peer;
 import org.jspecify.annotations.Nullable;
 
@@ -32,6 +33,10 @@ record LinkLabel(
 
     static LinkLabel ofReplay(String transport, int number, int systemId) {
         return new LinkLabel(new DroneKey(transport, number, systemId), transport, true, true, null);
+    }
+
+    PeerName peer() {
+        return new PeerName(key.address(), key.port(), key.systemId());
     }
 
     /**

@@ -77,6 +77,7 @@ public final class SessionTable implements PeerHandler.Factory {
     Optional<VehicleLink> open(LinkLabel label, Downlink downlink, Frame frame) {
         if (frame.messageId() != Heartbeat.ID
                 || frame.systemId() == 0
+                || surroundings.watch().precautions().refuses(label.peer())
                 || !VehicleType.isVehicle(Heartbeat.decode(frame))) {
             return Optional.empty();
         }

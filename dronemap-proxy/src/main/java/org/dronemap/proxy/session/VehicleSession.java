@@ -66,7 +66,8 @@ final class VehicleSession implements VehicleChannel, Lane.Ticker {
         conversation = new Conversation(links, first, this::tell, tap::missionRead, surroundings.nanoTime());
         introduction = new Introduction(surroundings, links, conversation);
         lane = surroundings.lanes().registry();
-        mailbox = new Mailbox(lane, this::take);
+        String mark = label.peer().text();
+        mailbox = new Mailbox(lane, frame -> surroundings.watch().atWork().at(mark, () -> take(frame)));
         lastHeardNanos = surroundings.now();
         Lane registry = lane;
         registry.execute(() -> registry.addTicker(this));

@@ -4,16 +4,25 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Collections;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Endpoints that come and go at run time. */
 class LinksTest {
@@ -55,6 +64,52 @@ class LinksTest {
         assertThat(links.remove("a")).isFalse();
         links.keep("b", taken);
         assertThat(only().state()).isEqualTo(EndpointState.OPEN);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"udpserver, udp-", "tcpserver, tcp-", "wsserver, WebSocketSelector-"})
+    void opensAnEndpointAgainWhoseThreadWasStopped(String kind, String thread) throws IOException {
+        links.open("a", EndpointUrl.parse(kind + "://127.0.0.1:0"));
+        EndpointUrl before = only().url();
+        Set<Thread> its = threads(thread);
+        assertThat(its).isNotEmpty();
+
+        its.forEach(LinksTest::stop);
+
+        TestCloud.await(
+                Duration.ofSeconds(20),
+                // A thread that waits for a socket ends when something comes.
+                () -> pokes(before) && !threads(thread).isEmpty() && Collections.disjoint(threads(thread), its),
+                () -> "it is " + only());
+        assertThat(only().url()).isEqualTo(before);
+    }
+
+    private static Set<Thread> threads(String name) {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().startsWith(name) && thread.isAlive())
+                .collect(Collectors.toSet());
+    }
+
+    /** What a library may do to a thread, and nobody should. */
+    @SuppressWarnings({"deprecation", "removal"})
+    private static void stop(Thread thread) {
+        thread.stop();
+    }
+
+    /** False when nobody listens. */
+    private static boolean pokes(EndpointUrl url) {
+        InetSocketAddress there = new InetSocketAddress(InetAddress.getLoopbackAddress(), url.port());
+        try (DatagramSocket datagrams = new DatagramSocket();
+                Socket stream = new Socket()) {
+            if (url.kind() == EndpointUrl.Kind.UDPSERVER) {
+                datagrams.send(new DatagramPacket(new byte[] {1}, 1, there));
+            } else {
+                stream.connect(there);
+            }
+            return true;
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     @Test

@@ -21,6 +21,7 @@ import java.util.concurrent.TimeUnit;
 import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
+import org.dronemap.core.process.PeerWatch;
 import org.dronemap.core.time.SystemTime;
 import org.dronemap.proxy.TestCloud;
 import org.junit.jupiter.api.Test;
@@ -36,7 +37,7 @@ class WebSocketDoorTest {
         return Endpoint.open(
                 EndpointUrl.parse("wsserver://127.0.0.1:0"),
                 gathering,
-                new Doors(DtlsKeys.none(), () -> null, limits),
+                new Doors(DtlsKeys.none(), () -> null, limits, PeerWatch.NONE),
                 new SystemTime());
     }
 
@@ -121,7 +122,7 @@ class WebSocketDoorTest {
     @Test
     void carriesBytesOverTlsWithTheCertificateOfTheMoment(@TempDir Path directory) throws Exception {
         SSLContext certificate = certificate(directory);
-        Doors doors = new Doors(DtlsKeys.none(), () -> certificate, WebSocketDoor.Limits.DEFAULT);
+        Doors doors = new Doors(DtlsKeys.none(), () -> certificate, WebSocketDoor.Limits.DEFAULT, PeerWatch.NONE);
         try (Endpoint endpoint =
                 Endpoint.open(EndpointUrl.parse("wssserver://127.0.0.1:0"), gathering, doors, new SystemTime())) {
             WebSocket vehicle = HttpClient.newBuilder()

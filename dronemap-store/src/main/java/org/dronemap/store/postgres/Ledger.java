@@ -119,8 +119,10 @@ final class Ledger implements AutoCloseable {
                     return;
                 }
             } catch (InterruptedException e) {
+                // Nobody has a reason to: it goes on, as nothing would be written down without it.
                 LOG.warn("The ledger was interrupted");
-                return;
+            } catch (RuntimeException e) {
+                LOG.error("The ledger failed at something; it goes on with the next", e);
             }
         }
     }

@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.concurrent.CompletionException;
 import java.util.stream.Collectors;
 import org.apache.tomcat.util.http.InvalidParameterException;
+import org.dronemap.core.time.FatalErrors;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
@@ -136,6 +137,7 @@ public class ProblemAdvice {
 
     @ExceptionHandler(Exception.class)
     public ResponseEntity<Problem> broken(Exception e, HttpServletRequest request) {
+        FatalErrors.tellOf(e);
         Throwable cause = e instanceof CompletionException ? e.getCause() : e;
         if (cause instanceof Rejection rejection) {
             return answer(rejection);

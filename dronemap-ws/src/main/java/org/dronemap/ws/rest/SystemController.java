@@ -3,6 +3,7 @@ package org.dronemap.ws.rest;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.HealthView;
 import org.dronemap.ws.service.HistoryService;
 import org.dronemap.ws.service.SystemService;
 import org.springframework.web.bind.annotation.GetMapping;
@@ -26,8 +27,14 @@ public class SystemController {
 
     @GetMapping("/health")
     @Operation(summary = "Is the server well? (no sign-in)", description = "ready counts the drones that can be armed.")
-    public SystemService.HealthView health() {
+    public HealthView health() {
         return system.health();
+    }
+
+    @GetMapping("/health/parts")
+    @Operation(summary = "How each part of the server is, and why it ended last (administrator)")
+    public HealthView.Details parts() {
+        return system.details(current.principal());
     }
 
     @GetMapping("/history")

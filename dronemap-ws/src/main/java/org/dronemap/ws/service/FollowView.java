@@ -7,6 +7,7 @@ import java.util.List;
 import org.dronemap.cognitive.follow.Side;
 import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.cognitive.operation.follow.FollowState;
+import org.dronemap.cognitive.operation.follow.Stage;
 import org.dronemap.core.conduct.Operations.Picture;
 import org.jspecify.annotations.Nullable;
 
@@ -139,10 +140,10 @@ public record FollowView(
                 follow.saved().owner(),
                 millis(follow.saved().beganAt()),
                 ended == null ? null : millis(ended),
-                WireNames.camel(state.stage()),
+                WireNames.camel(follow.setAside() == null ? state.stage() : Stage.OVER),
                 millis(state.since()),
                 state.note(),
-                state.end(),
+                follow.setAside() == null ? state.end() : follow.setAside(),
                 state.drone().value(),
                 state.order().chosen().name(),
                 place(state.order().place()),

@@ -72,9 +72,10 @@ final class OperationDesk<S, I> {
     /** Those under way and the newest that are over, the newest first. */
     List<Picture<S>> all(Principal principal) {
         List<Picture<S>> all = new ArrayList<>(operations.underWay(kind));
+        all.addAll(operations.setAside(kind));
         operations.latest(principal.organisation(), kind, MOST_LISTED).stream()
                 .filter(saved -> saved.endedAt() != null)
-                .map(this::stored)
+                .flatMap(saved -> picture(saved).stream())
                 .forEach(all::add);
         return all.stream()
                 .filter(one -> isShown(principal, one))
@@ -83,13 +84,9 @@ final class OperationDesk<S, I> {
                 .toList();
     }
 
-    /** As it was stored; empty: it is another kind of operation. */
+    /** As it is stored; empty: it is another kind of operation, or cannot be read. */
     Optional<Picture<S>> picture(SavedOperation saved) {
-        return saved.kind().equals(kind.name()) ? Optional.of(stored(saved)) : Optional.empty();
-    }
-
-    private Picture<S> stored(SavedOperation saved) {
-        return new Picture<>(saved, kind.codec().state(saved.state()));
+        return operations.picture(kind, saved);
     }
 
     private boolean isShown(Principal principal, Picture<S> one) {

@@ -33,8 +33,8 @@ public final class RunViews {
                 saved.owner(),
                 millis(saved.beganAt()),
                 millisOrNull(saved.endedAt()),
-                stateWord(state),
-                state.end(),
+                stateWord(run),
+                run.setAside() == null ? state.end() : run.setAside(),
                 WireNames.camel(state.setting().mode()),
                 state.setting().onCloudLoss() == CloudLoss.CONTINUE ? "continue" : "rtl",
                 counts(state),
@@ -48,9 +48,13 @@ public final class RunViews {
                 saved.last());
     }
 
-    private static String stateWord(RunState state) {
-        if (state.isOver()) {
+    private static String stateWord(Picture<RunState> run) {
+        RunState state = run.state();
+        if (state.isOver() || run.saved().endedAt() != null) {
             return "over";
+        }
+        if (run.setAside() != null) {
+            return "stopping";
         }
         return state.stopping() ? "stopping" : state.clock().pausedSince() != null ? "paused" : "running";
     }

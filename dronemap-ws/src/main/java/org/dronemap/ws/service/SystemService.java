@@ -1,33 +1,31 @@
 package org.dronemap.ws.service;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.process.Beginning;
+import org.dronemap.core.process.PastEnd;
+import org.dronemap.core.process.PeerName;
 import org.jspecify.annotations.Nullable;
 
 /** What the server says of itself. Any thread. */
 public final class SystemService {
+    private static final String UP = "up";
+    private static final String DOWN = "down";
+
     private final CloudManager cloud;
     private final Checks checks;
+    private final Beginning beginning;
     private final SettingsView settings;
     private final long startedNanos = System.nanoTime();
-
-    /** How many drones there are of each sort: by link, ready to be armed, armed (in contact or not). */
-    public record DroneCounts(long live, long suspect, long lost, long ready, long armed) {}
-
-    /** How the server is. */
-    public record HealthView(
-            String status,
-            String database,
-            String links,
-            String history,
-            String runs,
-            DroneCounts drones,
-            String version,
-            long uptimeSeconds) {}
 
     /**
      * What clients have to know.
@@ -44,42 +42,89 @@ public final class SystemService {
     /**
      * What has to work.
      *
+     * @param database it answers
      * @param links all ways in are open
      * @param history all that drones do is written down as it comes
      * @param runs all that is conducted goes on
+     * @param others each with a name of its own
      */
     public record Checks(
-            BooleanSupplier database, BooleanSupplier links, BooleanSupplier history, BooleanSupplier runs) {}
+            BooleanSupplier database,
+            BooleanSupplier links,
+            BooleanSupplier history,
+            BooleanSupplier runs,
+            List<ServerPart> others) {}
 
-    public SystemService(CloudManager cloud, Checks checks, SettingsView settings) {
+    public SystemService(CloudManager cloud, Checks checks, Beginning beginning, SettingsView settings) {
         this.cloud = cloud;
         this.checks = checks;
+        this.beginning = beginning;
         this.settings = settings;
     }
 
     public HealthView health() {
-        List<DroneState> drones =
-                cloud.drones().stream().filter(drone -> !drone.replay()).toList();
-        boolean up = checks.database().getAsBoolean();
-        boolean listens = checks.links().getAsBoolean();
-        boolean remembers = checks.history().getAsBoolean();
-        boolean conducts = checks.runs().getAsBoolean();
+        Map<String, String> parts = new LinkedHashMap<>();
+        parts().forEach(part -> parts.put(part.name(), part.state()));
+        String database = state(checks.database());
+        String links = state(checks.links());
+        String history = state(checks.history());
+        String runs = state(checks.runs());
+        boolean up = Stream.concat(Stream.of(database, links, history, runs), parts.values().stream())
+                .allMatch(UP::equals);
         return new HealthView(
-                up && listens && remembers && conducts ? "up" : "degraded",
-                up ? "up" : "down",
-                listens ? "up" : "down",
-                remembers ? "up" : "down",
-                conducts ? "up" : "down",
-                new DroneCounts(
-                        count(drones, LinkState.LIVE),
-                        count(drones, LinkState.SUSPECT),
-                        count(drones, LinkState.LOST),
-                        drones.stream().filter(SystemService::isReady).count(),
-                        drones.stream()
-                                .filter(drone -> Boolean.TRUE.equals(drone.armed()))
-                                .count()),
+                up ? UP : "degraded",
+                database,
+                links,
+                history,
+                runs,
+                parts,
+                HealthView.LastEnd.of(beginning.before()),
+                beginning.precautions().careful(),
+                beginning.precautions().refused().size(),
+                counts(),
                 settings.version(),
                 (System.nanoTime() - startedNanos) / 1_000_000_000L);
+    }
+
+    /** With the reasons, which name peers: for administrators. */
+    public HealthView.Details details(Principal asking) {
+        Roles.requireServer(asking, Role.ADMINISTRATOR);
+        List<PastEnd> ends = beginning.precautions().careful()
+                ? beginning.precautions().ends()
+                : Stream.ofNullable(beginning.before()).toList();
+        return new HealthView.Details(
+                parts(),
+                ends.stream().map(HealthView.End::of).toList(),
+                beginning.precautions().refused().stream()
+                        .map(PeerName::toString)
+                        .sorted()
+                        .toList());
+    }
+
+    private List<HealthView.Part> parts() {
+        return checks.others().stream()
+                .map(part -> {
+                    String why = part.trouble().get().orElse(null);
+                    return new HealthView.Part(part.name(), why == null ? UP : DOWN, why);
+                })
+                .toList();
+    }
+
+    private static String state(BooleanSupplier check) {
+        return check.getAsBoolean() ? UP : DOWN;
+    }
+
+    private HealthView.DroneCounts counts() {
+        List<DroneState> drones =
+                cloud.drones().stream().filter(drone -> !drone.replay()).toList();
+        return new HealthView.DroneCounts(
+                count(drones, LinkState.LIVE),
+                count(drones, LinkState.SUSPECT),
+                count(drones, LinkState.LOST),
+                drones.stream().filter(SystemService::isReady).count(),
+                drones.stream()
+                        .filter(drone -> Boolean.TRUE.equals(drone.armed()))
+                        .count());
     }
 
     public SettingsView settings() {

@@ -8,6 +8,7 @@ import org.apache.cxf.message.Message;
 import org.apache.cxf.phase.AbstractPhaseInterceptor;
 import org.apache.cxf.phase.Phase;
 import org.apache.cxf.staxutils.DepthExceededStaxException;
+import org.dronemap.core.time.FatalErrors;
 import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Problem;
@@ -66,6 +67,7 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
         if (unreadable != null) {
             return fault(Problem.of(unreadable));
         }
+        FatalErrors.tellOf(fault);
         for (Throwable cause = fault; cause != null; cause = cause.getCause()) {
             if (cause instanceof DepthExceededStaxException) {
                 return unreadable("This XML has more elements, or deeper ones, than are allowed here.");

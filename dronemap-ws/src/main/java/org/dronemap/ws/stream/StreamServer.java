@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.dronemap.core.time.FatalErrors;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.security.SignedIn;
 import org.dronemap.ws.security.StreamTickets;
@@ -138,6 +139,7 @@ final class StreamServer extends WebSocketServer {
 
     @Override
     public void onError(@Nullable WebSocket socket, Exception e) {
+        FatalErrors.tellOf(e);
         if (socket == null) {
             if (!listening.completeExceptionally(e)) {
                 LOG.error("The stream server failed", e);

@@ -3,7 +3,9 @@ package org.dronemap.ws.wiring;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.time.SystemTime;
+import org.dronemap.core.time.Time;
 import org.dronemap.ws.door.PhoneDoor;
+import org.dronemap.ws.process.ThisProcess;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.springframework.context.ConfigurableApplicationContext;
@@ -28,7 +30,7 @@ public final class Dronemap {
                 closing.close();
                 return code;
             }
-            start(settings, closing);
+            start(settings, environment.getOrDefault("DRONEMAP_LAST_EXIT", ""), closing);
         } catch (RuntimeException | LinkageError e) {
             closing.close();
             System.err.println(StartFailure.sentence(e));
@@ -37,8 +39,12 @@ public final class Dronemap {
         return waitForTheEnd(closing);
     }
 
-    private static void start(Settings settings, Closing closing) {
-        HouseBuilder builder = new HouseBuilder(settings, closing, new SystemTime());
+    private static void start(Settings settings, String lastExit, Closing closing) {
+        Time time = new SystemTime();
+        ThisProcess process = ThisProcess.begin(settings.dataDirectory(), lastExit, time);
+        closing.add("the mark of a process that runs", process);
+        HouseBuilder builder = new HouseBuilder(settings, closing, time, process.beginning());
+        closing.add("the check of itself", process.lookAfter(builder.lanes()));
         House house = builder.open(new DatabaseBuilder(settings).open(closing));
         builder.hear();
         ConfigurableApplicationContext faces = FacesServer.start(settings, house);

@@ -1,5 +1,6 @@
 package org.dronemap.ws.wiring;
 
+import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantBook;
@@ -16,6 +17,7 @@ import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.history.History;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
+import org.dronemap.core.process.Beginning;
 import org.dronemap.core.recording.RecordingArchive;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneStore;
@@ -26,6 +28,7 @@ import org.dronemap.ws.service.OutletControl;
 import org.dronemap.ws.service.PasswordHashing;
 import org.dronemap.ws.service.Recordings;
 import org.dronemap.ws.service.RobotKeyRing;
+import org.dronemap.ws.service.ServerPart;
 import org.dronemap.ws.service.VehicleLinks;
 import org.jspecify.annotations.Nullable;
 
@@ -48,7 +51,9 @@ public record House(
         VirtualDrones virtuals,
         RunSide runs,
         AuditSide audit,
-        PasswordHashing passwords) {
+        PasswordHashing passwords,
+        List<ServerPart> parts,
+        Beginning beginning) {
 
     /** Where it is kept what was done by whom, and what vouches for it beside the database. */
     public record AuditSide(AuditStore store, AuditHeads heads, AuditChain chain, HeadKeeper keeper) {

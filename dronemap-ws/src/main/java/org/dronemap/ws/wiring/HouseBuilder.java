@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
@@ -16,6 +15,7 @@ import org.dronemap.core.cloud.AuditedControl;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Journal;
+import org.dronemap.core.cloud.Lane;
 import org.dronemap.core.cloud.Lanes;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
@@ -29,6 +29,7 @@ import org.dronemap.core.history.History;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.link.SavedLink;
+import org.dronemap.core.process.Beginning;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.Proxy;
@@ -56,11 +57,14 @@ import org.slf4j.LoggerFactory;
 final class HouseBuilder {
     private static final Logger LOG = LoggerFactory.getLogger(HouseBuilder.class);
     private static final int LANES = 2;
+    private static final String SET_ASIDE =
+            "The server ended three times within two minutes, and started without what it was conducting.";
 
     private final Settings settings;
     private final Closing closing;
     private final List<EndpointUrl> endpoints;
     private final Time time;
+    private final Beginning beginning;
     private final Lanes lanes;
     private final OutletBuilder outlets;
     private final RobotBuilder robots;
@@ -72,8 +76,9 @@ final class HouseBuilder {
     private volatile boolean connected;
 
     /** What is opened is handed to {@code closing} as it opens, so that a failed start leaves nothing behind. */
-    HouseBuilder(Settings settings, Closing closing, Time time) {
+    HouseBuilder(Settings settings, Closing closing, Time time, Beginning beginning) {
         this.settings = settings;
+        this.beginning = beginning;
         this.time = time;
         this.lanes = new Lanes(time, LANES);
         this.closing = closing;
@@ -83,16 +88,18 @@ final class HouseBuilder {
         this.robots = new RobotBuilder(settings.robots(), time);
     }
 
+    List<Lane> lanes() {
+        return lanes.all();
+    }
+
     /** Everything but the links: nothing is heard and nothing sent yet. */
     House open(Stores stores) {
-        Clock clock = time.clock();
         House.AuditSide audit = new AuditBuilder(settings, time).open(stores, closing);
-        CommandStore commands = commands(stores, audit, clock);
+        CommandStore commands = commands(stores, audit);
         Journal journal = new Journal(time);
         closing.add("the journal", journal);
         CloudManager cloud = cloud(stores, commands, journal);
-        GrantBook grants = grants(stores, cloud, clock);
-        cloud.addListener(new AuditedControl(audit.store(), clock, grants::owner));
+        GrantBook grants = grants(stores, cloud, audit);
         History history = history(stores, cloud);
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(stores.links(), new BoxSealing(box));
@@ -102,6 +109,8 @@ final class HouseBuilder {
         Proxy links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), stores.links());
         RobotKeyRing robotKeys = new RobotKeyRing(stores.links());
         RoslinkProxy robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
+        VirtualDrones virtuals = virtualDrones(cloud, stores, grants, audit);
+        RunSide runs = runs(cloud, stores, grants);
         return new House(
                 time,
                 cloud,
@@ -117,10 +126,12 @@ final class HouseBuilder {
                 new ProxyLinkSecurity(links.keyrings()),
                 stores.grants(),
                 grants,
-                virtualDrones(cloud, stores, grants, audit),
-                runs(cloud, stores, grants),
+                virtuals,
+                runs,
                 audit,
-                new Argon2Passwords());
+                new Argon2Passwords(),
+                new Parts(lanes, journal, virtuals, runs.operations(), links.links(), robotSide).all(),
+                beginning);
     }
 
     private House.LinkSide linkSide(
@@ -186,11 +197,12 @@ final class HouseBuilder {
     }
 
     /** In force before anybody can ask, or any vehicle is heard. */
-    private static GrantBook grants(Stores stores, CloudManager cloud, Clock clock) {
-        GrantBook grants = new GrantBook(clock);
+    private GrantBook grants(Stores stores, CloudManager cloud, House.AuditSide audit) {
+        GrantBook grants = new GrantBook(time.clock());
         grants.replace(stores.grants().holdings());
         cloud.zones().ownersBy(grants::owner);
         cloud.zones().put(stores.zones().zones());
+        cloud.addListener(new AuditedControl(audit.store(), time.clock(), grants::owner));
         return grants;
     }
 
@@ -203,7 +215,11 @@ final class HouseBuilder {
                 new AccountRights(stores.access(), grants, time),
                 time);
         virtuals.addListener(new AuditedBindings(audit.store(), time.clock(), virtuals.all()));
-        virtuals.start();
+        if (beginning.precautions().careful()) {
+            virtuals.startSuspended(SET_ASIDE);
+        } else {
+            virtuals.start();
+        }
         closing.add("the virtual drones", virtuals);
         return virtuals;
     }
@@ -212,7 +228,11 @@ final class HouseBuilder {
     private RunSide runs(CloudManager cloud, Stores stores, GrantBook grants) {
         RunSide runs = RunSide.of(
                 cloud, stores.operations(), new AccountRights(stores.access(), grants, time), settings.apart(), time);
-        runs.operations().takeUp();
+        if (beginning.precautions().careful()) {
+            runs.operations().setAside(SET_ASIDE);
+        } else {
+            runs.operations().takeUp();
+        }
         operations = runs.operations();
         closing.add("the operations", runs.operations());
         return runs;
@@ -224,10 +244,11 @@ final class HouseBuilder {
                 settings.dataDirectory().resolve("link-secret"));
     }
 
-    private CommandStore commands(Stores stores, House.AuditSide audit, Clock clock) {
+    private CommandStore commands(Stores stores, House.AuditSide audit) {
         CommandStore commands = new AuditedCommands(stores.commands(), audit.store(), time::nanos);
         int ended = commands.endUnfinished(
-                new Outcome.Unknown("The server restarted while it was under way."), clock.instant());
+                new Outcome.Unknown("The server restarted while it was under way."),
+                time.clock().instant());
         if (ended > 0) {
             LOG.warn("{} commands were under way when the server stopped; their outcome is unknown", ended);
         }
@@ -237,7 +258,7 @@ final class HouseBuilder {
     private Doors doors(DtlsKeyRing keys) {
         Settings.Tls tls = settings.tls();
         Supplier<@Nullable SSLContext> certificate = tls == null ? () -> null : Certificate.of(tls)::current;
-        return new Doors(keys::secret, certificate, WebSocketDoor.Limits.DEFAULT);
+        return new Doors(keys::secret, certificate, WebSocketDoor.Limits.DEFAULT, beginning.watch());
     }
 
     private Keyrings keyrings(CloudManager cloud, Stores stores, Journal journal, SecretBox box) {

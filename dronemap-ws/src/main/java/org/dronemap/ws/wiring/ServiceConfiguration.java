@@ -272,7 +272,9 @@ public class ServiceConfiguration {
                         house.databaseUp(),
                         house.links().open(),
                         () -> house.history().health().isUp(),
-                        () -> house.runs().operations().troubles().isEmpty()),
+                        () -> house.runs().operations().troubles().isEmpty(),
+                        house.parts()),
+                house.beginning(),
                 new SystemService.SettingsView(
                         stream.number(),
                         settings.tileAddress(),

@@ -40,6 +40,7 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.process.Beginning;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.SystemTime;
 import org.dronemap.core.time.Time;
@@ -189,7 +190,9 @@ public final class TestHouse implements AutoCloseable {
                 virtuals,
                 runs,
                 audit,
-                QUICK_PASSWORDS);
+                QUICK_PASSWORDS,
+                List.of(),
+                Beginning.ORDINARY);
         faces = FacesServer.start(settings(choices), house);
     }
 

@@ -6,6 +6,7 @@ import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.process.Beginning;
 import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.RunMachine;
@@ -63,7 +64,7 @@ public final class SteppedServer implements AutoCloseable {
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores) {
         Settings settings = settings(data);
-        builder = new HouseBuilder(settings, closing, time);
+        builder = new HouseBuilder(settings, closing, time, Beginning.ORDINARY);
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);

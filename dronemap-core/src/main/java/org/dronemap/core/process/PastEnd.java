@@ -1,0 +1,56 @@
+package org.dronemap.core.process;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * How an earlier process of this server ended without being stopped.
+ *
+ * @param at its last sign of life
+ * @param part what could not go on, such as the name of a thread
+ * @param why as a sentence
+ * @param peers whose bytes were being worked on
+ */
+public record PastEnd(Instant at, String part, String why, List<PeerName> peers) {
+    private static final String BETWEEN = "\t";
+    private static final int PEERS = 3;
+
+    public PastEnd {
+        peers = List.copyOf(peers);
+    }
+
+    /** One line. */
+    public String text() {
+        List<String> fields = new ArrayList<>(List.of(at.toString(), plain(part), plain(why)));
+        peers.forEach(peer -> fields.add(plain(peer.text())));
+        return String.join(BETWEEN, fields);
+    }
+
+    /**
+     * What {@link #text} wrote.
+     *
+     * @throws RuntimeException when it is something else
+     */
+    public static PastEnd of(String text) {
+        List<String> fields = List.of(text.split(BETWEEN, -1));
+        return new PastEnd(
+                Instant.parse(fields.get(0)),
+                fields.get(1),
+                fields.get(2),
+                names(fields.subList(PEERS, fields.size())));
+    }
+
+    /** Those of the texts that are names. */
+    public static List<PeerName> names(List<String> texts) {
+        return texts.stream()
+                .flatMap(text -> Stream.ofNullable(PeerName.of(text)))
+                .distinct()
+                .toList();
+    }
+
+    private static String plain(String text) {
+        return text.replaceAll("\\p{Cntrl}", " ");
+    }
+}

@@ -1,0 +1,35 @@
+package org.dronemap.core.process;
+
+/** Whose bytes each thread works on now: told by whoever works on them, so that it is known when the process ends there. */
+public interface PeersAtWork {
+    /** Nobody wants to know. */
+    PeersAtWork UNKNOWN = new PeersAtWork() {
+        @Override
+        public void begin(String peer) {
+            // Nobody wants to know.
+        }
+
+        @Override
+        public void done() {
+            // Nobody wants to know.
+        }
+    };
+
+    /** This thread works on bytes of that peer from now on; {@code peer} is {@link PeerName#text}. */
+    void begin(String peer);
+
+    /** This thread works on nobody's bytes. */
+    void done();
+
+    /** Works on bytes of that peer. After an error it counts as still being at it, for that may end the process. */
+    default void at(String peer, Runnable work) {
+        begin(peer);
+        try {
+            work.run();
+        } catch (RuntimeException e) {
+            done();
+            throw e;
+        }
+        done();
+    }
+}

@@ -1,0 +1,74 @@
+package org.dronemap.core.process;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * What a process does without because those before it ended. After {@value #MOST_ENDS} ends within two minutes it goes on
+ * with no operation, and takes nothing from whose bytes were being worked on at two of them: one of these may be why they
+ * ended, and links, hold, land and return must be there.
+ *
+ * @param ends that it goes by, the oldest first; none: there is no need for care
+ * @param refused whom nothing is taken from
+ */
+public record Precautions(List<PastEnd> ends, Set<PeerName> refused) {
+    /** An ordinary start. */
+    public static final Precautions NONE = new Precautions(List.of(), Set.of());
+
+    private static final int MOST_ENDS = 3;
+    private static final Duration TOGETHER = Duration.ofMinutes(2);
+    private static final int PROOF = 2;
+
+    public Precautions {
+        ends = List.copyOf(ends);
+        refused = Set.copyOf(refused);
+    }
+
+    /** {@code ends}: all that are known, the oldest first. */
+    public static Precautions after(List<PastEnd> ends, Instant now) {
+        List<PastEnd> together = ends.stream()
+                .filter(end -> end.at().isAfter(now.minus(TOGETHER)))
+                .toList();
+        return together.size() < MOST_ENDS ? NONE : new Precautions(together, suspects(together));
+    }
+
+    public boolean careful() {
+        return !ends.isEmpty();
+    }
+
+    public boolean refuses(PeerName peer) {
+        return refused.stream().anyMatch(group -> group.covers(peer));
+    }
+
+    /** Ports change with each connection, so that a vehicle, and at last a host, may have to stand for them. */
+    private static Set<PeerName> suspects(List<PastEnd> ends) {
+        return Stream.<Function<PeerName, Optional<PeerName>>>of(
+                        peer -> Optional.of(peer.address()),
+                        PeerName::vehicle,
+                        peer -> Optional.of(peer.everybodyThere()))
+                .map(group -> often(ends, group))
+                .filter(often -> !often.isEmpty())
+                .findFirst()
+                .orElse(Set.of());
+    }
+
+    private static Set<PeerName> often(List<PastEnd> ends, Function<PeerName, Optional<PeerName>> group) {
+        Map<PeerName, Long> times = ends.stream()
+                .flatMap(end -> end.peers().stream()
+                        .map(group)
+                        .flatMap(Optional::stream)
+                        .distinct())
+                .collect(Collectors.groupingBy(Function.identity(), Collectors.counting()));
+        return times.entrySet().stream()
+                .filter(entry -> entry.getValue() >= PROOF)
+                .map(Map.Entry::getKey)
+                .collect(Collectors.toSet());
+    }
+}

@@ -1,0 +1,37 @@
+package org.dronemap.core.time;
+
+import java.util.Optional;
+
+/**
+ * Errors after which nobody knows what still works, however far up they are caught. What a thread fails with in the end goes
+ * to its uncaught exception handler; libraries and executors keep some of it to themselves.
+ */
+public final class FatalErrors {
+    private static final int DEEPEST = 20;
+
+    private FatalErrors() {}
+
+    /** Gives it to who ends the process, as if this thread had ended with it. */
+    public static void tell(Error error) {
+        Thread thread = Thread.currentThread();
+        thread.getUncaughtExceptionHandler().uncaughtException(thread, error);
+    }
+
+    /** The same, for what a library caught, if there is such an error behind it; else nothing happens. */
+    public static void tellOf(Throwable caught) {
+        behind(caught).ifPresent(FatalErrors::tell);
+    }
+
+    /** No memory, no threads, a machine that failed, a thread that was stopped; a stack that was too deep is gone again. */
+    static Optional<Error> behind(Throwable caught) {
+        Throwable cause = caught;
+        for (int depth = 0; cause != null && depth < DEEPEST; depth++) {
+            boolean ofTheMachine = cause instanceof VirtualMachineError && !(cause instanceof StackOverflowError);
+            if (ofTheMachine || cause instanceof ThreadDeath) {
+                return Optional.of((Error) cause);
+            }
+            cause = cause.getCause();
+        }
+        return Optional.empty();
+    }
+}

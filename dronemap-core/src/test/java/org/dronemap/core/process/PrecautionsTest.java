@@ -1,0 +1,82 @@
+package org.dronemap.core.process;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+class PrecautionsTest {
+    private static final Instant NOW = Instant.parse("2026-05-04T10:00:00Z");
+    private static final PeerName BAD = PeerName.at("10.0.0.7", 14550);
+    private static final PeerName GOOD = PeerName.at("10.0.0.8", 14550);
+
+    @Test
+    void threeEndsWithinTwoMinutesAskForCare() {
+        assertThat(after(end(119), end(60), end(1)).careful()).isTrue();
+        assertThat(after(end(121), end(60), end(1)).careful()).isFalse();
+        assertThat(after(end(2), end(1)).careful()).isFalse();
+        assertThat(after(end(500), end(400), end(300), end(2)).ends()).isEmpty();
+    }
+
+    @Test
+    void whoWasThereAtTwoEndsIsRefusedAndNobodyElse() {
+        Precautions precautions = after(end(30, BAD, GOOD), end(20), end(10, BAD));
+
+        assertThat(precautions.refused()).containsExactly(BAD);
+        assertThat(precautions.refuses(new PeerName("10.0.0.7", 14550, 3))).isTrue();
+        assertThat(precautions.refuses(GOOD)).isFalse();
+        assertThat(precautions.refuses(PeerName.at("10.0.0.7", 14551))).isFalse();
+    }
+
+    @Test
+    void aVehicleThatComesFromAnotherPortEachTimeIsRefusedAtAnyPort() {
+        Precautions precautions = after(
+                end(30, new PeerName("10.0.0.7", 4001, 3), new PeerName("10.0.0.7", 4001, PeerName.ANY)),
+                end(20, new PeerName("10.0.0.7", 4002, 3), new PeerName("10.0.0.7", 4002, PeerName.ANY)),
+                end(10));
+
+        assertThat(precautions.refuses(new PeerName("10.0.0.7", 4003, 3))).isTrue();
+        assertThat(precautions.refuses(new PeerName("10.0.0.7", 4003, 4))).isFalse();
+        assertThat(precautions.refuses(PeerName.at("10.0.0.7", 4003))).isFalse();
+    }
+
+    @Test
+    void aHostIsRefusedWhenNothingNarrowerWasThereTwice() {
+        Precautions precautions =
+                after(end(30, PeerName.at("10.0.0.7", 4001)), end(20, PeerName.at("10.0.0.7", 4002)), end(10));
+
+        assertThat(precautions.refuses(new PeerName("10.0.0.7", 4003, 1))).isTrue();
+        assertThat(precautions.refuses(GOOD)).isFalse();
+    }
+
+    @Test
+    void nobodyIsRefusedForBeingThereTwiceAtOneEnd() {
+        assertThat(after(end(30, BAD, BAD), end(20), end(10)).refused()).isEmpty();
+    }
+
+    @Test
+    void whatIsWrittenOfAnEndIsReadAgain() {
+        PastEnd end = new PastEnd(
+                NOW, "lane-1", "ThreadDeath\tin\ntwo lines", List.of(BAD, new PeerName("/dev/tty USB", 0, 7)));
+
+        PastEnd read = PastEnd.of(end.text());
+
+        assertThat(read.at()).isEqualTo(NOW);
+        assertThat(read.why()).isEqualTo("ThreadDeath in two lines");
+        assertThat(read.peers()).isEqualTo(end.peers());
+    }
+
+    private static Precautions after(PastEnd... ends) {
+        return Precautions.after(List.of(ends), NOW);
+    }
+
+    private static PastEnd end(int secondsAgo, PeerName... peers) {
+        return new PastEnd(
+                NOW.minusSeconds(secondsAgo),
+                "lane-0",
+                "It ended.",
+                Stream.of(peers).toList());
+    }
+}
