@@ -79,7 +79,7 @@ def is_up_again(built: Checkout, before: int) -> bool:
 
 
 def seconds_until_up_again(built: Checkout, before: int, since: float) -> float:
-    until("the server is there again", lambda: is_up_again(built, before))
+    until("the server is there again", lambda: is_up_again(built, before), 120)
     return time.monotonic() - since
 
 
@@ -172,7 +172,7 @@ def test_a_peer_whose_frames_end_the_server_is_not_heard_any_more(built: Checkou
     assert built.run("up", "--no-demo", DRONEMAP_JAVA_OPTS=options).returncode == 0
     good, bad = Peer(built, 7), Peer(built, BAD_SYSTEM)
     with speaking(good, bad):
-        until("it starts without what ended it", lambda: health(built).get("refusedPeers") == 1)
+        until("it starts without what ended it", lambda: health(built).get("refusedPeers") == 1, 240)
         until("others are heard", lambda: live_systems(built) == {7})
     said = health(built)
     assert said["setAside"] is True
@@ -211,7 +211,7 @@ def test_operations_that_end_the_server_are_set_aside_and_their_drones_go_home(
     until("it is stopped", lambda: not is_alive(pid_of(built, "server")))
     options = f"{built.settings['DRONEMAP_JAVA_OPTS']} -javaagent:{faults}=journal"
     built.run("up", DRONEMAP_JAVA_OPTS=options)
-    until("it starts without operations", lambda: health(built).get("setAside") is True)
+    until("it starts without operations", lambda: health(built).get("setAside") is True, 240)
     until("the drone goes home", lambda: one()["mode"] == "RTL")
     until("the drone is down", lambda: one()["armed"] is False)
 

@@ -7,8 +7,8 @@ PATIENCE_SECONDS = 60
 BETWEEN_LOOKS_SECONDS = 0.02
 
 
-def until(what: str, holds: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + PATIENCE_SECONDS
+def until(what: str, holds: Callable[[], bool], seconds: float = PATIENCE_SECONDS) -> None:
+    deadline = time.monotonic() + seconds
     while not holds():
-        assert time.monotonic() < deadline, f"Not within {PATIENCE_SECONDS} s: {what}"
+        assert time.monotonic() < deadline, f"Not within {seconds} s: {what}"
         time.sleep(BETWEEN_LOOKS_SECONDS)

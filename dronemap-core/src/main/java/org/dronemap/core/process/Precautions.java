@@ -33,10 +33,18 @@ public record Precautions(List<PastEnd> ends, Set<PeerName> refused) {
 
     /** {@code ends}: all that are known, the oldest first. */
     public static Precautions after(List<PastEnd> ends, Instant now) {
-        List<PastEnd> together = ends.stream()
-                .filter(end -> end.at().isAfter(now.minus(TOGETHER)))
-                .toList();
+        if (ends.isEmpty() || isLongBefore(ends.get(ends.size() - 1), now)) {
+            return NONE;
+        }
+        // Before the newest end, not before now: a start may take long.
+        Instant newest = ends.get(ends.size() - 1).at();
+        List<PastEnd> together =
+                ends.stream().filter(end -> !isLongBefore(end, newest)).toList();
         return together.size() < MOST_ENDS ? NONE : new Precautions(together, suspects(together));
+    }
+
+    private static boolean isLongBefore(PastEnd end, Instant time) {
+        return end.at().isBefore(time.minus(TOGETHER));
     }
 
     public boolean careful() {
