@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -18,6 +19,11 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.process.Beginning;
+import org.dronemap.core.process.PastEnd;
+import org.dronemap.core.process.PeerWatch;
+import org.dronemap.core.process.PeersAtWork;
+import org.dronemap.core.process.Precautions;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.sim.physics.LocalFrame;
@@ -69,8 +75,19 @@ public final class Laboratory implements AutoCloseable {
 
     /** Over what an earlier one has kept. */
     public void startServer() {
+        startServer(Beginning.ORDINARY);
+    }
+
+    /** The same, as after three ends within two minutes. */
+    public void startServerCarefully() {
+        PastEnd end = new PastEnd(now(), "lane-0", "It ended with ThreadDeath.", List.of());
+        Precautions careful = new Precautions(List.of(end, end, end), Set.of());
+        startServer(new Beginning(end, new PeerWatch(PeersAtWork.UNKNOWN, careful)));
+    }
+
+    private void startServer(Beginning beginning) {
         process = time.killable();
-        server = new SteppedServer(data.path(), process, stores);
+        server = new SteppedServer(data.path(), process, stores, beginning);
         drones.forEach(drone -> drone.attach(server().links()));
         peers.forEach(peer -> peer.wire().attach(server().links()));
         signingPeers.forEach(peer -> peer.wire().attach(server().links()));

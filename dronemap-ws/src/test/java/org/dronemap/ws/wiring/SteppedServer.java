@@ -62,9 +62,9 @@ public final class SteppedServer implements AutoCloseable {
     private final RunJournalService journals;
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
-    public SteppedServer(Path data, Time time, Stores stores) {
+    public SteppedServer(Path data, Time time, Stores stores, Beginning beginning) {
         Settings settings = settings(data);
-        builder = new HouseBuilder(settings, closing, time, Beginning.ORDINARY);
+        builder = new HouseBuilder(settings, closing, time, beginning);
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);
