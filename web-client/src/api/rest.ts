@@ -30,8 +30,8 @@ import { ZoneCalls } from './zones';
 /** `epoch`: of the control that the page believes to have. */
 export type SentCommand = CommandRequest & { id: string; epoch?: number };
 
-/** A ticket is good for 30 s; a line that takes half of that is none. */
-const TICKET_MILLISECONDS = 10_000;
+/** A line that takes longer is none, and one that was cut leaves nobody waiting for it when it is back. */
+const TICKET_MILLISECONDS = 4_000;
 
 type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
 

@@ -1,5 +1,12 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { CONNECTS_ANEW, SILENCE_MILLISECONDS, StreamClient, type Socket, type Timers } from './stream';
+import {
+  CONNECTS_ANEW,
+  DEAD_MILLISECONDS,
+  QUIET_MILLISECONDS,
+  StreamClient,
+  type Socket,
+  type Timers,
+} from './stream';
 import type { StreamMessage } from './types';
 
 class FakeTimers implements Timers {
@@ -135,30 +142,66 @@ describe('stream client', () => {
     expect(retryAt - timers.time).toBe(500);
   });
 
-  it('takes a line that fell silent for dead', async () => {
+  it('says within three seconds that a line fell silent, and keeps it', async () => {
+    last().say(PING);
+    await timers.advance(QUIET_MILLISECONDS - 1);
+    expect(told).not.toContain('DOWN');
+    await timers.advance(1);
+    expect(QUIET_MILLISECONDS).toBeLessThan(3_000);
+    expect(told.slice(2)).toEqual(['DOWN']);
+    expect(last().closed).toBe(false);
+    expect(client.say({ type: 'letGo', requestId: 'r', drone: 'd1' })).toBe(false);
+  });
+
+  it('is back at once when a silent line speaks again', async () => {
+    last().say(PING);
+    await timers.advance(DEAD_MILLISECONDS - 1);
+    last().say(PING);
+    expect(told.slice(2)).toEqual(['DOWN', 'UP', 'ping']);
+    expect(sockets).toHaveLength(1);
+  });
+
+  it('takes a line for dead that stays silent', async () => {
     last().say(PING);
     const silent = last();
-    await timers.advance(SILENCE_MILLISECONDS - 1);
+    await timers.advance(DEAD_MILLISECONDS - 1);
     expect(silent.closed).toBe(false);
     await timers.advance(1);
     expect(silent.closed).toBe(true);
     // The cloud takes a page for closed that ends its connection without saying so.
     expect(silent.code).toBe(CONNECTS_ANEW);
-    expect(told).toContain('DOWN');
+    expect(told.filter((what) => what === 'DOWN')).toHaveLength(1);
+  });
+
+  it('has more patience each time with a line that begins and never gets to the end of the list', async () => {
+    for (const patience of [1, 2, 4, 4].map((times) => times * DEAD_MILLISECONDS)) {
+      const slow = last();
+      slow.say({ type: 'hello', user: 'olga', role: 'operator' });
+      await timers.advance(patience - 1);
+      expect(slow.closed).toBe(false);
+      await timers.advance(1);
+      expect(slow.closed).toBe(true);
+      await timers.advance(retryAt - timers.time);
+    }
+    last().say(PING);
+    const quick = last();
+    await timers.advance(DEAD_MILLISECONDS);
+    expect(quick.closed).toBe(true);
   });
 
   it('reads first what came while the page itself stood still', async () => {
     last().say(PING);
     const slept = last();
-    timers.time += SILENCE_MILLISECONDS + 5_000;
+    timers.time += DEAD_MILLISECONDS + 5_000;
     await timers.advance(0);
-    expect(slept.closed).toBe(false);
+    expect(told).not.toContain('DOWN');
     slept.say(PING);
-    await timers.advance(SILENCE_MILLISECONDS - 1);
-    expect(slept.closed).toBe(false);
+    await timers.advance(QUIET_MILLISECONDS - 1);
+    expect(told).not.toContain('DOWN');
     timers.time += 5_000;
-    await timers.advance(0);
-    await timers.advance(2_000);
+    await timers.advance(500);
+    expect(told).toContain('DOWN');
+    await timers.advance(DEAD_MILLISECONDS - QUIET_MILLISECONDS);
     expect(slept.closed).toBe(true);
   });
 

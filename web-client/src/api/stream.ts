@@ -13,7 +13,7 @@ export interface StreamListener {
   onMessage(message: StreamMessage): void;
   /** The first message after (re)connecting has arrived: what is shown is true again. */
   onUp(): void;
-  /** Called once when the stream goes down, not for every failed try. */
+  /** Called once when nothing comes any more, not for every failed try; the connection may be there still. */
   onDown(): void;
   /** The time of the next try, by the clock of `Timers.now`. */
   onRetryAt(at: number): void;
@@ -34,6 +34,16 @@ export const browserTimers: Timers = {
   },
 };
 
+/** Where a page opens its stream: at the host that it was loaded from. */
+export function streamAddress(
+  { protocol, hostname }: Pick<Location, 'protocol' | 'hostname'>,
+  port: number,
+  { ticket, rate }: { ticket: string; rate: number },
+): string {
+  const scheme = protocol === 'https:' ? 'wss' : 'ws';
+  return `${scheme}://${hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}&rate=${rate}`;
+}
+
 export interface StreamOptions {
   /** Fetches a one-use ticket and answers the address to open; null when nobody is signed in. */
   address(): Promise<string | null>;
@@ -41,18 +51,24 @@ export interface StreamOptions {
   timers: Timers;
 }
 
-/** The server pings every 5 s; twice that and a little without a word means that the line is dead. */
-export const SILENCE_MILLISECONDS = 12_000;
+/** The server says something once a second: so long without a word, and what is shown is old. */
+export const QUIET_MILLISECONDS = 2_500;
+/** So long without a word, and another connection is made; longer each time, for lines on which the first list takes long. */
+export const DEAD_MILLISECONDS = 5_000;
+const LONGEST_DEAD_MILLISECONDS = 20_000;
 /** A timer that is so much late was held up by the page. */
 const LATE_MILLISECONDS = 1_000;
 /** So long a page that goes on has for what waits. */
-const READS_MILLISECONDS = 2_000;
+const READS_MILLISECONDS = 500;
 /** Tells the cloud that this page goes on: it only gives up a connection that seems dead. */
 export const CONNECTS_ANEW = 4000;
 const FIRST_RETRY_MILLISECONDS = 500;
 const LONGEST_RETRY_MILLISECONDS = 3_000;
 
-/** Keeps one stream to the cloud open: reconnects with growing pauses and notices lines that fell silent. */
+/**
+ * Keeps one stream to the cloud open: says soon that a line fell silent, takes it up again when it speaks, and reconnects
+ * with growing pauses when it does not.
+ */
 export class StreamClient {
   readonly #options: StreamOptions;
   readonly #listener: StreamListener;
@@ -61,6 +77,7 @@ export class StreamClient {
   #generation = 0;
   #up = false;
   #down = false;
+  #patience = DEAD_MILLISECONDS;
   #cancelTimer: () => void = () => undefined;
 
   constructor(options: StreamOptions, listener: StreamListener) {
@@ -149,30 +166,48 @@ export class StreamClient {
       this.#attempt = 0;
       this.#listener.onUp();
     }
+    if (message.type === 'ping') {
+      // All that was to be said before it has come.
+      this.#patience = DEAD_MILLISECONDS;
+    }
     this.#listener.onMessage(message);
   }
 
   #watchSilence(): void {
+    this.#after(QUIET_MILLISECONDS, () => {
+      this.#goDown();
+      this.#after(this.#patience - QUIET_MILLISECONDS, () => {
+        this.#patience = Math.min(LONGEST_DEAD_MILLISECONDS, this.#patience * 2);
+        this.#fail();
+      });
+    });
+  }
+
+  #after(milliseconds: number, action: () => void): void {
     this.#cancelTimer();
     const { timers } = this.#options;
-    const due = timers.now() + SILENCE_MILLISECONDS;
-    this.#cancelTimer = timers.after(SILENCE_MILLISECONDS, () => {
+    const due = timers.now() + milliseconds;
+    this.#cancelTimer = timers.after(milliseconds, () => {
       if (timers.now() - due > LATE_MILLISECONDS) {
         // This page itself stood still: what came meanwhile waits to be read.
-        this.#cancelTimer = timers.after(READS_MILLISECONDS, () => this.#fail());
+        this.#cancelTimer = timers.after(READS_MILLISECONDS, action);
       } else {
-        this.#fail();
+        action();
       }
     });
   }
 
-  #fail(): void {
-    this.#drop(CONNECTS_ANEW);
+  #goDown(): void {
     this.#up = false;
     if (!this.#down) {
       this.#down = true;
       this.#listener.onDown();
     }
+  }
+
+  #fail(): void {
+    this.#drop(CONNECTS_ANEW);
+    this.#goDown();
     const pause = Math.min(LONGEST_RETRY_MILLISECONDS, FIRST_RETRY_MILLISECONDS * 2 ** this.#attempt);
     this.#attempt += 1;
     this.#listener.onRetryAt(this.#options.timers.now() + pause);

@@ -71,8 +71,9 @@ const LINK_WORDS: Record<LinkState, string> = {
   ended: 'Ended',
 };
 
-export function linkWord(state: LinkState): string {
-  return LINK_WORDS[state];
+/** `cut`: this page has no line to the cloud, and does not know how the cloud's link to the drone stands. */
+export function linkWord(state: LinkState, cut = false): string {
+  return cut && state !== 'ended' ? 'No line' : LINK_WORDS[state];
 }
 
 /** The session key of a vehicle as people write it: address, port and system id. */

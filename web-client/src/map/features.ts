@@ -7,11 +7,15 @@ import type { Draft } from '../plan/draft';
 import { itemNumber, waypointNumber } from '../plan/numbering';
 import { age } from '../ui/format';
 
-/** Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. */
+/**
+ * Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. `cut`: the page has no line to
+ * the cloud, so that all of them are.
+ */
 export function droneFeatures(
   drones: readonly Drone[],
   selectedId: string | null,
   silenceOf: (drone: Drone) => number | null,
+  cut = false,
 ): FeatureCollection<Point> {
   return collect(
     drones.flatMap((drone) => {
@@ -20,31 +24,43 @@ export function droneFeatures(
         return [];
       }
       const selected = drone.id === selectedId;
-      return [point([place.longitude, place.latitude], droneProperties(drone, selected, silenceOf(drone)))];
+      return [
+        point([place.longitude, place.latitude], droneProperties(drone, selected, silenceOf(drone), cut)),
+      ];
     }),
   );
 }
 
-function droneProperties(drone: Drone, selected: boolean, silence: number | null): Record<string, unknown> {
-  const { tone } = standingOf(drone);
-  const heading = drone.motion?.heading ?? drone.attitude?.yaw ?? null;
-  const stale = drone.link.state !== 'live';
+function droneProperties(
+  drone: Drone,
+  selected: boolean,
+  silence: number | null,
+  cut: boolean,
+): Record<string, unknown> {
+  const tone = cut ? 'neutral' : standingOf(drone).tone;
+  const { state } = drone.link;
+  const heading = headingOf(drone);
   const shape = heading === null ? 'dot' : 'arrow';
   return {
     id: drone.id,
-    icon: `drone|${shape}|${tone}|${drone.link.state === 'lost' ? 'crossed' : 'plain'}`,
+    icon: `drone|${shape}|${tone}|${state === 'lost' ? 'crossed' : 'plain'}`,
     heading: heading ?? 0,
     selected,
-    opacity: stale ? 0.55 : 1,
+    opacity: cut || state !== 'live' ? 0.55 : 1,
     label: drone.replay ? `${drone.name} · replay` : drone.name,
-    age: ageWords(drone, silence),
+    age: ageWords(drone, silence, cut),
     rank: selected ? 0 : 1,
   };
 }
 
+function headingOf({ motion, attitude }: Drone): number | null {
+  return motion?.heading ?? attitude?.yaw ?? null;
+}
+
 /** How old a silent drone's place is; a recording that was played to its end ages no more. */
-function ageWords(drone: Drone, silence: number | null): string {
-  return drone.link.state === 'suspect' || drone.link.state === 'lost' ? age(silence) : '';
+function ageWords({ link }: Drone, silence: number | null, cut: boolean): string {
+  const old = link.state === 'suspect' || link.state === 'lost' || (cut && link.state === 'live');
+  return old ? age(silence) : '';
 }
 
 export function trailFeatures(

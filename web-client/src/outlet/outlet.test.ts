@@ -90,6 +90,7 @@ describe('the settings of programs', () => {
 describe('the outlet page', () => {
   it('shows a new passphrase once, and says when nothing is attached', async () => {
     const station = new Station();
+    station.connection.up();
     const { outlet } = station.rest;
     const own = { endpoints: ENDPOINTS, passphraseSet: false, clients: [], ports: [] };
     const look = vi.spyOn(outlet, 'own').mockResolvedValue(own);
@@ -103,6 +104,7 @@ describe('the outlet page', () => {
 
   it('opens a personal port for an address, and closes it only when it is confirmed', async () => {
     const station = new Station();
+    station.connection.up();
     const { outlet } = station.rest;
     const own = { endpoints: ENDPOINTS, passphraseSet: false, clients: [], ports: [] };
     const look = vi.spyOn(outlet, 'own').mockResolvedValue(own);
@@ -133,6 +135,7 @@ describe('the outlet page', () => {
 
   it('lists who is attached, and disconnects only when it is confirmed', async () => {
     const station = new Station();
+    station.connection.up();
     const { outlet } = station.rest;
     vi.spyOn(outlet, 'all').mockResolvedValue({ endpoints: ENDPOINTS, clients: [CLIENT], refused: NOBODY });
     const disconnect = vi.spyOn(outlet, 'disconnect').mockResolvedValue();

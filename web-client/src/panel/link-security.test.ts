@@ -24,6 +24,7 @@ const USED: LinkSecurity = {
 
 async function show(security: LinkSecurity): Promise<Station> {
   const station = new Station();
+  station.connection.up();
   vi.spyOn(station.rest, 'linkSecurity').mockResolvedValue(security);
   render(LinkSecurityPanel, { props: { drone: aDrone() }, context: new Map([[STATION, station]]) });
   await fireEvent.click(screen.getByRole('button', { name: /Link security/ }));

@@ -1,7 +1,7 @@
 import { getContext, setContext } from 'svelte';
 import { RestClient } from '../api/rest';
 import { Problem } from '../api/problem';
-import { browserTimers, StreamClient, type Socket } from '../api/stream';
+import { browserTimers, StreamClient, streamAddress, type Socket } from '../api/stream';
 import { mayAct, type Role, type Session } from '../api/accounts';
 import type { Positions, Receipt } from '../api/follows';
 import type { CommandKind, Drone, Settings, StreamMessage } from '../api/types';
@@ -149,13 +149,15 @@ export class Station {
     this.#stream.retryNow();
   }
 
+  /** Why nothing can be asked of the cloud now, or null. */
+  get whyNoLine(): string | null {
+    return this.connection.stale ? 'No connection to the cloud.' : null;
+  }
+
   /** Why this page cannot give that command now, or null; the cloud's own reasons come with each action. */
   whyNoCommand(drone: Drone, type: CommandKind): string | null {
-    if (this.connection.state !== 'up') {
-      return 'No connection to the cloud.';
-    }
     const supervisor = mayAct(this.session?.role, 'supervisor');
-    return this.controls.whyNot(drone, type, this.session?.name, supervisor);
+    return this.whyNoLine ?? this.controls.whyNot(drone, type, this.session?.name, supervisor);
   }
 
   /** Commands under the control that this window keeps say so: they are refused when it has ended meanwhile. */
@@ -174,7 +176,7 @@ export class Station {
     this.#stream.stop();
     if (mayLook(session)) {
       this.settings = await this.rest.settings();
-      this.connection.state = 'connecting';
+      this.connection.begin();
       this.#stream.start();
     }
     this.signedOut = null;
@@ -193,16 +195,11 @@ export class Station {
     this.#stream.stop();
     this.signedOut = why;
     this.session = null;
-    this.fleet.clear();
-    this.controls.clear();
+    const { fleet, controls, zones, virtuals, tours, runs, follows } = this;
+    [fleet, controls, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
     this.planner.stop();
     this.desk.deselect();
     this.desk.page = 'map';
-    this.zones.clear();
-    this.virtuals.clear();
-    this.tours.clear();
-    this.runs.clear();
-    this.follows.clear();
   }
 
   #streamUp(): void {
@@ -229,6 +226,7 @@ export class Station {
   }
 
   #hear(message: StreamMessage): void {
+    this.connection.heard();
     this.controls.beat();
     switch (message.type) {
       case 'hello':
@@ -267,9 +265,7 @@ export class Station {
   async #streamAddress(): Promise<string | null> {
     try {
       const { ticket } = await this.rest.streamTicket();
-      const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
-      const port = this.settings?.streamPort ?? 8081;
-      return `${scheme}://${location.hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}&rate=${RATES.all}`;
+      return streamAddress(location, this.settings?.streamPort ?? 8081, { ticket, rate: RATES.all });
     } catch (thrown) {
       if (thrown instanceof Problem && thrown.status === 401) {
         return null;

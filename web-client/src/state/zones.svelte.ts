@@ -19,6 +19,7 @@ export class Zones {
   async load(): Promise<void> {
     await this.#attempt(async () => {
       this.all = sorted(await this.#calls.all());
+      this.#endDraftOfNone();
     });
   }
 
@@ -28,6 +29,15 @@ export class Zones {
 
   forget(id: string): void {
     this.all = this.all.filter((one) => one.id !== id);
+    this.#endDraftOfNone();
+  }
+
+  /** Somebody removed the zone that is being changed: what is drawn would belong to nothing. */
+  #endDraftOfNone(): void {
+    const id = this.draft?.id ?? null;
+    if (id !== null && !this.all.some((one) => one.id === id)) {
+      this.draft = null;
+    }
   }
 
   clear(): void {

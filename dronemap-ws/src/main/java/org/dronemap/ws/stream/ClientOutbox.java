@@ -10,8 +10,8 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What waits for one client: of each drone only the newest picture, of commands and answers everything, in order, up
- * to a bound. Any thread.
+ * What waits for one client: of each drone only the newest picture, of the signs of life only the newest, of commands and
+ * answers everything, in order, up to a bound. Any thread.
  */
 final class ClientOutbox {
     static final int MOST_DISCRETE = 1_000;
@@ -19,6 +19,7 @@ final class ClientOutbox {
     // all guarded by this
     private final Deque<Message> discrete = new ArrayDeque<>();
     private final Map<DroneId, String> newest = new LinkedHashMap<>();
+    private @Nullable String beat;
     private long replaced;
     private boolean overflown;
 
@@ -30,6 +31,11 @@ final class ClientOutbox {
         if (newest.put(drone, json) != null) {
             replaced++;
         }
+    }
+
+    /** A sign of life that the next one replaces: who is slow to read is not given more to read for it. */
+    synchronized void beat(String json) {
+        beat = json;
     }
 
     /** No picture of a drone that is gone. */
@@ -57,23 +63,26 @@ final class ClientOutbox {
         }
     }
 
-    /** All that waits: first what must arrive, then the pictures. */
+    /** All that waits: first what must arrive, then the pictures, at last the sign of life. */
     synchronized List<String> drain() {
-        List<String> all = new ArrayList<>(discrete.size() + newest.size());
+        List<String> all = new ArrayList<>(discrete.size() + newest.size() + 1);
         discrete.forEach(message -> all.add(message.json()));
         all.addAll(newest.values());
-        discrete.clear();
-        newest.clear();
+        if (beat != null) {
+            all.add(beat);
+        }
+        clear();
         return all;
     }
 
     synchronized void clear() {
         discrete.clear();
         newest.clear();
+        beat = null;
     }
 
     synchronized boolean isEmpty() {
-        return discrete.isEmpty() && newest.isEmpty();
+        return discrete.isEmpty() && newest.isEmpty() && beat == null;
     }
 
     synchronized boolean isOverflown() {

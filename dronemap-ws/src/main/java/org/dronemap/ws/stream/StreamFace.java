@@ -6,6 +6,7 @@ import java.time.Clock;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
@@ -56,7 +57,6 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     public static final int LARGEST_MESSAGE_BYTES = 256 * 1024;
 
     private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
-    private static final long PING_NANOS = TimeUnit.SECONDS.toNanos(5);
     private static final long TIME_TO_SIGN_IN_NANOS = TimeUnit.SECONDS.toNanos(5);
 
     private final CloudManager cloud;
@@ -73,8 +73,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
     private final Pump pump = new Pump("stream-pump", this::round);
     private final Queue<DroneId> removed = new ConcurrentLinkedQueue<>();
     private final StreamSight sight;
-    // owned by the pump
-    private long lastPingNanos = System.nanoTime();
+    private final StreamBeat beat;
 
     /** The use cases behind the stream. */
     public record Services(
@@ -116,6 +115,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         this.cloud = cloud;
         this.services = services;
         this.clock = clock;
+        this.beat = new StreamBeat(services.json(), clock, System.nanoTime());
         this.feed = new DroneFeed(services.pictures().drones(), services.json());
         this.sight = new StreamSight(cloud, services.entrance().grants(), feed, services.json());
         this.virtualFeed = new VirtualFeed(services.pictures(), services.json(), this::wake);
@@ -274,18 +274,15 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         followFeed.publish(server.clients(), now);
         phones.round(now);
         Pump.Pause pause = feed.publish(server.clients(), now);
-        boolean pingDue = now - lastPingNanos >= PING_NANOS;
-        if (pingDue) {
-            lastPingNanos = now;
-        }
+        Optional<String> sign = beat.due(now);
         boolean allSent = true;
         for (StreamClient client : server.clients()) {
-            allSent &= attend(client, pingDue, now);
+            allSent &= attend(client, sign, now);
         }
         return allSent ? pause : new Pump.Pause(pause.leastNanos(), Math.min(pause.mostNanos(), RETRY_NANOS));
     }
 
-    private boolean attend(StreamClient client, boolean pingDue, long now) {
+    private boolean attend(StreamClient client, Optional<String> sign, long now) {
         SignedIn caller = client.caller().orElse(null);
         if (caller == null) {
             if (now - client.connectedNanos() > TIME_TO_SIGN_IN_NANOS) {
@@ -294,10 +291,10 @@ public final class StreamFace implements CloudListener, AutoCloseable {
                 client.pump(now, server.reminder());
                 client.close(CloseFrame.POLICY_VALIDATION, late.sentence());
             }
-        } else if (caller.until() != null && pingDue && !caller.until().isAfter(clock.instant())) {
+        } else if (caller.until() != null && sign.isPresent() && !caller.until().isAfter(clock.instant())) {
             requests.expel(client, CloseFrame.POLICY_VALIDATION, Rejection.sessionEnded());
-        } else if (pingDue) {
-            requests.say(client, new StreamMessage.Ping(clock.instant()));
+        } else {
+            sign.ifPresent(client.outbox()::beat);
         }
         return client.pump(now, server.reminder());
     }

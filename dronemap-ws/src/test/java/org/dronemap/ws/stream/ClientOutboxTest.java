@@ -45,4 +45,19 @@ class ClientOutboxTest {
         assertThat(outbox.replacedCount()).isEqualTo(ClientOutbox.MOST_DISCRETE);
         assertThat(outbox.drain()).isEqualTo(List.of("outcome", "picture " + ClientOutbox.MOST_DISCRETE));
     }
+
+    @Test
+    void whoIsSlowToReadFindsTheNewestSignOfLifeAloneAndLast() {
+        for (int count = 0; count <= ClientOutbox.MOST_DISCRETE; count++) {
+            outbox.beat("beat " + count);
+        }
+        outbox.offer(DRONE, "picture");
+        outbox.add("outcome");
+
+        assertThat(outbox.isOverflown()).isFalse();
+        assertThat(outbox.isEmpty()).isFalse();
+        assertThat(outbox.drain()).containsExactly("outcome", "picture", "beat " + ClientOutbox.MOST_DISCRETE);
+        assertThat(outbox.isEmpty()).isTrue();
+        assertThat(outbox.drain()).isEmpty();
+    }
 }
