@@ -10,6 +10,7 @@ import { Commands } from './commands.svelte';
 import { Connection } from './connection.svelte';
 import { Controls } from './controls.svelte';
 import { Desk } from './desk.svelte';
+import { Directory } from './directory.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
 import { hearOfPlans } from './news';
@@ -46,6 +47,7 @@ export class Station {
   });
   readonly controls = new Controls(this.rest.control);
   readonly desk = new Desk();
+  readonly directory = new Directory(this.rest);
   readonly preferences = new Preferences();
   readonly zones = new Zones(this.rest.zones);
   readonly virtuals = new Virtuals(this.rest.virtuals);
@@ -195,8 +197,8 @@ export class Station {
     this.#stream.stop();
     this.signedOut = why;
     this.session = null;
-    const { fleet, controls, zones, virtuals, tours, runs, follows } = this;
-    [fleet, controls, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
+    const { directory, fleet, controls, zones, virtuals, tours, runs, follows } = this;
+    [directory, fleet, controls, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
     this.planner.stop();
     this.desk.deselect();
     this.desk.page = 'map';
