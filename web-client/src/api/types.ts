@@ -144,6 +144,8 @@ export type CommandKind =
 export interface Action {
   allowed: boolean;
   why: string | null;
+  /** The vehicle refuses it in its mode of now: this one lets it. */
+  mode?: string | null;
 }
 
 export interface Drone {
@@ -173,7 +175,8 @@ export interface Drone {
   home: Home | null;
   mission: VehicleMission | null;
   messages: VehicleMessage[];
-  actions: Partial<Record<CommandKind | 'velocity', Action>>;
+  /** `forceDisarm`: the motors off even in the air, a disarm with force. */
+  actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>;
   control?: Control;
   lastUpdate: string | null;
   version: number;

@@ -61,6 +61,20 @@ export interface VirtualDrone {
   actions: Record<'plan' | 'start' | 'stop' | 'resume' | 'remove', { allowed: boolean; why: string | null }>;
 }
 
+/** What waits, as seen from a drone; `flies`: it would arm and take off for it. Names only for those who may see it. */
+export interface Prospect {
+  name: string | null;
+  owner: string | null;
+  waypoints: number;
+  flies: boolean;
+  why: string | null;
+}
+
+export interface Prospects {
+  inWarehouse: boolean;
+  waiting: Prospect[];
+}
+
 export interface VirtualRequest {
   name: string;
   needs: VirtualNeeds;
@@ -99,6 +113,11 @@ export class VirtualCalls {
 
   async warehouse(): Promise<DroneName[]> {
     return (await this.#call<{ drones: DroneName[] }>('GET', '/warehouse')).drones;
+  }
+
+  /** What would follow if that drone were in the warehouse and nobody had control of it. Changes nothing. */
+  prospects(drone: string): Promise<Prospects> {
+    return this.#call('GET', `/warehouse/${encodeURIComponent(drone)}/prospects`);
   }
 
   async offer(drone: string): Promise<DroneName[]> {

@@ -13,6 +13,16 @@ export function whyNot(drone: Drone, type: CommandKind, own: string | null): str
   return action.allowed ? null : (action.why ?? 'Not possible now.');
 }
 
+/** Why its motors cannot be stopped whatever it does, or null. Robots stand still instead. */
+export function whyNoStop(drone: Drone): string | null {
+  const { emergencyStop, forceDisarm } = drone.actions;
+  const robot = emergencyStop?.allowed === true;
+  if (robot || (forceDisarm?.allowed === true && drone.armed !== false)) {
+    return null;
+  }
+  return forceDisarm?.why ?? emergencyStop?.why ?? 'This vehicle cannot do that.';
+}
+
 export type AttemptTone = 'busy' | 'good' | 'bad';
 
 export interface AttemptWords {

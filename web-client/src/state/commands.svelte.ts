@@ -25,6 +25,7 @@ export class Commands {
   attempts = $state.raw<ReadonlyMap<string, Attempt>>(new Map());
   /** Newest first, for each drone. */
   history = $state.raw<ReadonlyMap<string, readonly Command[]>>(new Map());
+  readonly #awaited = new Map<string, (ended: Attempt) => void>();
   readonly #port: CommandPort;
   readonly #newId: () => string;
   readonly #onSuccess: (attempt: Attempt) => void;
@@ -59,6 +60,15 @@ export class Commands {
       this.#fail(id, drone, type, thrown);
     }
     return this.attempt(drone, type) as Attempt;
+  }
+
+  /** The same, resolving when it has ended: with an outcome, or without one when the cloud did not take it. */
+  async toEnd(drone: string, request: CommandRequest): Promise<Attempt> {
+    const sent = await this.send(drone, request);
+    if (sent.phase === 'done') {
+      return sent;
+    }
+    return new Promise((resolve) => this.#awaited.set(sent.id, resolve));
   }
 
   /** News of a command, from anybody. Old news changes nothing. */
@@ -120,7 +130,19 @@ export class Commands {
   }
 
   #put(attempt: Attempt): void {
+    const before = this.attempt(attempt.drone, attempt.type);
+    if (before !== null && before.id !== attempt.id) {
+      this.#settle({ ...before, phase: 'done' });
+    }
     this.attempts = new Map(this.attempts).set(keyOf(attempt.drone, attempt.type), attempt);
+    if (attempt.phase === 'done') {
+      this.#settle(attempt);
+    }
+  }
+
+  #settle(ended: Attempt): void {
+    this.#awaited.get(ended.id)?.(ended);
+    this.#awaited.delete(ended.id);
   }
 
   #remember(command: Command): void {

@@ -93,6 +93,25 @@ class VirtualDronesTest {
     }
 
     @Test
+    void areToldBeforeADroneThatWouldFlyForThemIsPutIntoTheWarehouse() {
+        WillingCopter falcon = falcon();
+        String before = "/api/v1/warehouse/" + falcon.id() + "/prospects";
+        assertThat(supervisor.get(before).json().path("waiting").isEmpty()).isTrue();
+        start(operator, make(operator, "Roofs"));
+
+        JsonNode told = supervisor.get(before).json();
+        assertThat(told.path("inWarehouse").asBoolean()).isFalse();
+        assertThat(told.path("waiting").size()).isEqualTo(1);
+        JsonNode first = told.path("waiting").path(0);
+        assertThat(first.path("name").asString()).isEqualTo("Roofs");
+        assertThat(first.path("flies").asBoolean()).isTrue();
+        assertThat(first.path("why").isNull()).isTrue();
+        assertThat(falcon.performed()).as("asking changes nothing").isEmpty();
+        assertThat(supervisor.get("/api/v1/warehouse").json().path("drones").toString())
+                .doesNotContain(falcon.id());
+    }
+
+    @Test
     void handTheRestOfAMissionToAnotherDrone() {
         WillingCopter falcon = falcon();
         offer(falcon);

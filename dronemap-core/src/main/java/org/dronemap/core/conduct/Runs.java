@@ -63,6 +63,33 @@ final class Runs {
         return waitingFor.getOrDefault(id, List.of());
     }
 
+    /**
+     * What waits, in its turn, and why that drone could not serve it if it were in the warehouse and nobody had control of
+     * it; what it could serve it would be sent to fly at once.
+     */
+    List<Prospect> prospects(DroneState drone) {
+        return book.waiting().stream()
+                .filter(waiting ->
+                        rights.mayFly(waiting.owner()) && rights.mayServe(waiting.organisation(), drone.id()))
+                .flatMap(waiting ->
+                        Optional.ofNullable(waiting.run())
+                                .map(run -> new Prospect(waiting, whyNot(waiting, run, drone)))
+                                .stream())
+                .toList();
+    }
+
+    private Optional<String> whyNot(VirtualDrone waiting, Run run, DroneState drone) {
+        List<DroneState> alone = List.of(drone);
+        return Selection.of(
+                        new Demand(waiting.needs(), run.tour(), run.flown(), wind(run, alone)),
+                        alone,
+                        (state, share) -> hindrance(waiting, run, state, share))
+                .unfit()
+                .stream()
+                .map(Choice.Unfit::why)
+                .findFirst();
+    }
+
     /** After a restart, before anybody else can command. */
     void takeUp() {
         for (VirtualDrone drone : book.all()) {
@@ -192,11 +219,14 @@ final class Runs {
     }
 
     private Optional<String> objection(VirtualDrone drone, Run run, DroneState state, Share share) {
-        if (RunMachine.avoids(run, state, clock.instant())) {
-            return Optional.of("It could not go on with this mission a while ago.");
-        }
-        return crew.busy(state.id())
-                .or(() -> crew.refusal(VirtualHolder.of(drone), state, new Command.UploadMission(share.mission())));
+        return crew.busy(state.id()).or(() -> hindrance(drone, run, state, share));
+    }
+
+    /** What speaks against it though nobody has control of it. */
+    private Optional<String> hindrance(VirtualDrone drone, Run run, DroneState state, Share share) {
+        return RunMachine.avoids(run, state, clock.instant())
+                ? Optional.of("It could not go on with this mission a while ago.")
+                : crew.refusal(VirtualHolder.of(drone), state, new Command.UploadMission(share.mission()));
     }
 
     private void bind(VirtualDrone drone, Run run, Choice choice, Selection selection) {

@@ -15,6 +15,7 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.Choice;
@@ -211,6 +212,11 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     /** Drones that may serve virtual ones. */
     public Set<DroneId> warehouse() {
         return book.warehouse();
+    }
+
+    /** What waits for a drone, the first in turn first, and what that one would fly of it at once. Changes nothing. */
+    public List<Prospect> prospects(DroneState drone) {
+        return thread.ask(() -> runs.prospects(drone));
     }
 
     public void putIntoWarehouse(DroneId drone) {

@@ -11,13 +11,18 @@ import org.jspecify.annotations.Nullable;
  *
  * @param modes flight modes that can be set by name
  * @param steering what a vehicle goes by in a mode; of one that is not there nothing is known but that it flies by itself
+ * @param arming for a mode in which the vehicle refuses to be armed, the mode that lets it
  * @param known false until the adapter declared it
  */
 public record Capabilities(
-        Set<Capability> commands, List<String> modes, Map<String, Steering> steering, boolean known) {
+        Set<Capability> commands,
+        List<String> modes,
+        Map<String, Steering> steering,
+        Map<String, String> arming,
+        boolean known) {
     public static final Capabilities NONE = new Capabilities(Set.of(), List.of());
     /** Of a vehicle that was not asked yet. */
-    public static final Capabilities UNKNOWN = new Capabilities(Set.of(), List.of(), Map.of(), false);
+    public static final Capabilities UNKNOWN = new Capabilities(Set.of(), List.of(), Map.of(), Map.of(), false);
 
     /** What a vehicle goes by in a mode. */
     public enum Steering {
@@ -47,10 +52,16 @@ public record Capabilities(
         commands = Set.copyOf(commands);
         modes = List.copyOf(modes);
         steering = Map.copyOf(steering);
+        arming = Map.copyOf(arming);
+    }
+
+    public Capabilities(
+            Set<Capability> commands, List<String> modes, Map<String, Steering> steering, Map<String, String> arming) {
+        this(commands, modes, steering, arming, true);
     }
 
     public Capabilities(Set<Capability> commands, List<String> modes, Map<String, Steering> steering) {
-        this(commands, modes, steering, true);
+        this(commands, modes, steering, Map.of());
     }
 
     /** Of a vehicle whose modes say nothing of what it goes by. */
@@ -61,5 +72,10 @@ public record Capabilities(
     /** What the vehicle goes by in that mode; empty: not known, or by itself. */
     public Optional<Steering> steering(@Nullable String mode) {
         return mode == null ? Optional.empty() : Optional.ofNullable(steering.get(mode));
+    }
+
+    /** The mode to change to before it can be armed; empty: it can be as it is, as far as is known. */
+    public Optional<String> armingMode(@Nullable String mode) {
+        return mode == null ? Optional.empty() : Optional.ofNullable(arming.get(mode));
     }
 }

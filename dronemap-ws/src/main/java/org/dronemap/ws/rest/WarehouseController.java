@@ -35,6 +35,16 @@ public class WarehouseController {
         return warehouse.warehouse(current.principal());
     }
 
+    @GetMapping("/{id}/prospects")
+    @Operation(
+            summary = "What would follow if a drone were put into the warehouse (operator)",
+            description =
+                    "What waits for a drone, the first in turn first, and what this one would arm and take off for at"
+                            + " once. The same follows when control of a drone of the warehouse is given back. Changes nothing.")
+    public WarehouseService.ProspectsView prospects(@PathVariable String id) {
+        return warehouse.prospects(current.principal(), id);
+    }
+
     @PutMapping("/{id}")
     @Operation(summary = "Let a drone serve virtual ones (supervisor)")
     public WarehouseService.WarehouseView put(@PathVariable String id) {

@@ -38,7 +38,12 @@ public record DroneView(
         @Nullable HomeView home,
         MissionView mission,
         List<MessageView> messages,
+
+        @Schema(
+                description =
+                        "Every kind of command, and forceDisarm: the motors off even in the air (disarm with force)")
         Map<String, ActionView> actions,
+
         ControlView control,
         Instant lastUpdate,
         long version) {
@@ -130,5 +135,10 @@ public record DroneView(
     public record MessageView(String severity, String text, Instant at) {}
 
     /** Whether a command can be given now, and if not, why. */
-    public record ActionView(boolean allowed, @Nullable String why) {}
+    public record ActionView(
+            boolean allowed,
+            @Nullable String why,
+
+            @Schema(description = "The vehicle refuses it in its mode of now: change to this one first") @Nullable
+            String mode) {}
 }

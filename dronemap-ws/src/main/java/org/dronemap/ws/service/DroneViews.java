@@ -11,6 +11,7 @@ import java.util.function.Function;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.cloud.RoleRules;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -29,6 +30,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Maps a drone's state to what clients see, once for all faces. Any thread. */
 public final class DroneViews {
+    private static final String FORCE_DISARM = "forceDisarm";
     /** What autopilots call the mode in which they fly their mission. */
     private static final Set<String> MISSION_MODES = Set.of("AUTO", "MISSION");
 
@@ -206,8 +208,15 @@ public final class DroneViews {
         for (Capability capability : Capability.values()) {
             Optional<String> why =
                     RoleRules.whyNot(principal, state, capability).or(() -> CommandRules.whyNot(state, capability));
-            actions.put(WireNames.camel(capability), new DroneView.ActionView(why.isEmpty(), why.orElse(null)));
+            String mode = capability == Capability.ARM
+                    ? state.capabilities().armingMode(state.mode()).orElse(null)
+                    : null;
+            actions.put(WireNames.camel(capability), new DroneView.ActionView(why.isEmpty(), why.orElse(null), mode));
         }
+        Command motorsOff = new Command.Disarm(true);
+        Optional<String> why =
+                RoleRules.whyNot(principal, state, motorsOff.needs()).or(() -> CommandRules.whyNot(state, motorsOff));
+        actions.put(FORCE_DISARM, new DroneView.ActionView(why.isEmpty(), why.orElse(null), null));
         return actions;
     }
 

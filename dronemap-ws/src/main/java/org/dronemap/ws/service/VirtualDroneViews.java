@@ -119,7 +119,7 @@ public final class VirtualDroneViews {
         Map<String, DroneView.ActionView> actions = new LinkedHashMap<>();
         for (VirtualAction action : VirtualAction.values()) {
             Optional<String> why = action.whyNot(drone, principal);
-            actions.put(WireNames.camel(action), new DroneView.ActionView(why.isEmpty(), why.orElse(null)));
+            actions.put(WireNames.camel(action), new DroneView.ActionView(why.isEmpty(), why.orElse(null), null));
         }
         return actions;
     }

@@ -4,8 +4,12 @@ import java.util.Comparator;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.conduct.Prospect;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.virtual.Run;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.jspecify.annotations.Nullable;
 
 /** Use cases around the warehouse: the drones that may be armed and flown for virtual ones without anybody beside them. */
 public final class WarehouseService {
@@ -28,6 +32,43 @@ public final class WarehouseService {
                 .map(drone -> new VirtualDroneView.DroneName(drone.id().value(), drone.name()))
                 .sorted(Comparator.comparing(VirtualDroneView.DroneName::name))
                 .toList());
+    }
+
+    /**
+     * What waits for a drone, the first in turn first; {@code flies}: this one would arm and take off for it at once, were it
+     * in the warehouse and nobody had control of it. {@code name} and {@code owner} are null for those who may not see it.
+     */
+    public record ProspectView(
+            @Nullable String name,
+            @Nullable String owner,
+            int waypoints,
+            boolean flies,
+            @Nullable String why) {}
+
+    /** The waiting ones; of several that it could serve it flies the first, and the others after it. */
+    public record ProspectsView(boolean inWarehouse, List<ProspectView> waiting) {}
+
+    /** What would follow if that drone were put there, or left to itself while it is there. Changes nothing. */
+    public ProspectsView prospects(Principal principal, String id) {
+        DroneState drone = drones.state(principal, id, Role.OPERATOR);
+        List<ProspectView> waiting = drone.replay()
+                ? List.of()
+                : virtuals.prospects(drone).stream()
+                        .map(prospect -> view(principal, prospect))
+                        .toList();
+        return new ProspectsView(virtuals.warehouse().contains(drone.id()), waiting);
+    }
+
+    private static ProspectView view(Principal principal, Prospect prospect) {
+        VirtualDrone waiting = prospect.waiting();
+        boolean shown = VirtualDroneService.isShownTo(principal, waiting);
+        Run run = waiting.run();
+        return new ProspectView(
+                shown ? waiting.name() : null,
+                shown ? waiting.owner() : null,
+                run == null ? 0 : run.total() - run.flown(),
+                prospect.whyNot().isEmpty(),
+                prospect.whyNot().orElse(null));
     }
 
     public WarehouseView put(Principal principal, String id) {

@@ -144,7 +144,7 @@ final class ArduPilot implements Autopilot {
         if (table == ModeTable.COPTER) {
             can.add(Capability.TURN);
         }
-        return new Capabilities(can, modes(), table.steering());
+        return new Capabilities(can, modes(), table.steering(), table.arming());
     }
 
     private Set<Capability> steered() {

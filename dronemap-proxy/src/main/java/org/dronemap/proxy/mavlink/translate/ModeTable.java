@@ -63,7 +63,13 @@ final class ModeTable {
     private static final Set<String> SAFETY =
             Set.of("RTL", "SMART_RTL", "AUTO_RTL", "QRTL", "LAND", "QLAND", "AUTOLAND", "LOITERALTQLAND");
 
-    private static final Set<String> ORDERS = Set.of("GUIDED", "GUIDED_NOGPS");
+    private static final String GUIDED = "GUIDED";
+
+    private static final Set<String> ORDERS = Set.of(GUIDED, "GUIDED_NOGPS");
+
+    /** Mode::allows_arming of ArduCopter 4.5; AUTO unless AUTO_OPTIONS allows it. */
+    private static final Set<String> COPTER_REFUSES_TO_ARM =
+            Set.of("AUTO", "RTL", "CIRCLE", "LAND", "FLIP", "AUTOTUNE", "BRAKE", "AVOID_ADSB", "SMART_RTL", "AUTO_RTL");
 
     private static final Set<String> STANDS = Set.of("BRAKE", "HOLD");
 
@@ -117,6 +123,16 @@ final class ModeTable {
             }
         }
         return steering;
+    }
+
+    /** For each mode in which the vehicle refuses to be armed, the one in which it is armed and waits for orders. */
+    Map<String, String> arming() {
+        Map<String, String> arming = new LinkedHashMap<>();
+        if (has(GUIDED)) {
+            Set<String> refusing = this == COPTER ? COPTER_REFUSES_TO_ARM : SAFETY;
+            names.values().stream().filter(refusing::contains).forEach(name -> arming.put(name, GUIDED));
+        }
+        return arming;
     }
 
     boolean has(String name) {

@@ -50,6 +50,9 @@ final class Px4 implements Autopilot {
             Map.entry("MISSION", Steering.MISSION),
             Map.entry("RTL", Steering.SAFETY),
             Map.entry("LAND", Steering.SAFETY));
+    /** It is not armed on its way home or down, and waits for orders in the other. */
+    private static final Map<String, String> ARMING = Map.of("RTL", "LOITER", "LAND", "LOITER");
+
     private static final String NO_HOME =
             "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
 
@@ -135,7 +138,7 @@ final class Px4 implements Autopilot {
         if (kind == VehicleKind.ROVER || kind == VehicleKind.BOAT || kind == VehicleKind.SUBMARINE) {
             can.removeAll(EnumSet.of(Capability.TAKE_OFF, Capability.LAND));
         }
-        return new Capabilities(can, modes(), STEERING);
+        return new Capabilities(can, modes(), STEERING, ARMING);
     }
 
     @Override
