@@ -175,8 +175,7 @@ export interface Drone {
   home: Home | null;
   mission: VehicleMission | null;
   messages: VehicleMessage[];
-  /** `forceDisarm`: the motors off even in the air, a disarm with force. */
-  actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>;
+  actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>; // forceDisarm: even in the air
   control?: Control;
   lastUpdate: string | null;
   version: number;

@@ -3,6 +3,7 @@ import type { Barrier, Figures, RunWaypoint } from '../api/runs';
 import type { Zone } from '../api/zones';
 import { aRun, aRunDrone as drone, aRunWaypoint as waypoint, aDrone } from '../testing';
 import {
+  goOnWords,
   costLine,
   countsLine,
   isInTheAir,
@@ -213,5 +214,16 @@ describe('a mission run on the map', () => {
     expect(ownBarriers(run, [everybodys]).map((one) => one.properties.name)).toEqual(['Crane']);
     expect(ownBarriers(null, [everybodys])).toEqual([]);
     expect(ownBarriers(aRun({ barriers: [school, circle('School', 8)] }), [])).toHaveLength(1);
+  });
+});
+
+describe('what a paused run does when it goes on', () => {
+  it('is told with the drones that move', () => {
+    const drones = [
+      drone('d1', { stage: 'holding', next: ['2'] }),
+      drone('d2', { stage: 'ready', next: ['3'] }),
+    ];
+    expect(goOnWords(aRun({ state: 'paused', drones }))).toBe('At once: Falcon flies on, Heron takes off.');
+    expect(goOnWords(aRun({ state: 'paused', drones: [drone('d1')] }))).toBeNull();
   });
 });

@@ -237,6 +237,14 @@ export function isInTheAir(drone: RunDrone): boolean {
   );
 }
 
+/** What moves at once when a paused run goes on; null: nothing that is known now. */
+export function goOnWords(run: MissionRun): string | null {
+  const words = run.drones
+    .filter(({ next }) => next.length > 0)
+    .map((drone) => `${drone.name} ${isInTheAir(drone) ? 'flies on' : 'takes off'}`);
+  return words.length === 0 ? null : `At once: ${words.join(', ')}.`;
+}
+
 /** Drones that can come into a run: on the ground, all known, and not in it. */
 export function joinable(run: MissionRun, drones: readonly Drone[]): Drone[] {
   const inside = new Set(run.drones.filter((one) => one.stage !== 'left').map((one) => one.id));
