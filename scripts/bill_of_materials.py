@@ -3,7 +3,8 @@
 Usage: bill_of_materials.py [OUT.json]     after a build; without a name to the standard output
 
 Asks nobody: reads the jar, the local Maven repository that it was put together from (which alone knows
-the coordinates of a library that does not say them itself), and the page's lock file.
+the coordinates of a library that does not say them itself), the page's lock file, and what the signer of
+sdk-python asks for.
 """
 
 import base64
@@ -11,6 +12,7 @@ import hashlib
 import json
 import os
 import sys
+import tomllib
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -19,10 +21,13 @@ from urllib.parse import quote
 ROOT = Path(__file__).resolve().parents[1]
 JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 LOCK = ROOT / "web-client" / "package-lock.json"
+SIGNER = ROOT / "sdk-python" / "pyproject.toml"
 LIBRARIES = "BOOT-INF/lib/"
 OWN = "dronemap-"
 # Put in by what packs the jar, which carries it inside itself: it is never fetched by its own name.
 PACKED = {"spring-boot-jarmode-tools": "org.springframework.boot"}
+# PostgreSQL itself lies in these: a program with weaknesses of its own, which no list of libraries has.
+PACKED_POSTGRES = "embedded-postgres-binaries-"
 
 Component = dict[str, Any]
 
@@ -66,6 +71,32 @@ def maven(group: str, artifact: str, version: str, content: bytes) -> Component:
     }
 
 
+def programs(found: list[Component]) -> list[Component]:
+    """Those that lie packed in libraries."""
+    versions = {each["version"] for each in found if each["name"].startswith(PACKED_POSTGRES)}
+    return [postgres(version) for version in sorted(versions)]
+
+
+def postgres(packed: str) -> Component:
+    version = packed.removesuffix(".0")
+    return {
+        "type": "application",
+        "name": "postgresql",
+        "version": version,
+        "purl": f"pkg:generic/postgresql@{quote(version)}",
+        "cpe": f"cpe:2.3:a:postgresql:postgresql:{version}:*:*:*:*:*:*:*",
+    }
+
+
+def signer(project: Path) -> list[Component]:
+    """What pip fetches beside the signer; pinned."""
+    wanted = tomllib.loads(project.read_text())["project"]["dependencies"]
+    return [
+        {"type": "library", "name": name, "version": version, "purl": f"pkg:pypi/{name}@{version}"}
+        for name, version in (each.split("==") for each in wanted)
+    ]
+
+
 def packages(lock: Path) -> list[Component]:
     """Those that go into the page; what builds and tests it stays out."""
     listed = json.loads(lock.read_text())["packages"]
@@ -90,12 +121,13 @@ def package(name: str, entry: dict[str, Any]) -> Component:
 def bill(jar: Path = JAR, lock: Path = LOCK) -> dict[str, Any]:
     if not jar.exists():
         raise SystemExit(f"{jar} is missing: build first (./dronemap build).")
+    of_java = libraries(jar, repository())
     return {
         "bomFormat": "CycloneDX",
         "specVersion": "1.5",
         "version": 1,
         "metadata": {"component": {"type": "application", "name": "dronemap"}},
-        "components": libraries(jar, repository()) + packages(lock),
+        "components": of_java + programs(of_java) + packages(lock) + signer(SIGNER),
     }
 
 

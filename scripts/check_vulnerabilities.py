@@ -3,10 +3,12 @@
 Usage: check_vulnerabilities.py [--offline] [--jar FILE]     after a build
 
 Asks osv-scanner, with databases that it keeps in the folder DRONEMAP_ADVISORIES (.tools/advisories) and
-fetches anew unless --offline is said. Two libraries that are known to be vulnerable, and do not ship, are
-always asked about, too: an answer without them proves nothing of the others.
+fetches anew unless --offline is said. There is a database for each kind of thing that ships, and each is
+judged by itself: something of its kind that is known to be vulnerable, and does not ship, is always asked
+about, too; an answer without it proves nothing of the others of that kind.
 
-Exit code: 0 nothing is known, 1 something is, 3 not checked. The last line says which, and why.
+Exit code: 0 nothing is known, 1 something is, 3 something was not checked, and nothing is known of the rest.
+A line for each kind says so, and the last line sums up.
 """
 
 import argparse
@@ -29,10 +31,34 @@ NOTHING_KNOWN, KNOWN, NOT_CHECKED = 0, 1, 3
 MOST_DAYS = 30
 SECONDS_A_DAY = 86_400
 PATIENCE_SECONDS = 600
-PLANTED = {
-    ("org.apache.logging.log4j:log4j-core", "2.14.1"): "pkg:maven/org.apache.logging.log4j/log4j-core@2.14.1",
-    ("lodash", "4.17.11"): "pkg:npm/lodash@4.17.11",
-}
+
+
+@dataclass(frozen=True)
+class Ecosystem:
+    """One kind of things that ship, its database, and what everybody knows to be vulnerable in it."""
+
+    name: str
+    things: str
+    kind: str
+    planted: tuple[str, str]
+
+    def component(self) -> Component:
+        name, version = self.planted
+        return {
+            "type": "library",
+            "name": name,
+            "version": version,
+            "purl": f"pkg:{self.kind}/{name.replace(':', '/')}@{version}",
+        }
+
+
+ECOSYSTEMS = (
+    Ecosystem("Maven", "libraries of Java", "maven", ("org.apache.logging.log4j:log4j-core", "2.14.1")),
+    Ecosystem("npm", "packages of the page", "npm", ("lodash", "4.17.11")),
+    Ecosystem("PyPI", "packages of Python", "pypi", ("jinja2", "2.10")),
+    # Where osv-scanner has the weaknesses of programs themselves.
+    Ecosystem("Bitnami", "programs", "bitnami", ("postgresql", "17.2.0")),
+)
 
 
 class NotChecked(Exception):
@@ -49,13 +75,6 @@ class Finding:
         return f"{self.name} {self.version}: {', '.join(self.vulnerabilities)}"
 
 
-def planted() -> list[Component]:
-    return [
-        {"type": "library", "name": name, "version": version, "purl": purl}
-        for (name, version), purl in PLANTED.items()
-    ]
-
-
 def scanner() -> str:
     found = shutil.which(os.environ.get("OSV_SCANNER", "osv-scanner"))
     if found is None:
@@ -65,16 +84,34 @@ def scanner() -> str:
     return found
 
 
-def database() -> Path:
+def databases() -> Path:
     return Path(os.environ.get("DRONEMAP_ADVISORIES", ROOT / ".tools" / "advisories"))
 
 
-def ask(program: str, bill: dict[str, Any], folder: Path, offline: bool) -> list[Finding]:
+def asked(shipped: list[Component], of: Ecosystem) -> list[Component]:
+    """Those of one kind, by the name that its database has for them."""
+    mine = [known_as(each) for each in shipped]
+    return [each for each in mine if each["purl"].startswith(f"pkg:{of.kind}/")]
+
+
+def known_as(component: Component) -> Component:
+    if not component["purl"].startswith("pkg:generic/"):
+        return component
+    version = component["version"]
+    whole = version if version.count(".") > 1 else f"{version}.0"
+    return component | {"version": whole, "purl": f"pkg:bitnami/{component['name']}@{whole}"}
+
+
+def ask(program: str, components: list[Component], folder: Path, offline: bool) -> list[Finding]:
     """What the scanner answers; that its program ends well is not taken for an answer."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
         file = Path(temporary) / "dronemap.cdx.json"
-        file.write_text(json.dumps(bill))
+        file.write_text(
+            json.dumps(
+                {"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1, "components": components}
+            )
+        )
         fetching = [] if offline else ["--download-offline-databases"]
         ended = subprocess.run(
             [
@@ -110,39 +147,62 @@ def finding(package: dict[str, Any]) -> Finding:
     )
 
 
-def proved(findings: list[Finding], folder: Path) -> list[Finding]:
-    """Those that ship, once the planted ones were found by a database that is not too old."""
-    unseen = PLANTED.keys() - {(each.name, each.version) for each in findings}
-    if unseen:
-        names = ", ".join(" ".join(each) for each in sorted(unseen))
+def proved(findings: list[Finding], of: Ecosystem, folder: Path) -> list[Finding]:
+    """Those that ship, once the planted one was found by a database that is not too old."""
+    if of.planted not in {(each.name, each.version) for each in findings}:
         raise NotChecked(
-            f"the scanner does not know that {names} is vulnerable, so its database in {folder} is missing"
-            " or broken; run ./dronemap vulnerabilities where there is a network, or bring that folder"
+            f"the scanner does not know that {' '.join(of.planted)} is vulnerable, so its database {of.name}"
+            f" in {folder} is missing or broken; run ./dronemap vulnerabilities where there is a network, or"
+            " bring that folder"
         )
-    newest = max(file.stat().st_mtime for file in folder.rglob("all.zip"))
-    days = (time.time() - newest) / SECONDS_A_DAY
+    files = [file.stat().st_mtime for file in folder.rglob("all.zip") if file.parent.name == of.name]
+    if not files:
+        raise NotChecked(f"the age of the database {of.name} in {folder} is not known")
+    days = (time.time() - max(files)) / SECONDS_A_DAY
     if days > MOST_DAYS:
-        raise NotChecked(f"the database in {folder} is {days:.0f} days old; {MOST_DAYS} are the most")
-    return [each for each in findings if (each.name, each.version) not in PLANTED]
+        raise NotChecked(
+            f"the database {of.name} in {folder} is {days:.0f} days old; {MOST_DAYS} are the most"
+        )
+    return [each for each in findings if (each.name, each.version) != of.planted]
 
 
 def check(jar: Path, offline: bool) -> int:
-    bill = bill_of_materials.bill(jar)
-    count = len(bill["components"])
-    bill["components"] = bill["components"] + planted()
-    folder = database()
-    try:
-        found = proved(ask(scanner(), bill, folder, offline), folder)
-    except (NotChecked, subprocess.TimeoutExpired) as why:
-        print(f"Known vulnerabilities were not checked: {why}.")
-        return NOT_CHECKED
-    for each in found:
-        print(each)
-    if found:
-        print(f"{len(found)} of {count} libraries and packages have known vulnerabilities.")
+    shipped = bill_of_materials.bill(jar)["components"]
+    known, unchecked = 0, []
+    for of in ECOSYSTEMS:
+        mine = asked(shipped, of)
+        try:
+            found = proved(ask(scanner(), [*mine, of.component()], databases(), offline), of, databases())
+        except (NotChecked, subprocess.TimeoutExpired) as why:
+            print(f"{len(mine)} {of.things} were not checked: {why}.")
+            unchecked.append(f"{len(mine)} {of.things}")
+            continue
+        for each in found:
+            print(each)
+        known += len(found)
+        print(counted(found, len(mine), of))
+    return summed_up(known, unchecked)
+
+
+def counted(found: list[Finding], of_how_many: int, of: Ecosystem) -> str:
+    how_many = f"{len(found)} are known to be vulnerable" if found else "none has a known vulnerability"
+    return f"Of {of_how_many} {of.things} {how_many}."
+
+
+def summed_up(known: int, unchecked: list[str]) -> int:
+    missing = f"Not checked: {', '.join(unchecked)}." if unchecked else ""
+    if known:
+        print(f"Known vulnerabilities: in {known} of what ships. {missing}".strip())
         return KNOWN
-    print(f"Of {count} libraries and packages none has a known vulnerability.")
+    if unchecked:
+        print(f"{missing} {rest_of(len(unchecked))}".strip())
+        return NOT_CHECKED
+    print("Nothing that ships has a known vulnerability.")
     return NOTHING_KNOWN
+
+
+def rest_of(unchecked: int) -> str:
+    return "" if unchecked == len(ECOSYSTEMS) else "Nothing is known of the rest."
 
 
 def main(arguments: list[str]) -> int:

@@ -10,6 +10,7 @@ import pytest
 import bill_of_materials
 
 MAVEN = re.compile(r"pkg:maven/[\w.-]+/[\w.-]+@[\w.-]+")
+PIP = re.compile(r"pkg:pypi/[\w.-]+@[\w.-]+")
 NPM = re.compile(r"pkg:npm/(%40[\w.-]+/)?[\w.-]+@[\w.-]+")
 
 
@@ -25,8 +26,23 @@ def test_names_each_library_of_the_jar_and_each_package_of_the_page() -> None:
     wanted = json.loads(bill_of_materials.LOCK.read_text())["packages"][""]["dependencies"].items()
     page = {(each["name"], each["version"]) for each in components if NPM.fullmatch(each["purl"])}
     assert set(wanted) <= page
-    assert len(named) + len(page) == len(components)
-    assert all(re.fullmatch(r"[0-9a-f]{64,128}", each["hashes"][0]["content"]) for each in components)
+    hashed = [each for each in components if "hashes" in each]
+    assert len(named) + len(page) == len(hashed)
+    assert all(re.fullmatch(r"[0-9a-f]{64,128}", each["hashes"][0]["content"]) for each in hashed)
+
+
+def test_names_what_lies_packed_in_libraries_and_what_the_signer_fetches() -> None:
+    components = bill_of_materials.bill()["components"]
+    packed = {
+        each["version"] for each in components if each["name"].startswith("embedded-postgres-binaries-")
+    }
+    (postgres,) = [
+        each for each in components if each["name"] == "postgresql" and each["type"] == "application"
+    ]
+    assert {f"{postgres['version']}.0"} == packed
+    assert postgres["cpe"] == f"cpe:2.3:a:postgresql:postgresql:{postgres['version']}:*:*:*:*:*:*:*"
+    signer = {each["name"] for each in components if PIP.fullmatch(each["purl"])}
+    assert signer == {"pymavlink"}
 
 
 def test_says_what_is_missing_where_nothing_is_built(tmp_path: Path) -> None:

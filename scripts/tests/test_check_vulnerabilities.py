@@ -1,98 +1,164 @@
-"""An answer counts only from a scanner that shows that it knows what everybody knows."""
+"""An answer counts only from a scanner that shows that it knows what everybody knows, kind by kind."""
 
 import json
 import os
+import re
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import bill_of_materials
 import check_vulnerabilities
-from check_vulnerabilities import KNOWN, NOT_CHECKED, NOTHING_KNOWN, PLANTED
+from check_vulnerabilities import ECOSYSTEMS, KNOWN, NOT_CHECKED, NOTHING_KNOWN, Ecosystem
 
 SCANNER = """#!/usr/bin/env python3
-# Finds in the bill that it is given what its database lists.
+# Finds in the bill that it is given what the databases of its kinds list.
 import json, os, sys, pathlib
-folder = pathlib.Path(os.environ["OSV_SCANNER_LOCAL_DB_CACHE_DIRECTORY"])
-if "--download-offline-databases" in sys.argv and "NETWORK" in os.environ:
-    (folder / "all.zip").write_text(os.environ["NETWORK"])
-file = folder / "all.zip"
-if not file.exists():
-    print("could not load db", file=sys.stderr)
-known = json.loads(file.read_text()) if file.exists() else []
+folder = pathlib.Path(os.environ["OSV_SCANNER_LOCAL_DB_CACHE_DIRECTORY"]) / "osv-scanner"
 bill = json.loads(pathlib.Path(sys.argv[sys.argv.index("--lockfile") + 1]).read_text())
-packages = [
-    {"package": {"name": each["name"] if "group" not in each else each["group"] + ":" + each["name"],
-                 "version": each["version"], "ecosystem": "any"},
-     "vulnerabilities": [{"id": "GHSA-1"}]}
-    for each in bill["components"] if each["purl"] in known
-]
+names = {"maven": "Maven", "npm": "npm", "pypi": "PyPI", "bitnami": "Bitnami"}
+packages = []
+for each in bill["components"]:
+    file = folder / names[each["purl"][4:].partition("/")[0]] / "all.zip"
+    if "--download-offline-databases" in sys.argv and "NETWORK" in os.environ:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(os.environ["NETWORK"])
+    if file.exists() and each["purl"] in json.loads(file.read_text()):
+        name = each["name"] if "group" not in each else each["group"] + ":" + each["name"]
+        packages.append({"package": {"name": name, "version": each["version"], "ecosystem": "any"},
+                         "vulnerabilities": [{"id": "GHSA-1"}]})
 print(json.dumps({"results": [{"packages": packages}] if packages else []}))
 sys.exit(1 if packages else 127)
 """
-EVERYBODY_KNOWS = list(PLANTED.values())
+EVERYBODY_KNOWS = [of.component()["purl"] for of in ECOSYSTEMS]
+
+
+@pytest.fixture(scope="module")
+def bill() -> dict[str, Any]:
+    return bill_of_materials.bill()
+
+
+@pytest.fixture(autouse=True)
+def read_once(bill: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Reading all that ships takes longer than each of these tests."""
+    monkeypatch.setattr(bill_of_materials, "bill", lambda *_: bill)
+
+
+class Advisories:
+    """The folder of the databases."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def have(self, of: Ecosystem, known: list[str]) -> Path:
+        file = self._folder / "osv-scanner" / of.name / "all.zip"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps(known))
+        return file
+
+    def have_all(self) -> None:
+        for of in ECOSYSTEMS:
+            self.have(of, EVERYBODY_KNOWS)
 
 
 @pytest.fixture
-def advisories(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def advisories(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Advisories:
     program = tmp_path / "osv-scanner"
     program.write_text(SCANNER)
     program.chmod(0o755)
-    folder = tmp_path / "advisories"
-    folder.mkdir()
     monkeypatch.setenv("OSV_SCANNER", str(program))
-    monkeypatch.setenv("DRONEMAP_ADVISORIES", str(folder))
-    return folder
+    monkeypatch.setenv("DRONEMAP_ADVISORIES", str(tmp_path / "advisories"))
+    return Advisories(tmp_path / "advisories")
 
 
-def shipped() -> str:
-    purl: str = bill_of_materials.bill()["components"][0]["purl"]
-    return purl
+def shipped(of: Ecosystem) -> list[str]:
+    """What the scanner is asked about."""
+    components = bill_of_materials.bill()["components"]
+    return [each["purl"] for each in check_vulnerabilities.asked(components, of)]
+
+
+@pytest.fixture(params=ECOSYSTEMS, ids=[of.name for of in ECOSYSTEMS])
+def ecosystem(request: pytest.FixtureRequest) -> Ecosystem:
+    of: Ecosystem = request.param
+    return of
+
+
+def test_each_thing_that_ships_belongs_to_one_kind() -> None:
+    components = bill_of_materials.bill()["components"]
+    kinds = [shipped(of) for of in ECOSYSTEMS]
+    assert sum(len(each) for each in kinds) == len(components)
+    assert all(kinds)
 
 
 def test_finds_nothing_where_only_what_was_planted_is_known(
-    advisories: Path, capsys: pytest.CaptureFixture[str]
+    advisories: Advisories, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (advisories / "all.zip").write_text(json.dumps(EVERYBODY_KNOWS))
-    count = len(bill_of_materials.bill()["components"])
+    advisories.have_all()
     assert check_vulnerabilities.main(["--offline"]) == NOTHING_KNOWN
-    assert capsys.readouterr().out == f"Of {count} libraries and packages none has a known vulnerability.\n"
+    lines = capsys.readouterr().out.splitlines()
+    assert lines == [
+        *(f"Of {len(shipped(of))} {of.things} none has a known vulnerability." for of in ECOSYSTEMS),
+        "Nothing that ships has a known vulnerability.",
+    ]
 
 
-def test_names_what_ships_and_is_known(advisories: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (advisories / "all.zip").write_text(json.dumps([*EVERYBODY_KNOWS, shipped()]))
+def test_names_what_ships_and_is_known(
+    advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
+) -> None:
+    advisories.have_all()
+    advisories.have(ecosystem, [*EVERYBODY_KNOWS, shipped(ecosystem)[0]])
     assert check_vulnerabilities.main(["--offline"]) == KNOWN
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0].endswith(": GHSA-1")
-    assert lines[1].startswith("1 of ")
-    assert len(lines) == 2
+    assert [line for line in lines if line.endswith(": GHSA-1")]
+    assert lines[-1] == "Known vulnerabilities: in 1 of what ships."
 
 
-@pytest.mark.parametrize(
-    "database",
-    [None, [], EVERYBODY_KNOWS[:1], EVERYBODY_KNOWS[1:]],
-    ids=["none", "empty", "of libraries only", "of packages only"],
-)
-def test_says_not_checked_for_a_database_that_misses_what_everybody_knows(
-    advisories: Path, capsys: pytest.CaptureFixture[str], database: list[str] | None
+@pytest.mark.parametrize("database", [None, []], ids=["none", "empty"])
+def test_a_database_that_misses_what_everybody_knows_proves_nothing_of_its_kind_alone(
+    advisories: Advisories,
+    ecosystem: Ecosystem,
+    database: list[str] | None,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    if database is not None:
-        (advisories / "all.zip").write_text(json.dumps(database))
+    for of in ECOSYSTEMS:
+        if of != ecosystem:
+            advisories.have(of, EVERYBODY_KNOWS)
+        elif database is not None:
+            advisories.have(of, database)
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
-    assert "were not checked: the scanner does not know that" in capsys.readouterr().out
+    lines = capsys.readouterr().out.splitlines()
+    mine = f"{len(shipped(ecosystem))} {ecosystem.things}"
+    assert [line for line in lines if line.startswith(f"{mine} were not checked: the scanner does not know")]
+    assert not [line for line in lines if line.startswith(f"Of {mine}")]
+    assert len([line for line in lines if " none has " in line]) == len(ECOSYSTEMS) - 1
+    assert lines[-1] == f"Not checked: {mine}. Nothing is known of the rest."
 
 
-def test_says_not_checked_for_an_old_database(advisories: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file = advisories / "all.zip"
-    file.write_text(json.dumps(EVERYBODY_KNOWS))
+def test_what_is_known_is_told_beside_a_kind_that_was_not_checked(
+    advisories: Advisories, capsys: pytest.CaptureFixture[str]
+) -> None:
+    advisories.have(ECOSYSTEMS[0], [*EVERYBODY_KNOWS, shipped(ECOSYSTEMS[0])[0]])
+    assert check_vulnerabilities.main(["--offline"]) == KNOWN
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last.startswith("Known vulnerabilities: in 1 of what ships. Not checked: ")
+    assert all(of.things in last for of in ECOSYSTEMS[1:])
+
+
+def test_says_not_checked_for_an_old_database_however_new_the_others_are(
+    advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
+) -> None:
+    advisories.have_all()
     long_ago = time.time() - 40 * 86_400
-    os.utime(file, (long_ago, long_ago))
+    os.utime(advisories.have(ecosystem, EVERYBODY_KNOWS), (long_ago, long_ago))
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
-    assert "is 40 days old" in capsys.readouterr().out
+    assert re.search(rf"the database {ecosystem.name} in \S+ is 40 days old", capsys.readouterr().out)
 
 
-def test_fetches_a_database_unless_told_not_to(advisories: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_fetches_databases_unless_told_not_to(
+    advisories: Advisories, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("NETWORK", json.dumps(EVERYBODY_KNOWS))
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
     assert check_vulnerabilities.main([]) == NOTHING_KNOWN
@@ -101,11 +167,13 @@ def test_fetches_a_database_unless_told_not_to(advisories: Path, monkeypatch: py
 
 @pytest.mark.parametrize("answer", ["", "{}", "[]"], ids=["silence", "no results", "something else"])
 def test_says_not_checked_when_the_scanner_tells_nothing(
-    advisories: Path, tmp_path: Path, answer: str, capsys: pytest.CaptureFixture[str]
+    advisories: Advisories, tmp_path: Path, answer: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "osv-scanner").write_text(f"#!/bin/sh\necho '{answer}'\n")
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
-    assert "the scanner ended with 0 and told nothing" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert told.count("the scanner ended with 0 and told nothing") == len(ECOSYSTEMS)
+    assert "Nothing is known" not in told
 
 
 def test_says_not_checked_without_a_scanner(
