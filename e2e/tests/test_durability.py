@@ -1,5 +1,6 @@
 """What was acknowledged is there, however often the server is killed."""
 
+import os
 import random
 import threading
 from collections.abc import Callable
@@ -10,9 +11,13 @@ import requests
 from dronemap_e2e.api import Api
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
+from dronemap_e2e.writers import ITEMS, Writer, of_every_kind
 
 WRITERS = 4
-ITEMS = [{"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20}]
+KILLS = int(os.environ.get("DRONEMAP_KILLS", "40"))
+# Of each writer before a kill, so that each kill has something to lose.
+LEAST_WRITES = 5
+LONGEST_SECONDS_MORE = 2.0
 
 
 @pytest.mark.parametrize(
@@ -34,6 +39,43 @@ def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killa
 
     assert len(acknowledged) >= writes
     assert set(acknowledged) <= kept
+
+
+@pytest.mark.soak
+def test_four_writers_of_four_kinds_lose_nothing_in_forty_kills(own_server: Server) -> None:
+    """End to end because a process is killed with -9 under its clients; each kill falls at another moment."""
+    chance = random.Random(40)
+    writers = of_every_kind()
+    for kill in range(KILLS):
+        _write_and_kill(own_server, writers, chance.uniform(0, LONGEST_SECONDS_MORE))
+        own_server.start()
+        api = Api(own_server.address, own_server.local_key())
+        for writer in writers:
+            writer.check(api)
+        print(f"kill {kill + 1} of {KILLS}: of {[each.acknowledged for each in writers]} none is lost")
+
+
+def _write_and_kill(server: Server, writers: list[Writer], seconds_more: float) -> None:
+    enough, before = threading.Event(), [writer.acknowledged for writer in writers]
+    threads = [threading.Thread(target=writer.write, args=(server, enough)) for writer in writers]
+
+    def all_have_written() -> bool:
+        assert [writer.refusal for writer in writers if writer.refusal] == []
+        return all(
+            writer.acknowledged >= first + LEAST_WRITES for writer, first in zip(writers, before, strict=True)
+        )
+
+    for thread in threads:
+        thread.start()
+    try:
+        wait_for("each has written", all_have_written, 60, every=0.01)
+        threads[0].join(seconds_more)
+        server.kill()
+    finally:
+        enough.set()
+        for thread in threads:
+            thread.join(20)
+            assert not thread.is_alive()
 
 
 def _write_until(
