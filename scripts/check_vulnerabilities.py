@@ -7,7 +7,10 @@ fetches anew unless --offline is said. There is a database for each kind of thin
 judged by itself: something of its kind that is known to be vulnerable, and does not ship, is always asked
 about, too; an answer without it proves nothing of the others of that kind.
 
-Exit code: 0 nothing is known, 1 something is, 3 something was not checked, and nothing is known of the rest.
+Programs that lie packed in libraries have no database that osv-scanner asks: they are named as not checked,
+with where to look, and have no part in the exit code, which would always be the same.
+
+Exit code: 0 nothing is known, 1 something is, 3 a kind was not checked, and nothing is known of the rest.
 A line for each kind says so, and the last line sums up.
 """
 
@@ -30,6 +33,7 @@ ACCEPTED = ROOT / "config" / "accepted-vulnerabilities.toml"
 NOTHING_KNOWN, KNOWN, NOT_CHECKED = 0, 1, 3
 MOST_DAYS = 30
 SECONDS_A_DAY = 86_400
+SECURITY_PAGE = "https://www.postgresql.org/support/security/"
 PATIENCE_SECONDS = 600
 
 
@@ -56,8 +60,6 @@ ECOSYSTEMS = (
     Ecosystem("Maven", "libraries of Java", "maven", ("org.apache.logging.log4j:log4j-core", "2.14.1")),
     Ecosystem("npm", "packages of the page", "npm", ("lodash", "4.17.11")),
     Ecosystem("PyPI", "packages of Python", "pypi", ("jinja2", "2.10")),
-    # Where osv-scanner has the weaknesses of programs themselves.
-    Ecosystem("Bitnami", "programs", "bitnami", ("postgresql", "17.2.0")),
 )
 
 
@@ -89,17 +91,13 @@ def databases() -> Path:
 
 
 def asked(shipped: list[Component], of: Ecosystem) -> list[Component]:
-    """Those of one kind, by the name that its database has for them."""
-    mine = [known_as(each) for each in shipped]
-    return [each for each in mine if each["purl"].startswith(f"pkg:{of.kind}/")]
+    """Those of one kind."""
+    return [each for each in shipped if each["purl"].startswith(f"pkg:{of.kind}/")]
 
 
-def known_as(component: Component) -> Component:
-    if not component["purl"].startswith("pkg:generic/"):
-        return component
-    version = component["version"]
-    whole = version if version.count(".") > 1 else f"{version}.0"
-    return component | {"version": whole, "purl": f"pkg:bitnami/{component['name']}@{whole}"}
+def programs(shipped: list[Component]) -> list[Component]:
+    """Those that belong to no kind."""
+    return [each for each in shipped if not any(each in asked(shipped, of) for of in ECOSYSTEMS)]
 
 
 def ask(program: str, components: list[Component], folder: Path, offline: bool) -> list[Finding]:
@@ -181,7 +179,10 @@ def check(jar: Path, offline: bool) -> int:
             print(each)
         known += len(found)
         print(counted(found, len(mine), of))
-    return summed_up(known, unchecked)
+    by_hand = [f"{each['name']} {each['version']}" for each in programs(shipped)]
+    for name in by_hand:
+        print(f"{name} was not checked: osv-scanner knows no programs. Compare it with {SECURITY_PAGE}")
+    return summed_up(known, unchecked, by_hand)
 
 
 def counted(found: list[Finding], of_how_many: int, of: Ecosystem) -> str:
@@ -189,20 +190,13 @@ def counted(found: list[Finding], of_how_many: int, of: Ecosystem) -> str:
     return f"Of {of_how_many} {of.things} {how_many}."
 
 
-def summed_up(known: int, unchecked: list[str]) -> int:
-    missing = f"Not checked: {', '.join(unchecked)}." if unchecked else ""
+def summed_up(known: int, unchecked: list[str], by_hand: list[str]) -> int:
+    missing = f"Not checked: {', '.join([*unchecked, *by_hand])}."
     if known:
-        print(f"Known vulnerabilities: in {known} of what ships. {missing}".strip())
+        print(f"Known vulnerabilities: in {known} of what ships. {missing}")
         return KNOWN
-    if unchecked:
-        print(f"{missing} {rest_of(len(unchecked))}".strip())
-        return NOT_CHECKED
-    print("Nothing that ships has a known vulnerability.")
-    return NOTHING_KNOWN
-
-
-def rest_of(unchecked: int) -> str:
-    return "" if unchecked == len(ECOSYSTEMS) else "Nothing is known of the rest."
+    print(missing if len(unchecked) == len(ECOSYSTEMS) else f"{missing} Nothing is known of the rest.")
+    return NOT_CHECKED if unchecked else NOTHING_KNOWN
 
 
 def main(arguments: list[str]) -> int:
