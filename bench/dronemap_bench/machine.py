@@ -1,6 +1,7 @@
 """What the kernel tells about processes and sockets."""
 
 import os
+import subprocess
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -64,6 +65,14 @@ def _machine() -> tuple[float, float]:
 
 def resident_bytes(pid: int) -> int:
     return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * PAGE
+
+
+def live_heap_bytes(pid: int) -> int:
+    """What is left of the heap of a Java process after a whole collection, which this makes."""
+    told = subprocess.run(
+        ["jcmd", str(pid), "GC.class_histogram"], capture_output=True, text=True, check=True, timeout=60
+    ).stdout
+    return int(told.splitlines()[-1].split()[2])
 
 
 def kernel_drops(udp_port: int) -> int:

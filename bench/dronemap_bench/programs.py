@@ -30,7 +30,7 @@ def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
 class Server:
     """Of the measurement alone; in its default configuration but for ports, folder and recording."""
 
-    def __init__(self, data: Path, recorded: bool = True) -> None:
+    def __init__(self, data: Path, recorded: bool = True, vehicles_by_web: bool = False) -> None:
         for jar in (SERVER_JAR, LOAD_JAR):
             if not jar.exists():
                 raise SystemExit(f"{jar} is missing: build first (mvn -Pfast package)")
@@ -41,6 +41,10 @@ class Server:
         self.outlet_tcp_port = free_port()
         self.robot_udp_port = free_port(socket.SOCK_DGRAM)
         self.robot_web_port = free_port()
+        self.vehicle_web_port = free_port()
+        endpoints = [f"udpserver://127.0.0.1:{self.udp_port}"]
+        if vehicles_by_web:
+            endpoints.append(f"wsserver://127.0.0.1:{self.vehicle_web_port}")
         self._data = data
         data.mkdir(parents=True)
         options = os.environ.get("DRONEMAP_JAVA_OPTS", "").split()
@@ -55,7 +59,7 @@ class Server:
                     "DRONEMAP_BIND": "127.0.0.1",
                     "DRONEMAP_HTTP_PORT": str(self.http_port),
                     "DRONEMAP_STREAM_PORT": str(self.stream_port),
-                    "DRONEMAP_ENDPOINTS": f"udpserver://127.0.0.1:{self.udp_port}",
+                    "DRONEMAP_ENDPOINTS": ",".join(endpoints),
                     "DRONEMAP_OUTLET": f"udpserver://127.0.0.1:{self.outlet_udp_port},"
                     f"tcpserver://127.0.0.1:{self.outlet_tcp_port}",
                     "DRONEMAP_ROBOTS": f"udpserver://127.0.0.1:{self.robot_udp_port},"

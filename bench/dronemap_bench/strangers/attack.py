@@ -1,0 +1,104 @@
+"""Strangers who each send one message in pieces that never ends, and come again whenever they are cut.
+
+`python -m dronemap_bench.strangers.attack --port P --path /stream`: says "ready", begins when it is told to
+by a line, says "sent" when the megabytes are sent or the time is over, goes on until the next line, and ends
+with JSON.
+"""
+
+import argparse
+import contextlib
+import json
+import socket
+import sys
+import threading
+import time
+
+from . import wire
+
+PIECE = 1_024
+BLOCK_PIECES = 64
+PATIENCE_SECONDS = 5
+
+
+class Strangers:
+    """All at one port; what they sent counts when the kernel took it."""
+
+    def __init__(self, port: int, path: str, opcode: int) -> None:
+        self._port = port
+        self._path = path
+        self._first = wire.frame(opcode, b"x" * PIECE, last=False)
+        self._block = wire.frame(0, b"x" * PIECE, last=False) * BLOCK_PIECES
+        self._over = threading.Event()
+        self._lock = threading.Lock()
+        self.sent = 0
+        self.connections = 0
+        self.turned_away = 0
+        self._threads: list[threading.Thread] = []
+
+    def begin(self, count: int) -> None:
+        self._threads = [threading.Thread(target=self._attack, daemon=True) for _ in range(count)]
+        for thread in self._threads:
+            thread.start()
+
+    def end(self) -> None:
+        self._over.set()
+        for thread in self._threads:
+            thread.join(PATIENCE_SECONDS * 2)
+
+    def _attack(self) -> None:
+        while not self._over.is_set():
+            try:
+                line = wire.connect(self._port, self._path, seconds=PATIENCE_SECONDS)
+            except OSError:
+                with self._lock:
+                    self.turned_away += 1
+                continue
+            with line, contextlib.suppress(OSError):
+                with self._lock:
+                    self.connections += 1
+                self._send(line, self._first)
+                while not self._over.is_set():
+                    self._send(line, self._block)
+
+    def _send(self, line: socket.socket, data: bytes) -> None:
+        left = memoryview(data)
+        while left:
+            taken = line.send(left)
+            with self._lock:
+                self.sent += taken
+            left = left[taken:]
+
+
+def main(words: list[str]) -> None:
+    parser = argparse.ArgumentParser(prog="python -m dronemap_bench.strangers.attack", description=__doc__)
+    parser.add_argument("--port", type=int, required=True)
+    parser.add_argument("--path", required=True)
+    parser.add_argument("--opcode", type=int, default=wire.BINARY)
+    parser.add_argument("--strangers", type=int, default=20)
+    parser.add_argument("--megabytes", type=int, default=2_000)
+    parser.add_argument("--least-seconds", type=float, default=0)
+    parser.add_argument("--most-seconds", type=float, default=60)
+    options = parser.parse_args(words)
+    strangers = Strangers(options.port, options.path, options.opcode)
+    print("ready", flush=True)
+    sys.stdin.readline()
+    began = time.monotonic()
+    strangers.begin(options.strangers)
+    while (spent := time.monotonic() - began) < options.most_seconds and (
+        spent < options.least_seconds or strangers.sent < options.megabytes * 1_000_000
+    ):
+        time.sleep(0.02)
+    told = {
+        "bytes": strangers.sent,
+        "connections": strangers.connections,
+        "turnedAway": strangers.turned_away,
+        "seconds": round(spent, 2),
+    }
+    print("sent", flush=True)
+    sys.stdin.readline()
+    strangers.end()
+    print(json.dumps(told), flush=True)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,85 @@
+"""That strangers can be let loose at all (short), what their figures come to, and the goals (soak)."""
+
+import socket
+from typing import Any
+
+import pytest
+
+from dronemap_bench.programs import Json
+from dronemap_bench.strangers import mavlink, report, trial, wire
+from dronemap_bench.strangers.others import VEHICLES
+
+SMALL = trial.Options(
+    rounds=1, warm_up_seconds=3, calm_seconds=2, megabytes=1, least_seconds=1, most_seconds=20, strangers=3
+)
+
+
+def test_strangers_at_each_port_are_cut_and_the_others_go_on() -> None:
+    result = trial.run(SMALL)
+    told = report.summary(result)
+    assert set(told["ports"]) == {"stream", "robots", "vehicles", trial.CONTROL}
+    for name, port in told["ports"].items():
+        assert port["gigabytes"] > 0, (name, port)
+        assert port["connections"] > SMALL.strangers, f"nobody was cut at {name}: {port}"
+    assert result["liveVehiclesAtTheEnd"] == VEHICLES
+    assert max(told["ports"]["stream"]["heapMegabytes"]) < max(told["calmHeapMegabytes"]) + 20
+    assert "| vehicles |" in report.table(told, {"processor": "p", "java": "j", "revision": "r"})
+
+
+@pytest.mark.soak
+def test_two_gigabytes_by_twenty_strangers_at_each_port_cost_the_others_little() -> None:
+    result = trial.run(trial.Options())
+    told = report.summary(result)
+    assert report.missed(told, result["liveVehiclesAtTheEnd"], VEHICLES) == [], told
+
+
+def window(what: str, p99: float, heap: float = 50, gigabytes: float = 3) -> Json:
+    late = {who: {"p99": p99} for who in trial.OTHERS}
+    attack = {"bytes": gigabytes * 1e9, "connections": 9, "turnedAway": 0}
+    shares = {"serverPercentOfOneCore": 1, "strangersPercentOfOneCore": 1, "elsePercentOfOneCore": 1}
+    return {"what": what, "round": 1, "late": late, "liveHeapMegabytes": heap, "attack": attack} | shares
+
+
+@pytest.mark.parametrize(
+    ("attacked", "missed"),
+    [
+        ({"p99": 19}, []),
+        ({"p99": 21}, ["stream: p99 of"] * len(trial.OTHERS)),
+        ({"p99": 10, "heap": 71}, ["stream: the heap grew to 71 MB"]),
+        ({"p99": 10, "gigabytes": 1.9}, ["stream: only 1.9 GB could be sent"]),
+    ],
+    ids=["met", "slow", "heap", "little sent"],
+)
+def test_tells_which_goals_are_missed(attacked: dict[str, Any], missed: list[str]) -> None:
+    windows = [window(trial.CALM, 10), window("stream", **attacked), window(trial.CONTROL, 99, 99, 0)]
+    found = report.missed(report.summary({"windows": windows}), VEHICLES, VEHICLES)
+    assert len(found) == len(missed)
+    assert all(sentence.startswith(begin) for sentence, begin in zip(found, missed, strict=True))
+
+
+def test_a_vehicle_that_is_gone_at_the_end_is_told() -> None:
+    told = report.summary({"windows": [window(trial.CALM, 10)]})
+    assert report.missed(told, VEHICLES - 1, VEHICLES) == ["9 of 10 vehicles were live at the end"]
+
+
+@pytest.mark.parametrize("length", [0, 125, 126, 65_535, 65_536])
+def test_frames_are_read_as_they_were_written_however_they_are_cut(length: int) -> None:
+    here, there = socket.socketpair()
+    with here, there:
+        reader = wire.Reader(there)
+        masked = wire.frame(wire.BINARY, b"x" * length)
+        head = len(masked) - length - 4
+        # A server masks nothing.
+        said = masked[:1] + bytes([masked[1] & 0x7F]) + masked[2:head] + masked[head + 4 :]
+        here.sendall(said[:1])
+        assert list(reader.frames()) == []
+        here.sendall(said[1:])
+        found: list[bytes] = []
+        while not found:
+            found += reader.frames()
+        assert found == [b"x" * length]
+
+
+def test_heartbeats_are_found_behind_other_frames() -> None:
+    assert mavlink.has_heartbeat(mavlink.position(1, 2, 3, 4) + mavlink.heartbeat(1, 7))
+    assert not mavlink.has_heartbeat(mavlink.position(1, 2, 3, 4))
