@@ -136,6 +136,7 @@ export type CommandKind =
   | 'readHome'
   | 'readParameters'
   | 'setParameters'
+  | 'readLogs'
   | 'goToLocal'
   | 'emergencyStop'
   | 'readMap';

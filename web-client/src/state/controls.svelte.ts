@@ -5,9 +5,35 @@ import type { CommandKind, Drone } from '../api/types';
 /** The server misses three of these before it calls a holder lost. */
 export const HEARTBEAT_MILLISECONDS = 2000;
 
-/** What supervisors may do whoever has control, and what changes nothing. */
-const SAFETY: ReadonlySet<CommandKind> = new Set(['land', 'returnToLaunch', 'hold', 'pauseMission']);
-const READING: ReadonlySet<CommandKind> = new Set(['readHome', 'readParameters', 'readMap']);
+/**
+ * What commands are for: `safety` supervisors may give whoever has control, `read` changes nothing, and all others need
+ * control. A new one does not compile here until that is said of it.
+ */
+const PURPOSES: Record<CommandKind, 'safety' | 'read' | 'control'> = {
+  arm: 'control',
+  disarm: 'control',
+  setMode: 'control',
+  takeOff: 'control',
+  land: 'safety',
+  returnToLaunch: 'safety',
+  hold: 'safety',
+  pauseMission: 'safety',
+  emergencyStop: 'safety',
+  goTo: 'control',
+  goToLocal: 'control',
+  turn: 'control',
+  uploadMission: 'control',
+  startMission: 'control',
+  clearMission: 'control',
+  takePicture: 'control',
+  setRelay: 'control',
+  setHome: 'control',
+  setParameters: 'control',
+  readHome: 'read',
+  readParameters: 'read',
+  readLogs: 'read',
+  readMap: 'read',
+};
 
 /** How control of a drone looks from here. `here`: kept by this window; `elsewhere`: by another one of mine. */
 export type Standing = 'free' | 'here' | 'implicit' | 'elsewhere' | 'other' | 'pilot';
@@ -47,7 +73,8 @@ export class Controls {
   /** Why this user cannot give that command now, or null. */
   whyNot(drone: Drone, type: CommandKind, user: string | undefined, supervisor: boolean): string | null {
     const standing = this.standing(drone, user);
-    if (READING.has(type) || (supervisor && SAFETY.has(type))) {
+    const purpose = PURPOSES[type];
+    if (purpose === 'read' || (supervisor && purpose === 'safety')) {
       return null;
     }
     if (standing === 'pilot') {

@@ -9,8 +9,15 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.core.importer.resolvers.SelectedClassResolverFromClasspath;
 import com.tngtech.archunit.lang.ArchRule;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
+import org.dronemap.ws.planted.PlantedCases;
 import org.dronemap.ws.planted.PlantedTime;
 import org.dronemap.ws.planted.PlantedViolation;
 import org.junit.jupiter.api.Test;
@@ -155,5 +162,48 @@ class HouseTest {
     void hasFewExceptionsAndAReasonForEach() {
         assertThat(TimeRules.EXCEPTIONS).hasSizeLessThanOrEqualTo(MOST_EXCEPTIONS);
         assertThat(TimeRules.EXCEPTIONS.values()).allMatch(reason -> reason.endsWith("."));
+    }
+
+    static Stream<Class<?>> families() {
+        return CaseRules.FAMILIES.keySet().stream().sorted(Comparator.comparing(Class::getName));
+    }
+
+    @ParameterizedTest
+    @MethodSource("families")
+    void hasOneKindForEachRecord(Class<?> family) {
+        Class<? extends Enum<?>> kind = CaseRules.FAMILIES.get(family);
+        Set<Class<?>> records = CaseRules.records(family);
+
+        assertThat(records.stream().flatMap(record -> CaseRules.kinds(HOUSE.get(record), kind).stream()))
+                .containsExactlyInAnyOrderElementsOf(
+                        Stream.of(kind.getEnumConstants()).map(Enum::name).toList());
+    }
+
+    @Test
+    void tellsKindsApartWhereNoneIsForgotten() {
+        assertThat(CaseRules.chains(HOUSE)).containsOnlyKeys(CaseRules.ASKING_FOR_SEVERAL.keySet());
+        assertThat(CaseRules.ASKING_FOR_SEVERAL.values()).allMatch(reason -> reason.endsWith("."));
+        assertThat(CaseRules.chains(new ClassFileImporter().importClasses(PlantedCases.class)))
+                .containsOnlyKeys(PlantedCases.class.getName());
+    }
+
+    @Test
+    void switchesOverKindsWithoutADefault() throws IOException {
+        assertThat(CaseRules.defaults(CaseRules.sources(all -> true))).isEmpty();
+        assertThat(CaseRules.defaults(Map.of("planted", planted(PlantedCases.class))))
+                .hasSize(1);
+    }
+
+    /** Only what translates for a family of vehicles knows what their modes are called. */
+    @Test
+    void namesNoModeOfAnAutopilot() throws IOException {
+        assertThat(CaseRules.literals(CaseRules.sources(CaseRules::isAboveTranslators), CaseRules.MODES))
+                .containsExactlyElementsOf(CaseRules.NAMING_MODES.keySet());
+        assertThat(CaseRules.literals(Map.of("planted", planted(PlantedCases.class)), CaseRules.MODES))
+                .containsExactly("planted: LAND");
+    }
+
+    private static String planted(Class<?> type) throws IOException {
+        return Files.readString(Path.of("src/test/java", type.getName().replace('.', '/') + ".java"));
     }
 }

@@ -131,38 +131,18 @@ public final class AuditedCommands implements CommandStore {
     }
 
     private static AuditOutcome of(Outcome outcome) {
-        if (outcome instanceof Outcome.Succeeded) {
-            return AuditOutcome.SUCCEEDED;
-        }
-        if (outcome instanceof Outcome.Refused) {
-            return AuditOutcome.REFUSED;
-        }
-        if (outcome instanceof Outcome.Failed) {
-            return AuditOutcome.FAILED;
-        }
-        if (outcome instanceof Outcome.TimedOut) {
-            return AuditOutcome.TIMED_OUT;
-        }
-        return outcome instanceof Outcome.Superseded ? AuditOutcome.SUPERSEDED : AuditOutcome.UNKNOWN;
+        return switch (outcome.kind()) {
+            case SUCCEEDED -> AuditOutcome.SUCCEEDED;
+            case REFUSED -> AuditOutcome.REFUSED;
+            case FAILED -> AuditOutcome.FAILED;
+            case TIMED_OUT -> AuditOutcome.TIMED_OUT;
+            case SUPERSEDED -> AuditOutcome.SUPERSEDED;
+            case UNKNOWN -> AuditOutcome.UNKNOWN;
+        };
     }
 
     private static @Nullable String reason(Outcome outcome) {
-        return PlainText.withoutSecretsOrNull(said(outcome));
-    }
-
-    private static @Nullable String said(Outcome outcome) {
-        if (outcome instanceof Outcome.Refused refused) {
-            return refused.by() + ": " + refused.reason();
-        }
-        if (outcome instanceof Outcome.Failed failed) {
-            return failed.reason();
-        }
-        if (outcome instanceof Outcome.TimedOut timedOut) {
-            return timedOut.reason();
-        }
-        if (outcome instanceof Outcome.Superseded superseded) {
-            return superseded.reason();
-        }
-        return outcome instanceof Outcome.Unknown unknown ? unknown.reason() : null;
+        String said = outcome.by() == null ? outcome.reason() : outcome.by() + ": " + outcome.reason();
+        return PlainText.withoutSecretsOrNull(said);
     }
 }

@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Contention;
 import org.jspecify.annotations.Nullable;
 
@@ -41,8 +42,8 @@ final class AllUnderway {
     /** What may change the drone's way, as people call it: changes of mode alone leave it to whoever steers. */
     Optional<String> manoeuvre(ManagedDrone drone) {
         return open(drone)
-                .filter(entry -> entry.open().command().contention() == Contention.FLIGHT
-                        && !(entry.open().command() instanceof Command.SetMode))
+                .filter(entry -> contention(entry) == Contention.FLIGHT
+                        && entry.open().command().kind() != CommandKind.SET_MODE)
                 .map(entry -> entry.open().record().summary())
                 .findFirst();
     }
@@ -50,7 +51,7 @@ final class AllUnderway {
     /** What brings a mission, or the like, to the drone or from it, as people call it. */
     Optional<String> transfer(ManagedDrone drone) {
         return open(drone)
-                .filter(entry -> entry.open().command().contention() == Contention.TRANSFER)
+                .filter(entry -> contention(entry) == Contention.TRANSFER)
                 .map(entry -> entry.open().record().summary())
                 .findFirst();
     }
@@ -60,12 +61,27 @@ final class AllUnderway {
         return of(drone).stream().anyMatch(entry -> movesIt(entry.open().command()));
     }
 
+    /** One that has ended stays in the list until its outcome is written. */
     private Stream<Underway> open(ManagedDrone drone) {
         return of(drone).stream().filter(entry -> entry.open().record().outcome() == null);
     }
 
+    /** What competes with that one, and was asked for before it. */
+    List<Underway> before(Underway entry) {
+        return open(entry.drone())
+                .filter(other -> !other.equals(entry)
+                        && other.open().order() <= entry.open().order())
+                .filter(other -> contention(other) == contention(entry))
+                .toList();
+    }
+
+    private static Contention contention(Underway entry) {
+        return entry.open().command().kind().contention();
+    }
+
     /** Uploads too: they may hold a drone that flies its mission. */
     static boolean movesIt(Command command) {
-        return command.contention().newerWins() || command.contention() == Contention.TRANSFER;
+        Contention contention = command.kind().contention();
+        return contention.newerWins() || contention == Contention.TRANSFER;
     }
 }

@@ -29,6 +29,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class CommandGate {
     private static final String GATE = "gate";
+    private static final Outcome UNHEARD = new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone.");
 
     private final DroneRegistry registry;
     private final CommandStore store;
@@ -147,9 +148,11 @@ public final class CommandGate {
 
     /** Why this principal cannot give that command now; empty when it can. */
     public Optional<String> whyNot(Principal principal, DroneState drone, Command command) {
-        return RoleRules.whyNot(principal, drone, command.needs())
-                .or(() -> CommandRules.whyNot(drone, command))
-                .or(() -> whyNotThere(principal, drone, command));
+        return OwnFaults.judging(
+                command.summary(),
+                () -> RoleRules.whyNot(principal, drone, command.needs())
+                        .or(() -> CommandRules.whyNot(drone, command))
+                        .or(() -> whyNotThere(principal, drone, command)));
     }
 
     /** Why the zones, or the bounds of a key, speak against it. */
@@ -189,7 +192,7 @@ public final class CommandGate {
                 drone,
                 source.principal().name(),
                 source.face(),
-                command.getClass().getSimpleName(),
+                command.kind().word(),
                 command.summary(),
                 clock.instant(),
                 CommandPhase.SENT,
@@ -280,7 +283,9 @@ public final class CommandGate {
         }
         DroneState now = entry.drone().drone().state();
         Command command = entry.open().command();
-        Optional<String> why = CommandRules.whyNot(now, command).or(() -> whyNotThere(entry.principal(), now, command));
+        Optional<String> why = OwnFaults.judging(
+                command.summary(),
+                () -> CommandRules.whyNot(now, command).or(() -> whyNotThere(entry.principal(), now, command)));
         Optional<VehicleChannel> channel = entry.drone().channel();
         if (why.isPresent() || channel.isEmpty()) {
             end(entry, new Outcome.Refused(GATE, why.orElse("There is no link to the drone.")));
@@ -291,31 +296,27 @@ public final class CommandGate {
             end(entry, new Outcome.Refused(GATE, busy));
             return;
         }
-        if (entry.open().command().contention() == Contention.FLIGHT) {
+        if (command.kind().contention() == Contention.FLIGHT) {
             entry.drone().helm().commanded(entry.open().record().summary());
         }
-        Lane.Ticker guard = new Overdue(entry.open(), entry.drone().lane(), () -> giveUp(entry, channel.get()));
+        Lane.Ticker guard =
+                new Overdue(entry.open(), entry.drone().lane(), () -> giveUp(entry, channel.get(), UNHEARD));
         entry.drone().lane().addTicker(guard);
-        channel.get().perform(entry.mandate(), entry.open().command(), new Reporter(entry, guard));
+        OwnFaults.doing(
+                        command.summary(),
+                        () -> channel.get().perform(entry.mandate(), command, new Reporter(entry, guard)))
+                .ifPresent(fault -> giveUp(entry, channel.get(), new Outcome.Refused(GATE, fault)));
     }
 
-    private void giveUp(Underway entry, VehicleChannel channel) {
+    private void giveUp(Underway entry, VehicleChannel channel, Outcome outcome) {
         channel.cancel(entry.open().record().id());
-        end(entry, new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone."));
+        end(entry, outcome);
     }
 
     /** Newer flight commands replace older ones; of all others the first one goes on. */
     private @Nullable String makeRoom(Underway entry, VehicleChannel channel) {
-        Contention contention = entry.open().command().contention();
-        for (Underway other : underway.of(entry.drone())) {
-            if (other.equals(entry) || isEarlierThan(entry, other)) {
-                continue;
-            }
-            // One that has ended stays in the list until its outcome is written.
-            boolean ended = other.open().record().outcome() != null;
-            if (ended || other.open().command().contention() != contention) {
-                continue;
-            }
+        Contention contention = entry.open().command().kind().contention();
+        for (Underway other : underway.before(entry)) {
             if (!contention.newerWins()) {
                 return contention == Contention.TRANSFER
                         ? "Another mission transfer with this drone is under way; wait for its end."
@@ -329,10 +330,6 @@ public final class CommandGate {
                             "Replaced by: " + entry.open().record().summary() + "."));
         }
         return null;
-    }
-
-    private static boolean isEarlierThan(Underway entry, Underway other) {
-        return entry.open().order() < other.open().order();
     }
 
     private void end(Underway entry, Outcome outcome) {

@@ -2,12 +2,11 @@ package org.dronemap.core.cloud;
 
 import java.util.Comparator;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
@@ -22,9 +21,6 @@ import org.jspecify.annotations.Nullable;
 /** What the state of a drone allows; the same sentences serve the gate and every page that greys a button. */
 public final class CommandRules {
     private static final String ALREADY_ARMED = "It is already armed.";
-
-    /** The modes that people steer in. */
-    private static final Set<String> USUAL = Set.of("GUIDED", "LOITER", "POSCTL", "OFFBOARD");
 
     private static final int MODES_NAMED = 2;
     /** In one command. */
@@ -52,39 +48,81 @@ public final class CommandRules {
 
     /** The same, looking into the command as well. */
     public static Optional<String> whyNot(DroneState drone, Command command) {
-        if (command instanceof Command.Disarm disarm && disarm.force() && drone.airborne()) {
+        if (isStopInTheAir(drone, command)) {
             // Deliberate: the one way to stop motors in the air.
             return whyNot(drone, Capability.ARM).filter(why -> !why.equals(ALREADY_ARMED));
         }
-        Optional<String> why = whyNot(drone, command.needs());
-        if (why.isEmpty() && command instanceof Command.SetMode setMode) {
-            return modeForbids(drone, setMode.mode());
-        }
-        if (why.isEmpty() && command instanceof Command.GoTo goTo) {
-            return tooFar(drone, goTo.point());
-        }
-        return why;
+        return whyNot(drone, command.needs()).or(() -> contentForbids(drone, command));
+    }
+
+    private static boolean isStopInTheAir(DroneState drone, Command command) {
+        return command instanceof Command.Disarm disarm && disarm.force() && drone.airborne();
+    }
+
+    private static Optional<String> contentForbids(DroneState drone, Command command) {
+        return switch (command.kind()) {
+            case SET_MODE -> modeForbids(drone, ((Command.SetMode) command).mode());
+            case GO_TO -> tooFar(drone, ((Command.GoTo) command).point());
+            case ARM,
+                    DISARM,
+                    TAKE_OFF,
+                    LAND,
+                    RETURN_TO_LAUNCH,
+                    HOLD,
+                    EMERGENCY_STOP,
+                    GO_TO_LOCAL,
+                    TURN,
+                    UPLOAD_MISSION,
+                    START_MISSION,
+                    PAUSE_MISSION,
+                    CLEAR_MISSION,
+                    SET_HOME,
+                    READ_HOME,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    SET_RETURN_HEIGHT,
+                    RETURN_ON_LOSS,
+                    READ_LOGS,
+                    DOWNLOAD_LOG,
+                    READ_FENCE,
+                    SET_FENCE,
+                    READ_RALLY_POINTS,
+                    SET_RALLY_POINTS,
+                    READ_MAP -> Optional.empty();
+        };
     }
 
     /** Why it cannot be steered so now; empty when it can. */
     public static Optional<String> whyNot(DroneState drone, Setpoint setpoint) {
-        Optional<String> why = whyNot(drone, setpoint.needs());
-        Steering wanted = setpoint instanceof Setpoint.Sticks ? Steering.STICKS : Steering.ORDERS;
-        Map<String, Steering> modes = drone.capabilities().steering();
-        if (why.isEmpty() && setpoint instanceof Setpoint.Velocity velocity && turnsUnknown(drone, velocity)) {
-            return Optional.of("Where it looks is not known; steer it by its own forward and right.");
+        return whyNot(drone, setpoint.needs())
+                .or(() -> contentForbids(drone, setpoint))
+                .or(() -> modeForbids(drone, setpoint.kind().steering()));
+    }
+
+    private static Optional<String> contentForbids(DroneState drone, Setpoint setpoint) {
+        return switch (setpoint.kind()) {
+            case VELOCITY ->
+                turnsUnknown(drone, (Setpoint.Velocity) setpoint)
+                        ? Optional.of("Where it looks is not known; steer it by its own forward and right.")
+                        : Optional.empty();
+            case TRACK -> tooFar(drone, ((Setpoint.Track) setpoint).point());
+            case STICKS -> Optional.empty();
+        };
+    }
+
+    /** Where no mode says what the vehicle goes by, it is steered in any. */
+    private static Optional<String> modeForbids(DroneState drone, Steering wanted) {
+        Capabilities can = drone.capabilities();
+        if (!can.steering().containsValue(wanted) || can.steering(drone.mode()).equals(Optional.of(wanted))) {
+            return Optional.empty();
         }
-        if (why.isEmpty() && setpoint instanceof Setpoint.Track track) {
-            why = tooFar(drone, track.point());
-        }
-        // Where no mode says what the vehicle goes by, it is steered in any.
-        if (why.isPresent() || !modes.containsValue(wanted) || modes.get(drone.mode()) == wanted) {
-            return why;
-        }
+        Optional<String> usual = can.mode(wanted);
         return Optional.of("In " + drone.mode() + " it is not to be steered so; change its mode to "
-                + drone.capabilities().modes().stream()
-                        .filter(mode -> modes.get(mode) == wanted)
-                        .sorted(Comparator.comparing(mode -> !USUAL.contains(mode)))
+                + can.modes().stream()
+                        .filter(mode -> can.steering().get(mode) == wanted)
+                        .sorted(Comparator.comparing(mode -> !usual.equals(Optional.of(mode))))
                         .limit(MODES_NAMED)
                         .collect(Collectors.joining(" or "))
                 + " first.");

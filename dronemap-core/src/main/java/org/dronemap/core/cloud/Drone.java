@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;
@@ -189,93 +190,73 @@ final class Drone {
     }
 
     void apply(DroneEvent event) {
-        if (event instanceof DroneEvent.PositionHeard e) {
-            position = e.position();
-        } else if (event instanceof DroneEvent.LocalPositionHeard e) {
-            local = e.position();
-        } else if (event instanceof DroneEvent.AttitudeHeard e) {
-            attitude = e.attitude();
-        } else if (event instanceof DroneEvent.MotionHeard e) {
-            motion = e.motion();
-        } else if (event instanceof DroneEvent.BatteryHeard e) {
-            battery = e.battery();
-        } else if (event instanceof DroneEvent.GpsHeard e) {
-            gps = e.gps();
-        } else if (event instanceof DroneEvent.TextHeard e) {
-            addText(e.severity(), e.text());
-        } else {
-            applyRare(event);
+        Instant at = clock.instant();
+        switch (event.kind()) {
+            case IDENTIFIED -> identified((DroneEvent.Identified) event);
+            case MODE -> mode((DroneEvent.ModeHeard) event);
+            case READINESS -> readyToArm = ((DroneEvent.ReadinessHeard) event).readyToArm();
+            case PHASE -> phase = ((DroneEvent.PhaseHeard) event).phase();
+            case POSITION -> position = ((DroneEvent.PositionHeard) event).position();
+            case LOCAL_POSITION -> local = ((DroneEvent.LocalPositionHeard) event).position();
+            case MOTION -> motion = ((DroneEvent.MotionHeard) event).motion();
+            case ATTITUDE -> attitude = ((DroneEvent.AttitudeHeard) event).attitude();
+            case BATTERY -> battery = ((DroneEvent.BatteryHeard) event).battery();
+            case GPS -> gps = ((DroneEvent.GpsHeard) event).gps();
+            case HOME -> home = ((DroneEvent.HomeHeard) event).home();
+            case RETURN_HEIGHT_SET -> returnHeight = ((DroneEvent.ReturnHeightSet) event).height();
+            case MISSION_CURRENT -> mission(mission.apply((DroneEvent.MissionCurrentHeard) event));
+            case MISSION_ITEM_REACHED -> reached((DroneEvent.MissionItemReached) event);
+            case MISSION_READ -> mission(mission.apply((DroneEvent.MissionRead) event));
+            case PHOTO -> payload = payload.with(photo((DroneEvent.PhotoHeard) event, at));
+            case OUTPUTS -> payload = payload.withOutputs(((DroneEvent.OutputsHeard) event).pulsesMicros());
+            case READING -> payload = payload.with(reading((DroneEvent.ReadingHeard) event, at));
+            case WIND -> payload = payload.with(wind((DroneEvent.WindHeard) event, at));
+            case PARAMETERS_READ ->
+                onBoard = onBoard.withParameters(ParameterSet.of(((DroneEvent.ParametersRead) event).parameters(), at));
+            case PARAMETER ->
+                onBoard = onBoard.withParameters(
+                        onBoard.parameters().with(((DroneEvent.ParameterHeard) event).parameter()));
+            case LOGS_READ -> onBoard = onBoard.withLogs(((DroneEvent.LogsRead) event).logs());
+            case FENCE_READ -> onBoard = onBoard.withFence(((DroneEvent.FenceRead) event).zones());
+            case RALLY_POINTS_READ -> onBoard = onBoard.withRallyPoints(((DroneEvent.RallyPointsRead) event).points());
+            case SCAN -> sensed = sensed.with(((DroneEvent.ScanHeard) event).scan(), at);
+            case PICTURE -> sensed = sensed.with(((DroneEvent.PictureHeard) event).picture(), at);
+            case MAP -> sensed = sensed.with(((DroneEvent.MapHeard) event).map(), at);
+            case TEXT -> addText(((DroneEvent.TextHeard) event).severity(), ((DroneEvent.TextHeard) event).text());
         }
         publish();
     }
 
-    private void applyRare(DroneEvent event) {
-        if (event instanceof DroneEvent.Identified e) {
-            identification = e.identification();
-            capabilities = e.capabilities();
-        } else if (event instanceof DroneEvent.ModeHeard e) {
-            mode = e.mode();
-            armed = e.armed();
-        } else if (event instanceof DroneEvent.ReadinessHeard e) {
-            readyToArm = e.readyToArm();
-        } else if (event instanceof DroneEvent.PhaseHeard e) {
-            phase = e.phase();
-        } else if (event instanceof DroneEvent.HomeHeard e) {
-            home = e.home();
-        } else if (event instanceof DroneEvent.ReturnHeightSet e) {
-            returnHeight = e.height();
-        } else if (event instanceof DroneEvent.PayloadHeard e) {
-            payload = applied(e);
-        } else if (event instanceof DroneEvent.OnBoardHeard e) {
-            onBoard = applied(e);
-        } else if (event instanceof DroneEvent.SensedHeard e) {
-            sensed = applied(e);
-        } else {
-            mission.apply(event).ifPresent(sentence -> addText(Severity.WARNING, sentence));
-            progress = mission.progress();
-        }
+    private void identified(DroneEvent.Identified event) {
+        identification = event.identification();
+        capabilities = event.capabilities();
     }
 
-    private Payload applied(DroneEvent.PayloadHeard event) {
-        if (event instanceof DroneEvent.PhotoHeard e) {
-            return payload.with(new Payload.Photo(e.number(), clock.instant(), e.point()));
-        }
-        if (event instanceof DroneEvent.OutputsHeard e) {
-            return payload.withOutputs(e.pulsesMicros());
-        }
-        if (event instanceof DroneEvent.WindHeard e) {
-            return payload.with(new Wind(e.fromDegrees(), e.metersPerSecond(), clock.instant()));
-        }
-        return event instanceof DroneEvent.ReadingHeard e
-                ? payload.with(new Payload.Reading(e.name(), e.value(), clock.instant()))
-                : payload;
+    private void mode(DroneEvent.ModeHeard event) {
+        mode = event.mode();
+        armed = event.armed();
     }
 
-    private OnBoard applied(DroneEvent.OnBoardHeard event) {
-        if (event instanceof DroneEvent.ParametersRead e) {
-            return onBoard.withParameters(ParameterSet.of(e.parameters(), clock.instant()));
-        }
-        if (event instanceof DroneEvent.ParameterHeard e) {
-            return onBoard.withParameters(onBoard.parameters().with(e.parameter()));
-        }
-        if (event instanceof DroneEvent.LogsRead e) {
-            return onBoard.withLogs(e.logs());
-        }
-        if (event instanceof DroneEvent.FenceRead e) {
-            return onBoard.withFence(e.zones());
-        }
-        return event instanceof DroneEvent.RallyPointsRead e ? onBoard.withRallyPoints(e.points()) : onBoard;
+    private void reached(DroneEvent.MissionItemReached event) {
+        mission.apply(event);
+        progress = mission.progress();
     }
 
-    private Sensed applied(DroneEvent.SensedHeard event) {
-        Instant at = clock.instant();
-        if (event instanceof DroneEvent.ScanHeard e) {
-            return sensed.with(e.scan(), at);
-        }
-        if (event instanceof DroneEvent.PictureHeard e) {
-            return sensed.with(e.picture(), at);
-        }
-        return event instanceof DroneEvent.MapHeard e ? sensed.with(e.map(), at) : sensed;
+    private void mission(Optional<String> news) {
+        news.ifPresent(sentence -> addText(Severity.WARNING, sentence));
+        progress = mission.progress();
+    }
+
+    private static Payload.Photo photo(DroneEvent.PhotoHeard event, Instant at) {
+        return new Payload.Photo(event.number(), at, event.point());
+    }
+
+    private static Payload.Reading reading(DroneEvent.ReadingHeard event, Instant at) {
+        return new Payload.Reading(event.name(), event.value(), at);
+    }
+
+    private static Wind wind(DroneEvent.WindHeard event, Instant at) {
+        return new Wind(event.fromDegrees(), event.metersPerSecond(), at);
     }
 
     private void addText(Severity severity, String text) {

@@ -38,21 +38,8 @@ final class MissionTracker {
         return new MissionProgress(items, hash, current, phase, List.copyOf(reached), notice);
     }
 
-    /** Takes a mission event in; the answer is a sentence when something happened that people should hear of. */
-    Optional<String> apply(DroneEvent event) {
-        if (event instanceof DroneEvent.MissionRead read) {
-            return read(read);
-        }
-        if (event instanceof DroneEvent.MissionCurrentHeard heard) {
-            return headsFor(heard);
-        }
-        if (event instanceof DroneEvent.MissionItemReached arrived) {
-            reached(arrived.index());
-        }
-        return Optional.empty();
-    }
-
-    private Optional<String> read(DroneEvent.MissionRead read) {
+    /** The answer is a sentence when something happened that people should hear of. */
+    Optional<String> apply(DroneEvent.MissionRead read) {
         KnownMission before = known;
         boolean first = items == null;
         if (read.asUploaded() || !read.items().equals(items)) {
@@ -97,7 +84,8 @@ final class MissionTracker {
         return "The mission on the vehicle is not the one that the cloud last knew: " + difference + ".";
     }
 
-    private void reached(int index) {
+    void apply(DroneEvent.MissionItemReached arrived) {
+        int index = arrived.index();
         // Some autopilots say their last one again and again, also when it lies ahead once more.
         if (!Objects.equals(index, lastReached)) {
             reached.add(index);
@@ -105,7 +93,8 @@ final class MissionTracker {
         lastReached = index;
     }
 
-    private Optional<String> headsFor(DroneEvent.MissionCurrentHeard heard) {
+    /** As above. */
+    Optional<String> apply(DroneEvent.MissionCurrentHeard heard) {
         Integer index = heard.index();
         if (Objects.equals(index, current) && heard.phase() == phase) {
             return Optional.empty();

@@ -1,8 +1,6 @@
 package org.dronemap.core.cloud;
 
-import java.util.EnumSet;
 import java.util.Optional;
-import java.util.Set;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -26,10 +24,6 @@ public final class RoleRules {
     private static final String KEY_MAY_NOT_PLAN = "This access key may not change missions, fences or rally points.";
     private static final String KEY_MAY_NOT_COMMAND = "This access key may not command.";
 
-    /** What prepares a flight and moves nothing. */
-    private static final Set<Capability> PLANNING =
-            EnumSet.of(Capability.UPLOAD_MISSION, Capability.CLEAR_MISSION, Capability.FENCE, Capability.RALLY_POINTS);
-
     private RoleRules() {}
 
     /** Why this one may not give a command of this kind to that drone now; empty when it may. */
@@ -37,7 +31,7 @@ public final class RoleRules {
         if (!principal.sees(drone.id())) {
             return Optional.of(principal.scope().covers(drone.id()) ? NOT_GRANTED_AT_ALL : OTHER_DRONES);
         }
-        boolean planning = PLANNING.contains(capability);
+        boolean planning = prepares(capability);
         if (!principal.may(planning ? Role.PLANNER : Role.OPERATOR, drone.id())) {
             return Optional.of(lacking(principal, planning));
         }
@@ -45,6 +39,37 @@ public final class RoleRules {
         return principal.may(Role.OPERATOR, drone.id()) || Boolean.FALSE.equals(drone.armed())
                 ? Optional.empty()
                 : Optional.of(ONLY_ON_THE_GROUND);
+    }
+
+    /** It prepares a flight and moves nothing. */
+    private static boolean prepares(Capability capability) {
+        return switch (capability) {
+            case UPLOAD_MISSION, CLEAR_MISSION, FENCE, RALLY_POINTS -> true;
+            case ARM,
+                    DISARM,
+                    SET_MODE,
+                    TAKE_OFF,
+                    LAND,
+                    RETURN_TO_LAUNCH,
+                    HOLD,
+                    GO_TO,
+                    START_MISSION,
+                    PAUSE_MISSION,
+                    TURN,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    READ_LOGS,
+                    SET_HOME,
+                    READ_HOME,
+                    GO_TO_LOCAL,
+                    EMERGENCY_STOP,
+                    READ_MAP,
+                    VELOCITY,
+                    STICKS,
+                    TRACK -> false;
+        };
     }
 
     private static String lacking(Principal principal, boolean planning) {

@@ -68,7 +68,7 @@ final class ZoneActions {
 
     void breached(DroneState state, Zone zone) {
         String what = zone.shape().inside() ? "It has left " : "It has entered ";
-        if (state.capabilities().steering(state.mode()).equals(Optional.of(Steering.SAFETY))) {
+        if (state.capabilities().isSafe(state.mode())) {
             say(state.id(), Severity.CRITICAL, what + zone.words() + "; it is on its way home or down already.");
             return;
         }
@@ -83,7 +83,7 @@ final class ZoneActions {
      */
     void stillBreached(DroneState state, Zone zone) {
         Optional<Steering> steering = state.capabilities().steering(state.mode());
-        if (steering.equals(Optional.of(Steering.SAFETY))) {
+        if (state.capabilities().isSafe(state.mode())) {
             return;
         }
         String where = (zone.shape().inside() ? "It is still outside of " : "It is still in ") + zone.words();
@@ -129,10 +129,13 @@ final class ZoneActions {
 
     private void judge(CommandRecord ended, Command command, int tries) {
         Outcome outcome = ended.outcome();
-        if (outcome == null || outcome instanceof Outcome.Succeeded || outcome instanceof Outcome.Superseded) {
+        if (outcome == null) {
             return;
         }
-        again(ended.drone(), command, tries, outcome.toString());
+        switch (outcome.kind()) {
+            case SUCCEEDED, SUPERSEDED -> {}
+            case REFUSED, FAILED, TIMED_OUT, UNKNOWN -> again(ended.drone(), command, tries, outcome.toString());
+        }
     }
 
     private void again(DroneId drone, Command command, int tries, String why) {

@@ -3,12 +3,11 @@ package org.dronemap.core.cloud;
 import java.time.Clock;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
-import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -22,16 +21,6 @@ import org.dronemap.core.zone.ZoneRules;
 /** Watches drones in flight against the zones: warns before a breach and acts on one. Each drone on its own lane. */
 final class ZoneGuard implements CloudListener {
     private static final long RHYTHM_NANOS = 100_000_000L;
-    /** Who gives one of these is who flies the drone. */
-    private static final Set<String> FLYING = Set.of(
-            Command.Arm.class.getSimpleName(),
-            Command.TakeOff.class.getSimpleName(),
-            Command.GoTo.class.getSimpleName(),
-            GoToLocal.class.getSimpleName(),
-            Command.StartMission.class.getSimpleName(),
-            Command.SetMode.class.getSimpleName(),
-            Command.Turn.class.getSimpleName());
-
     private final ZoneBook book;
     private final ZoneRules rules;
     private final ZoneActions actions;
@@ -107,13 +96,15 @@ final class ZoneGuard implements CloudListener {
 
     @Override
     public void commandChanged(CommandRecord command) {
-        if (command.face().equals(ZoneActions.FACE) || command.outcome() instanceof Outcome.Refused) {
+        Outcome outcome = command.outcome();
+        boolean refused = outcome != null && outcome.kind() == Outcome.Kind.REFUSED;
+        Optional<CommandKind> kind = CommandKind.named(command.type());
+        if (command.face().equals(ZoneActions.FACE) || refused || kind.isEmpty()) {
             return;
         }
-        if (FLYING.contains(command.type())) {
+        if (kind.get().purpose() == CommandKind.Purpose.FLY) {
             pilots.put(command.drone(), command.by());
-        } else if (command.type().equals(Command.ReturnToLaunch.class.getSimpleName())
-                && command.phase() == CommandPhase.SENT) {
+        } else if (kind.get() == CommandKind.RETURN_TO_LAUNCH && command.phase() == CommandPhase.SENT) {
             actions.state(command.drone())
                     .flatMap(state -> rules.homewardDoubt(command.by(), state, clock.instant()))
                     .ifPresent(doubt ->

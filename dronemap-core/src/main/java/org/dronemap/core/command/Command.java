@@ -15,16 +15,15 @@ import org.jspecify.annotations.Nullable;
 
 /** What may be asked of a drone. Discrete: each one ends in exactly one {@link Outcome}. */
 public sealed interface Command {
-    /** What the vehicle must be able to do for it. */
-    Capability needs();
+    CommandKind kind();
 
     /** A phrase for people: "take off to 20 m". */
     String summary();
 
     record Arm() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.ARM;
+        public CommandKind kind() {
+            return CommandKind.ARM;
         }
 
         @Override
@@ -36,8 +35,8 @@ public sealed interface Command {
     /** {@code force} stops the motors even in the air. */
     record Disarm(boolean force) implements Command {
         @Override
-        public Capability needs() {
-            return Capability.DISARM;
+        public CommandKind kind() {
+            return CommandKind.DISARM;
         }
 
         @Override
@@ -48,8 +47,8 @@ public sealed interface Command {
 
     record SetMode(String mode) implements Command {
         @Override
-        public Capability needs() {
-            return Capability.SET_MODE;
+        public CommandKind kind() {
+            return CommandKind.SET_MODE;
         }
 
         @Override
@@ -67,8 +66,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.TAKE_OFF;
+        public CommandKind kind() {
+            return CommandKind.TAKE_OFF;
         }
 
         @Override
@@ -79,8 +78,8 @@ public sealed interface Command {
 
     record Land() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.LAND;
+        public CommandKind kind() {
+            return CommandKind.LAND;
         }
 
         @Override
@@ -91,8 +90,8 @@ public sealed interface Command {
 
     record ReturnToLaunch() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.RETURN_TO_LAUNCH;
+        public CommandKind kind() {
+            return CommandKind.RETURN_TO_LAUNCH;
         }
 
         @Override
@@ -103,8 +102,8 @@ public sealed interface Command {
 
     record Hold() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.HOLD;
+        public CommandKind kind() {
+            return CommandKind.HOLD;
         }
 
         @Override
@@ -115,8 +114,8 @@ public sealed interface Command {
 
     record GoTo(Geodetic point, Altitude altitude) implements Command {
         @Override
-        public Capability needs() {
-            return Capability.GO_TO;
+        public CommandKind kind() {
+            return CommandKind.GO_TO;
         }
 
         @Override
@@ -127,8 +126,8 @@ public sealed interface Command {
 
     record UploadMission(Mission mission) implements Command {
         @Override
-        public Capability needs() {
-            return Capability.UPLOAD_MISSION;
+        public CommandKind kind() {
+            return CommandKind.UPLOAD_MISSION;
         }
 
         @Override
@@ -149,8 +148,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.START_MISSION;
+        public CommandKind kind() {
+            return CommandKind.START_MISSION;
         }
 
         @Override
@@ -161,8 +160,8 @@ public sealed interface Command {
 
     record PauseMission() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.PAUSE_MISSION;
+        public CommandKind kind() {
+            return CommandKind.PAUSE_MISSION;
         }
 
         @Override
@@ -173,8 +172,8 @@ public sealed interface Command {
 
     record ClearMission() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.CLEAR_MISSION;
+        public CommandKind kind() {
+            return CommandKind.CLEAR_MISSION;
         }
 
         @Override
@@ -192,8 +191,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.TURN;
+        public CommandKind kind() {
+            return CommandKind.TURN;
         }
 
         @Override
@@ -211,8 +210,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.SET_HOME;
+        public CommandKind kind() {
+            return CommandKind.SET_HOME;
         }
 
         @Override
@@ -224,8 +223,8 @@ public sealed interface Command {
     /** Ask the vehicle where its home is. */
     record ReadHome() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.READ_HOME;
+        public CommandKind kind() {
+            return CommandKind.READ_HOME;
         }
 
         @Override
@@ -236,8 +235,8 @@ public sealed interface Command {
 
     record TakePicture() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.TAKE_PICTURE;
+        public CommandKind kind() {
+            return CommandKind.TAKE_PICTURE;
         }
 
         @Override
@@ -255,8 +254,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.SET_RELAY;
+        public CommandKind kind() {
+            return CommandKind.SET_RELAY;
         }
 
         @Override
@@ -270,8 +269,8 @@ public sealed interface Command {
     /** Read the whole list of parameters anew. */
     record ReadParameters() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.READ_PARAMETERS;
+        public CommandKind kind() {
+            return CommandKind.READ_PARAMETERS;
         }
 
         @Override
@@ -290,8 +289,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.SET_PARAMETERS;
+        public CommandKind kind() {
+            return CommandKind.SET_PARAMETERS;
         }
 
         @Override
@@ -303,8 +302,8 @@ public sealed interface Command {
     /** List the logs that the vehicle keeps. */
     record ReadLogs() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.READ_LOGS;
+        public CommandKind kind() {
+            return CommandKind.READ_LOGS;
         }
 
         @Override
@@ -316,8 +315,8 @@ public sealed interface Command {
     /** Fetch one log, going on where an earlier attempt ended. */
     record DownloadLog(VehicleLog log, LogSink sink) implements Command {
         @Override
-        public Capability needs() {
-            return Capability.READ_LOGS;
+        public CommandKind kind() {
+            return CommandKind.DOWNLOAD_LOG;
         }
 
         @Override
@@ -329,8 +328,8 @@ public sealed interface Command {
     /** Read the fence that the vehicle keeps. */
     record ReadFence() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.FENCE;
+        public CommandKind kind() {
+            return CommandKind.READ_FENCE;
         }
 
         @Override
@@ -349,8 +348,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.FENCE;
+        public CommandKind kind() {
+            return CommandKind.SET_FENCE;
         }
 
         @Override
@@ -361,8 +360,8 @@ public sealed interface Command {
 
     record ReadRallyPoints() implements Command {
         @Override
-        public Capability needs() {
-            return Capability.RALLY_POINTS;
+        public CommandKind kind() {
+            return CommandKind.READ_RALLY_POINTS;
         }
 
         @Override
@@ -381,8 +380,8 @@ public sealed interface Command {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.RALLY_POINTS;
+        public CommandKind kind() {
+            return CommandKind.SET_RALLY_POINTS;
         }
 
         @Override
@@ -394,7 +393,8 @@ public sealed interface Command {
     /** What has a file of its own. */
     sealed interface Apart extends Command permits GoToLocal, EmergencyStop, ReadMap, ReturnOnLoss, SetReturnHeight {}
 
-    default Contention contention() {
-        return Contention.of(needs());
+    /** What the vehicle must be able to do for it. */
+    default Capability needs() {
+        return kind().needs();
     }
 }

@@ -1,7 +1,5 @@
 package org.dronemap.core.command;
 
-import org.dronemap.core.drone.Capability;
-
 /** Which commands compete with each other on one vehicle. */
 public enum Contention {
     /** Motors on or off; the newer one wins. */
@@ -26,19 +24,5 @@ public enum Contention {
     /** A newer command takes the place of one that is under way; else it has to wait. */
     public boolean newerWins() {
         return this == ARMING || this == FLIGHT;
-    }
-
-    static Contention of(Capability needed) {
-        return switch (needed) {
-            case ARM, DISARM -> ARMING;
-            case UPLOAD_MISSION, CLEAR_MISSION, FENCE, RALLY_POINTS -> TRANSFER;
-            case TAKE_PICTURE -> CAMERA;
-            case SET_RELAY -> RELAY;
-            case READ_PARAMETERS, SET_PARAMETERS -> PARAMETERS;
-            case READ_LOGS -> LOGS;
-            case SET_HOME, READ_HOME -> HOME;
-            case READ_MAP -> MAP;
-            default -> FLIGHT;
-        };
     }
 }

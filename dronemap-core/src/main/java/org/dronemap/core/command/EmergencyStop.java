@@ -1,12 +1,10 @@
 package org.dronemap.core.command;
 
-import org.dronemap.core.drone.Capability;
-
 /** Stand still at once, and give up whatever it was driving to. */
 public record EmergencyStop() implements Command.Apart {
     @Override
-    public Capability needs() {
-        return Capability.EMERGENCY_STOP;
+    public CommandKind kind() {
+        return CommandKind.EMERGENCY_STOP;
     }
 
     @Override

@@ -1,7 +1,6 @@
 package org.dronemap.core.command;
 
 import java.util.Locale;
-import org.dronemap.core.drone.Capability;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,8 +23,8 @@ public record GoToLocal(
     }
 
     @Override
-    public Capability needs() {
-        return Capability.GO_TO_LOCAL;
+    public CommandKind kind() {
+        return CommandKind.GO_TO_LOCAL;
     }
 
     @Override

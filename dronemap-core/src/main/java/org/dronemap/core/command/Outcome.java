@@ -1,22 +1,91 @@
 package org.dronemap.core.command;
 
+import org.jspecify.annotations.Nullable;
+
 /** How a command ended; every one ends in exactly one of these. */
 public sealed interface Outcome {
+    /** What there is of outcomes; switched over without a default, so that a forgotten one does not compile. */
+    enum Kind {
+        SUCCEEDED("succeeded"),
+        REFUSED("refused"),
+        FAILED("failed"),
+        TIMED_OUT("timedOut"),
+        SUPERSEDED("superseded"),
+        UNKNOWN("unknown");
+
+        private final String word;
+
+        Kind(String word) {
+            this.word = word;
+        }
+
+        /** For ever: clients read it, and it is stored. */
+        public String word() {
+            return word;
+        }
+    }
+
+    Kind kind();
+
+    /** Who said no: "gate" or "vehicle"; null unless somebody did. */
+    default @Nullable String by() {
+        return null;
+    }
+
+    /** Why it did not succeed, as a sentence; null when it did. */
+    @Nullable
+    String reason();
+
     /** Carried out, and seen to be. */
-    record Succeeded() implements Outcome {}
+    record Succeeded() implements Outcome {
+        @Override
+        public Kind kind() {
+            return Kind.SUCCEEDED;
+        }
+
+        @Override
+        public @Nullable String reason() {
+            return null;
+        }
+    }
 
     /** Somebody said no before it had an effect; {@code by} is "gate" or "vehicle". */
-    record Refused(String by, String reason) implements Outcome {}
+    record Refused(@Override String by, @Override String reason) implements Outcome {
+        @Override
+        public Kind kind() {
+            return Kind.REFUSED;
+        }
+    }
 
     /** Accepted, but it did not come about. */
-    record Failed(String reason) implements Outcome {}
+    record Failed(@Override String reason) implements Outcome {
+        @Override
+        public Kind kind() {
+            return Kind.FAILED;
+        }
+    }
 
     /** No answer within the stated time; {@code reason} states it. */
-    record TimedOut(String reason) implements Outcome {}
+    record TimedOut(@Override String reason) implements Outcome {
+        @Override
+        public Kind kind() {
+            return Kind.TIMED_OUT;
+        }
+    }
 
     /** A newer command took its place. */
-    record Superseded(String reason) implements Outcome {}
+    record Superseded(@Override String reason) implements Outcome {
+        @Override
+        public Kind kind() {
+            return Kind.SUPERSEDED;
+        }
+    }
 
     /** It may or may not have acted, and nobody can tell any more. */
-    record Unknown(String reason) implements Outcome {}
+    record Unknown(@Override String reason) implements Outcome {
+        @Override
+        public Kind kind() {
+            return Kind.UNKNOWN;
+        }
+    }
 }

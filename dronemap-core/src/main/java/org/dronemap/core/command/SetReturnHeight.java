@@ -1,7 +1,6 @@
 package org.dronemap.core.command;
 
 import java.util.Locale;
-import org.dronemap.core.drone.Capability;
 
 /**
  * How high over its home a vehicle flies home, whoever or whatever makes it.
@@ -16,8 +15,8 @@ public record SetReturnHeight(double meters, boolean atLeast) implements Command
     }
 
     @Override
-    public Capability needs() {
-        return Capability.SET_PARAMETERS;
+    public CommandKind kind() {
+        return CommandKind.SET_RETURN_HEIGHT;
     }
 
     @Override

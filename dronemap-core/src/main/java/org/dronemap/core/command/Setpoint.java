@@ -1,6 +1,7 @@
 package org.dronemap.core.command;
 
 import java.util.Locale;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -13,8 +14,32 @@ import org.jspecify.annotations.Nullable;
 public sealed interface Setpoint {
     double WHOLE_TURN = 360;
 
+    /** What there is of setpoints; switched over without a default, so that a forgotten one does not compile. */
+    enum Kind {
+        VELOCITY(Capability.VELOCITY, Steering.ORDERS),
+        STICKS(Capability.STICKS, Steering.STICKS),
+        TRACK(Capability.TRACK, Steering.ORDERS);
+
+        private final Capability needs;
+        private final Steering steering;
+
+        Kind(Capability needs, Steering steering) {
+            this.needs = needs;
+            this.steering = steering;
+        }
+
+        /** What a vehicle must go by in its mode to be steered so. */
+        public Steering steering() {
+            return steering;
+        }
+    }
+
+    Kind kind();
+
     /** What the vehicle must be able to do for it. */
-    Capability needs();
+    default Capability needs() {
+        return kind().needs;
+    }
 
     /** What whoever says this does, for people: "steer by sticks". */
     String summary();
@@ -79,8 +104,8 @@ public sealed interface Setpoint {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.VELOCITY;
+        public Kind kind() {
+            return Kind.VELOCITY;
         }
 
         @Override
@@ -115,8 +140,8 @@ public sealed interface Setpoint {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.STICKS;
+        public Kind kind() {
+            return Kind.STICKS;
         }
 
         @Override
@@ -159,8 +184,8 @@ public sealed interface Setpoint {
         }
 
         @Override
-        public Capability needs() {
-            return Capability.TRACK;
+        public Kind kind() {
+            return Kind.TRACK;
         }
 
         @Override

@@ -54,6 +54,10 @@ final class OperationBook {
         kinds.forEach(kind -> this.kinds.put(kind.name(), kind));
     }
 
+    Set<String> kinds() {
+        return Set.copyOf(kinds.keySet());
+    }
+
     /** One that cannot be read must not keep the server, and so all other drones, from being conducted. */
     void takeUp() {
         for (SavedOperation saved : means.store().underWay()) {
@@ -95,6 +99,12 @@ final class OperationBook {
     }
 
     <S, I> Conducted<S, I> begin(OperationKind<S, I> kind, SavedOperation begun, JournalEntry first, S state) {
+        if (!kind.equals(kinds.get(kind.name()))) {
+            // After a restart nobody could read what was written of it.
+            LOG.error("A fault of ours: nobody conducts operations of the kind {}; none is begun", kind.name());
+            throw new Operations.Refused("The cloud does not conduct operations of the kind " + kind.name()
+                    + ": a fault of its own, which is logged for its makers.");
+        }
         SavedOperation saved = begun.beginning(first.input());
         Conducted<S, I> one = new Conducted<>(kind, means, saved, state);
         one.takeReins().ifPresent(why -> {

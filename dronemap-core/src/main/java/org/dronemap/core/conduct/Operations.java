@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
@@ -124,6 +125,11 @@ public final class Operations implements CloudListener, AutoCloseable {
         });
         thread.every(RHYTHM, this::turn);
         thread.every(BETWEEN_TIDYINGS, this::tidy);
+    }
+
+    /** The names of what it conducts. */
+    public Set<String> kinds() {
+        return book.kinds();
     }
 
     public void addListener(OperationListener listener) {

@@ -10,10 +10,9 @@ import java.util.function.UnaryOperator;
 import org.dronemap.core.cloud.CloudListener;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.CloudLoss;
-import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
-import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Mission;
@@ -39,14 +38,6 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     private static final Duration USUAL_RHYTHM = Duration.ofMillis(200);
     /** Of these turns one looks for drones for those that wait. */
     private static final int TURNS_PER_SEARCH = 5;
-
-    /** What supervisors and safety rules may command without control. */
-    private static final Set<String> INTERRUPTING = Set.of(
-            Command.Land.class.getSimpleName(),
-            Command.ReturnToLaunch.class.getSimpleName(),
-            Command.Hold.class.getSimpleName(),
-            EmergencyStop.class.getSimpleName(),
-            Command.PauseMission.class.getSimpleName());
 
     private final CloudManager cloud;
     private final VirtualBook book;
@@ -248,7 +239,9 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     public void commandChanged(CommandRecord command) {
         boolean others = !command.face().equals(FACE)
                 && command.phase() == CommandPhase.SENT
-                && INTERRUPTING.contains(command.type());
+                && CommandKind.named(command.type())
+                        .filter(kind -> kind.purpose().interrupts())
+                        .isPresent();
         if (others) {
             soon(() -> book.all().stream()
                     .filter(drone -> command.drone().equals(drone.boundTo()))

@@ -2,11 +2,9 @@ package org.dronemap.core.conduct;
 
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
-import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
@@ -35,7 +33,7 @@ final class WayHome {
         if (drone.link().state() != LinkState.LIVE || !drone.capabilities().known()) {
             return false;
         }
-        boolean onItsWay = drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.SAFETY));
+        boolean onItsWay = drone.capabilities().isSafe(drone.mode());
         if (Boolean.FALSE.equals(drone.armed()) || onItsWay) {
             calledNanos.remove(drone.id());
             crew.release(by, drone.id());

@@ -4,6 +4,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,6 +14,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param modes flight modes that can be set by name
  * @param steering what a vehicle goes by in a mode; of one that is not there nothing is known but that it flies by itself
+ * @param usual of the modes in which a vehicle goes by something, the one that it is put into for that
  * @param arming for a mode in which the vehicle refuses to be armed, the mode that lets it
  * @param known false until the adapter declared it
  */
@@ -18,11 +22,13 @@ public record Capabilities(
         Set<Capability> commands,
         List<String> modes,
         Map<String, Steering> steering,
+        Map<Steering, String> usual,
         Map<String, String> arming,
         boolean known) {
     public static final Capabilities NONE = new Capabilities(Set.of(), List.of());
     /** Of a vehicle that was not asked yet. */
-    public static final Capabilities UNKNOWN = new Capabilities(Set.of(), List.of(), Map.of(), Map.of(), false);
+    public static final Capabilities UNKNOWN =
+            new Capabilities(Set.of(), List.of(), Map.of(), Map.of(), Map.of(), false);
 
     /** What a vehicle goes by in a mode. */
     public enum Steering {
@@ -34,12 +40,19 @@ public record Capabilities(
         STANDS,
         /** The mission on board. */
         MISSION,
-        /** Its own way home or down. */
+        /** Its own way home. */
+        HOME,
+        /** Its own way down. */
         SAFETY;
 
         /** Without anybody who steers, nothing goes on. */
         public boolean waitsForSomebody() {
             return this == STICKS || takesOrders();
+        }
+
+        /** It comes home or down by itself. */
+        public boolean isSafe() {
+            return this == HOME || this == SAFETY;
         }
 
         /** It goes where it is told to. */
@@ -52,16 +65,13 @@ public record Capabilities(
         commands = Set.copyOf(commands);
         modes = List.copyOf(modes);
         steering = Map.copyOf(steering);
+        usual = Map.copyOf(usual);
         arming = Map.copyOf(arming);
     }
 
-    public Capabilities(
-            Set<Capability> commands, List<String> modes, Map<String, Steering> steering, Map<String, String> arming) {
-        this(commands, modes, steering, arming, true);
-    }
-
+    /** Of a vehicle that has one mode for each thing. */
     public Capabilities(Set<Capability> commands, List<String> modes, Map<String, Steering> steering) {
-        this(commands, modes, steering, Map.of());
+        this(commands, modes, steering, Map.of(), Map.of(), true);
     }
 
     /** Of a vehicle whose modes say nothing of what it goes by. */
@@ -77,5 +87,38 @@ public record Capabilities(
     /** The mode to change to before it can be armed; empty: it can be as it is, as far as is known. */
     public Optional<String> armingMode(@Nullable String mode) {
         return mode == null ? Optional.empty() : Optional.ofNullable(arming.get(mode));
+    }
+
+    /** What it can do, in modes that its adapter knows. */
+    public static Capabilities of(
+            Predicate<Capability> can,
+            List<String> modes,
+            Map<String, Steering> steering,
+            Map<Steering, String> usual,
+            Map<String, String> arming) {
+        Set<Capability> commands = Stream.of(Capability.values()).filter(can).collect(Collectors.toUnmodifiableSet());
+        return new Capabilities(commands, modes, steering, usual, arming, true);
+    }
+
+    /** The same of a vehicle that no mode keeps from being armed. */
+    public static Capabilities of(
+            Predicate<Capability> can,
+            List<String> modes,
+            Map<String, Steering> steering,
+            Map<Steering, String> usual) {
+        return of(can, modes, steering, usual, Map.of());
+    }
+
+    /** In that mode it comes home or down by itself. */
+    public boolean isSafe(@Nullable String mode) {
+        return steering(mode).filter(Steering::isSafe).isPresent();
+    }
+
+    /** The mode to put it into for that; empty when it has none. */
+    public Optional<String> mode(Steering wanted) {
+        return Optional.ofNullable(usual.get(wanted))
+                .or(() -> modes.stream()
+                        .filter(mode -> steering.get(mode) == wanted)
+                        .findFirst());
     }
 }

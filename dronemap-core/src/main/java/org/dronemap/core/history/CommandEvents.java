@@ -22,39 +22,7 @@ final class CommandEvents {
                 null,
                 command.by(),
                 command.id().value(),
-                result(outcome),
-                reason(outcome));
-    }
-
-    private static String result(Outcome outcome) {
-        if (outcome instanceof Outcome.Succeeded) {
-            return "succeeded";
-        }
-        if (outcome instanceof Outcome.Refused) {
-            return "refused";
-        }
-        if (outcome instanceof Outcome.Failed) {
-            return "failed";
-        }
-        if (outcome instanceof Outcome.TimedOut) {
-            return "timedOut";
-        }
-        return outcome instanceof Outcome.Superseded ? "superseded" : "unknown";
-    }
-
-    private static @Nullable String reason(Outcome outcome) {
-        if (outcome instanceof Outcome.Refused refused) {
-            return refused.reason();
-        }
-        if (outcome instanceof Outcome.Failed failed) {
-            return failed.reason();
-        }
-        if (outcome instanceof Outcome.TimedOut timedOut) {
-            return timedOut.reason();
-        }
-        if (outcome instanceof Outcome.Superseded superseded) {
-            return superseded.reason();
-        }
-        return outcome instanceof Outcome.Unknown unknown ? unknown.reason() : null;
+                outcome.kind().word(),
+                outcome.reason());
     }
 }

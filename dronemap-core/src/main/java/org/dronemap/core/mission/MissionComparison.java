@@ -37,21 +37,30 @@ public final class MissionComparison {
     }
 
     private static boolean same(MissionItem a, MissionItem b) {
-        if (a instanceof MissionItem.Waypoint one && b instanceof MissionItem.Waypoint other) {
-            return same(one.point(), other.point())
-                    && same(one.altitude(), other.altitude())
-                    && near(one.holdSeconds(), other.holdSeconds(), SAME_SECONDS);
+        if (a.kind() != b.kind()) {
+            return false;
         }
-        if (a instanceof MissionItem.TakeOff one && b instanceof MissionItem.TakeOff other) {
-            return near(one.altitudeMeters(), other.altitudeMeters(), SAME_ALTITUDE_METERS);
-        }
-        if (a instanceof MissionItem.Wait one && b instanceof MissionItem.Wait other) {
-            return near(one.seconds(), other.seconds(), SAME_SECONDS);
-        }
-        if (a instanceof MissionItem.LookAt one && b instanceof MissionItem.LookAt other) {
-            return same(one.point(), other.point()) && same(one.altitude(), other.altitude());
-        }
-        return a.equals(b);
+        return switch (a.kind()) {
+            case WAYPOINT -> same((MissionItem.Waypoint) a, (MissionItem.Waypoint) b);
+            case TAKE_OFF ->
+                near(
+                        ((MissionItem.TakeOff) a).altitudeMeters(),
+                        ((MissionItem.TakeOff) b).altitudeMeters(),
+                        SAME_ALTITUDE_METERS);
+            case WAIT -> near(((MissionItem.Wait) a).seconds(), ((MissionItem.Wait) b).seconds(), SAME_SECONDS);
+            case LOOK_AT -> same((MissionItem.LookAt) a, (MissionItem.LookAt) b);
+            case RETURN_TO_LAUNCH, LAND, TAKE_PHOTO, SET_SERVO, LOOK_AHEAD, OTHER -> a.equals(b);
+        };
+    }
+
+    private static boolean same(MissionItem.Waypoint one, MissionItem.Waypoint other) {
+        return same(one.point(), other.point())
+                && same(one.altitude(), other.altitude())
+                && near(one.holdSeconds(), other.holdSeconds(), SAME_SECONDS);
+    }
+
+    private static boolean same(MissionItem.LookAt one, MissionItem.LookAt other) {
+        return same(one.point(), other.point()) && same(one.altitude(), other.altitude());
     }
 
     private static boolean same(Geodetic one, Geodetic other) {

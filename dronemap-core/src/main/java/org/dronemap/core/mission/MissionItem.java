@@ -1,43 +1,124 @@
 package org.dronemap.core.mission;
 
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 
 /** One step of a mission. */
 public sealed interface MissionItem {
+    /** What there is of items; switched over without a default, so that a forgotten one does not compile. */
+    enum Kind {
+        TAKE_OFF("takeOff"),
+        WAYPOINT("waypoint"),
+        RETURN_TO_LAUNCH("returnToLaunch"),
+        LAND("land"),
+        WAIT("wait"),
+        TAKE_PHOTO("takePhoto"),
+        SET_SERVO("setServo"),
+        LOOK_AT("lookAt"),
+        LOOK_AHEAD("lookAhead"),
+        OTHER("other");
+
+        private final String word;
+
+        Kind(String word) {
+            this.word = word;
+        }
+
+        /** The kind with that word; empty when there is none. */
+        public static Optional<Kind> named(String word) {
+            return Stream.of(values()).filter(kind -> kind.word.equals(word)).findFirst();
+        }
+
+        /** For ever: clients write it, and it is stored. */
+        public String word() {
+            return word;
+        }
+    }
+
+    Kind kind();
+
     /** Climb straight up to a height in metres above home. */
-    record TakeOff(double altitudeMeters) implements MissionItem {}
+    record TakeOff(double altitudeMeters) implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.TAKE_OFF;
+        }
+    }
 
     /** Fly through a point; wait there for {@code holdSeconds}. */
-    record Waypoint(Geodetic point, Altitude altitude, double holdSeconds) implements MissionItem {}
+    record Waypoint(Geodetic point, Altitude altitude, double holdSeconds) implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.WAYPOINT;
+        }
+    }
 
     /** Fly home and land there. */
-    record ReturnToLaunch() implements MissionItem {}
+    record ReturnToLaunch() implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.RETURN_TO_LAUNCH;
+        }
+    }
 
     /** Land where it is. */
-    record Land() implements MissionItem {}
+    record Land() implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.LAND;
+        }
+    }
 
     /** Wait in the air where it is. */
-    record Wait(double seconds) implements MissionItem {}
-
-    /** Done where the drone is when its turn comes; it has no place in the way and takes no time of its own. */
-    sealed interface Action extends MissionItem {}
+    record Wait(double seconds) implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.WAIT;
+        }
+    }
 
     /** One picture, with the camera that the vehicle has. */
-    record TakePhoto() implements Action {}
+    record TakePhoto() implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.TAKE_PHOTO;
+        }
+    }
 
     /** The output with that number, from 1, to pulses of that length in microseconds. */
-    record SetServo(int output, int pulseMicros) implements Action {
+    record SetServo(int output, int pulseMicros) implements MissionItem {
         public static final int MOST_OUTPUTS = 32;
         public static final int SHORTEST_MICROS = 500;
         public static final int LONGEST_MICROS = 2_500;
+
+        @Override
+        public Kind kind() {
+            return Kind.SET_SERVO;
+        }
     }
 
     /** Camera and nose point to that place until the next {@link LookAhead}, wherever the drone flies. */
-    record LookAt(Geodetic point, Altitude altitude) implements Action {}
+    record LookAt(Geodetic point, Altitude altitude) implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.LOOK_AT;
+        }
+    }
 
     /** No place is looked at any more. */
-    record LookAhead() implements Action {}
+    record LookAhead() implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.LOOK_AHEAD;
+        }
+    }
 
     /** Something found on a vehicle that the cloud does not plan itself; shown, never uploaded. */
-    record Other(String description) implements MissionItem {}
+    record Other(String description) implements MissionItem {
+        @Override
+        public Kind kind() {
+            return Kind.OTHER;
+        }
+    }
 }

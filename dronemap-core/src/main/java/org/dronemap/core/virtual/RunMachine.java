@@ -2,7 +2,6 @@ package org.dronemap.core.virtual;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.Comparator;
 import java.util.Optional;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
@@ -133,14 +132,9 @@ public final class RunMachine {
         }
         boolean takesOrders = drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.ORDERS));
         // After a flight it may stand in a mode in which it cannot be armed.
-        Optional<String> mode = takesOrders ? Optional.empty() : modeForOrders(drone);
+        Optional<String> mode =
+                takesOrders ? Optional.empty() : drone.capabilities().mode(Steering.ORDERS);
         return Step.send(run, mode.<Command>map(Command.SetMode::new).orElseGet(Command.Arm::new));
-    }
-
-    private static Optional<String> modeForOrders(DroneState drone) {
-        return drone.capabilities().modes().stream()
-                .filter(mode -> drone.capabilities().steering(mode).equals(Optional.of(Steering.ORDERS)))
-                .min(Comparator.comparing(mode -> mode.equals("GUIDED") ? "" : mode));
     }
 
     private static Step start(Run run, Assignment assignment, DroneState drone, Sight sight) {
@@ -194,7 +188,7 @@ public final class RunMachine {
             return giveUp(run, "The drone carries another mission now; it is called home.", sight);
         }
         Optional<Steering> steering = drone.capabilities().steering(drone.mode());
-        if (steering.equals(Optional.of(Steering.SAFETY))) {
+        if (drone.capabilities().isSafe(drone.mode())) {
             return replace(run, assignment, "The drone went home or down by itself.", sight, Step.Release.FREE);
         }
         if (!steering.isEmpty() && !isOnMission(drone)) {
@@ -229,7 +223,7 @@ public final class RunMachine {
         }
         boolean hangs = drone.mission().complete()
                 && drone.airborne()
-                && !drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.SAFETY));
+                && !drone.capabilities().isSafe(drone.mode());
         return hangs && since(assignment, sight).compareTo(BETWEEN_CALLS) > 0
                 ? Step.send(run, homeward(drone))
                 : Step.stay(run);
@@ -248,7 +242,7 @@ public final class RunMachine {
         }
         boolean called =
                 assignment.command() != null && since(assignment, sight).compareTo(BETWEEN_CALLS) < 0;
-        boolean onItsWay = drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.SAFETY));
+        boolean onItsWay = drone.capabilities().isSafe(drone.mode());
         if (onItsWay && run.stage() == Stage.GIVING_UP) {
             String why = "The drone could not go on and is on its way home.";
             return replace(run, assignment, why, sight, Step.Release.FREE);
@@ -348,19 +342,8 @@ public final class RunMachine {
     }
 
     private static String reason(@Nullable Outcome outcome) {
-        if (outcome instanceof Outcome.Refused refused) {
-            return refused.reason();
-        }
-        if (outcome instanceof Outcome.Failed failed) {
-            return failed.reason();
-        }
-        if (outcome instanceof Outcome.TimedOut timedOut) {
-            return timedOut.reason();
-        }
-        if (outcome instanceof Outcome.Superseded superseded) {
-            return superseded.reason();
-        }
-        return outcome instanceof Outcome.Unknown unknown ? unknown.reason() : "It did not show in time.";
+        String why = outcome == null ? null : outcome.reason();
+        return why == null ? "It did not show in time." : why;
     }
 
     private static Step giveUp(Run run, String why, Sight sight) {

@@ -39,10 +39,7 @@ public record Tour(@Nullable Double takeOffMeters, List<MissionItem.Waypoint> wa
         }
         for (int index = 0; index < items.size(); index++) {
             MissionItem item = items.get(index);
-            boolean fits = item instanceof MissionItem.Waypoint
-                    || (item instanceof MissionItem.TakeOff && index == 0)
-                    || (isEnd(item) && index == items.size() - 1);
-            if (!fits) {
+            if (!fits(item, index == 0, index == items.size() - 1)) {
                 return Optional.of("Item " + (index + 1) + ": a take-off comes first, and landing or returning last; a"
                         + " virtual drone's mission may change drones only at waypoints, and has no tasks there.");
             }
@@ -60,11 +57,16 @@ public record Tour(@Nullable Double takeOffMeters, List<MissionItem.Waypoint> wa
                         .filter(MissionItem.Waypoint.class::isInstance)
                         .map(MissionItem.Waypoint.class::cast)
                         .toList(),
-                items.get(items.size() - 1) instanceof MissionItem.Land);
+                items.get(items.size() - 1).kind() == MissionItem.Kind.LAND);
     }
 
-    private static boolean isEnd(MissionItem item) {
-        return item instanceof MissionItem.Land || item instanceof MissionItem.ReturnToLaunch;
+    private static boolean fits(MissionItem item, boolean first, boolean last) {
+        return switch (item.kind()) {
+            case WAYPOINT -> true;
+            case TAKE_OFF -> first;
+            case LAND, RETURN_TO_LAUNCH -> last;
+            case WAIT, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD, OTHER -> false;
+        };
     }
 
     /**

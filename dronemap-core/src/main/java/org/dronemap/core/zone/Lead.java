@@ -34,22 +34,32 @@ final class Lead {
     }
 
     Optional<Command> of(Setpoint setpoint) {
-        if (setpoint instanceof Setpoint.Track track) {
-            return Optional.of(ahead(track));
-        }
-        Geodetic here = position == null ? null : position.point();
-        if (setpoint instanceof Setpoint.Velocity velocity && (here == null || turnsUnknown(velocity))) {
-            return Optional.of(SOMEWHERE);
-        }
-        if (here == null) {
-            return Optional.empty();
-        }
-        Setpoint.Velocity wanted =
-                setpoint instanceof Setpoint.Velocity velocity ? velocity : meant((Setpoint.Sticks) setpoint);
+        return switch (setpoint.kind()) {
+            case TRACK -> Optional.of(ahead((Setpoint.Track) setpoint));
+            case VELOCITY -> ahead((Setpoint.Velocity) setpoint);
+            case STICKS -> ahead((Setpoint.Sticks) setpoint);
+        };
+    }
+
+    private Optional<Command> ahead(Setpoint.Velocity velocity) {
+        Geodetic here = here();
+        return here == null || turnsUnknown(velocity) ? Optional.of(SOMEWHERE) : ahead(here, velocity);
+    }
+
+    private Optional<Command> ahead(Setpoint.Sticks sticks) {
+        Geodetic here = here();
+        return here == null ? Optional.empty() : ahead(here, meant(sticks));
+    }
+
+    private Optional<Command> ahead(Geodetic here, Setpoint.Velocity wanted) {
         Altitude altitude = altitude(-wanted.down() * AHEAD_SECONDS);
         return altitude == null
                 ? Optional.empty()
                 : Optional.of(new Command.GoTo(new LocalPlane(here).place(moved(wanted)), altitude));
+    }
+
+    private @Nullable Geodetic here() {
+        return position == null ? null : position.point();
     }
 
     /** Whoever hears nothing more goes on as the place moved, and then stands. */

@@ -1,30 +1,90 @@
 package org.dronemap.core.zone;
 
 import java.util.List;
-import java.util.Optional;
+import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.RallyPoint;
+import org.jspecify.annotations.Nullable;
 
-/** What would lead a drone out of bounds later on, by ways that nobody can look at beforehand. */
-final class Loopholes {
-    private Loopholes() {}
+/**
+ * What a command changes of where a drone goes by itself later on.
+ *
+ * @param why a sentence why nobody can look at that beforehand; null: it can be looked at
+ * @param refuges where it would go once it is called home
+ */
+record Loopholes(@Nullable String why, Route refuges) {
+    private static final Loopholes NONE = new Loopholes(null, Route.NONE);
 
-    /** A sentence with {@code words} for the bounds; empty when this opens none. */
-    static Optional<String> whyNot(List<Bounds> bounds, String words, DroneState drone, Command command) {
-        if (command instanceof Command.SetParameters || command instanceof SetReturnHeight) {
-            return Optional.of("Parameters say where a drone flies by itself, such as how high it comes home; within "
-                    + words + " they cannot be written.");
-        }
-        if (command instanceof Command.SetHome && bounds.stream().anyMatch(Loopholes::isMeasuredFromHome)) {
-            return Optional.of("The heights of " + words + " are measured from home; so home cannot be moved.");
-        }
-        if (command instanceof Command.SetMode mode && fliesItsOwnWay(drone, mode.mode())) {
-            return Optional.of("Where it flies in " + mode.mode() + " is not known; so it cannot be checked against "
-                    + words + ".");
-        }
-        return Optional.empty();
+    /** {@code words}: what the bounds are called. */
+    static Loopholes of(List<Bounds> bounds, String words, DroneState drone, Command command) {
+        return switch (command.kind()) {
+            case SET_PARAMETERS, SET_RETURN_HEIGHT ->
+                because("Parameters say where a drone flies by itself, such as how high it comes home; within " + words
+                        + " they cannot be written.");
+            case SET_HOME ->
+                bounds.stream().anyMatch(Loopholes::isMeasuredFromHome)
+                        ? because("The heights of " + words + " are measured from home; so home cannot be moved.")
+                        : home(((Command.SetHome) command).point());
+            case SET_RALLY_POINTS -> rally(((Command.SetRallyPoints) command).points());
+            case SET_MODE -> inMode(words, drone, ((Command.SetMode) command).mode());
+            case ARM,
+                    DISARM,
+                    TAKE_OFF,
+                    LAND,
+                    RETURN_TO_LAUNCH,
+                    HOLD,
+                    EMERGENCY_STOP,
+                    GO_TO,
+                    GO_TO_LOCAL,
+                    TURN,
+                    UPLOAD_MISSION,
+                    START_MISSION,
+                    PAUSE_MISSION,
+                    CLEAR_MISSION,
+                    READ_HOME,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    RETURN_ON_LOSS,
+                    READ_LOGS,
+                    DOWNLOAD_LOG,
+                    READ_FENCE,
+                    SET_FENCE,
+                    READ_RALLY_POINTS,
+                    READ_MAP -> NONE;
+        };
+    }
+
+    private static Loopholes because(String why) {
+        return new Loopholes(why, Route.NONE);
+    }
+
+    private static Loopholes inMode(String words, DroneState drone, String mode) {
+        return fliesItsOwnWay(drone, mode)
+                ? because("Where it flies in " + mode + " is not known; so it cannot be checked against " + words + ".")
+                : NONE;
+    }
+
+    private static Loopholes home(@Nullable Geodetic point) {
+        return point == null ? NONE : to(List.of(refuge("The new home", point)));
+    }
+
+    private static Loopholes rally(List<RallyPoint> points) {
+        return to(IntStream.range(0, points.size())
+                .mapToObj(index ->
+                        refuge("Rally point " + (index + 1), points.get(index).point()))
+                .toList());
+    }
+
+    private static Loopholes to(List<Leg> refuges) {
+        return new Loopholes(null, new Route(refuges, null));
+    }
+
+    private static Leg refuge(String words, Geodetic point) {
+        return new Leg(words, point, point, new Heights(List.of(), true));
     }
 
     private static boolean isMeasuredFromHome(Bounds bounds) {

@@ -61,17 +61,21 @@ final class MissionWalk {
     }
 
     private void step(MissionItem item, String words) {
-        if (item instanceof MissionItem.TakeOff takeOff) {
-            takeOff(takeOff.altitudeMeters(), "The take-off of " + words);
-            placeWords = placeWords.isEmpty() ? placeWords : words;
-        } else if (item instanceof MissionItem.Waypoint waypoint) {
-            flyTo(waypoint.point(), waypoint.altitude(), words);
-        } else if (item instanceof MissionItem.Land) {
-            column("The landing of " + words, altitudes, true);
-        } else if (item instanceof MissionItem.ReturnToLaunch) {
-            flyHome(words);
-        } else if (item instanceof MissionItem.Other other) {
-            doubtful("What " + words + " (" + other.description() + ") does to the way is not known");
+        switch (item.kind()) {
+            case TAKE_OFF -> {
+                takeOff(((MissionItem.TakeOff) item).altitudeMeters(), "The take-off of " + words);
+                placeWords = placeWords.isEmpty() ? placeWords : words;
+            }
+            case WAYPOINT -> {
+                MissionItem.Waypoint waypoint = (MissionItem.Waypoint) item;
+                flyTo(waypoint.point(), waypoint.altitude(), words);
+            }
+            case LAND -> column("The landing of " + words, altitudes, true);
+            case RETURN_TO_LAUNCH -> flyHome(words);
+            case OTHER ->
+                doubtful("What " + words + " (" + ((MissionItem.Other) item).description()
+                        + ") does to the way is not known");
+            case WAIT, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD -> {}
         }
     }
 

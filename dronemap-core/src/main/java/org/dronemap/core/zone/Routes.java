@@ -2,14 +2,11 @@ package org.dronemap.core.zone;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.MissionItem;
 
 /** Which way a command sends a drone. */
@@ -18,24 +15,40 @@ public final class Routes {
 
     /** {@link Route#NONE} for what moves nothing, and for what brings it down or home: that is never kept from it. */
     public static Route of(DroneState drone, Command command) {
-        if (command instanceof Command.TakeOff takeOff) {
-            return new MissionWalk(drone).takeOff(takeOff.altitudeMeters(), "The take-off");
-        }
-        if (command instanceof Command.GoTo goTo) {
-            return new MissionWalk(drone).flyTo(goTo.point(), goTo.altitude(), "the place");
-        }
-        if (command instanceof GoToLocal) {
-            return new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
-        }
-        if (command instanceof Command.UploadMission upload) {
-            return uploaded(drone, upload.mission().items());
-        }
-        if (command instanceof Command.StartMission
-                || (command instanceof Command.SetMode mode
-                        && drone.capabilities().steering(mode.mode()).equals(Optional.of(Steering.MISSION)))) {
-            return onBoard(drone);
-        }
-        return Route.NONE;
+        return switch (command.kind()) {
+            case TAKE_OFF ->
+                new MissionWalk(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
+            case GO_TO -> to(drone, (Command.GoTo) command);
+            case GO_TO_LOCAL -> new Route(List.of(), "Where the vehicle's own map lies on the Earth is not known");
+            case UPLOAD_MISSION ->
+                uploaded(drone, ((Command.UploadMission) command).mission().items());
+            case START_MISSION -> onBoard(drone);
+            case SET_MODE -> inMode(drone, ((Command.SetMode) command).mode());
+            case ARM,
+                    DISARM,
+                    LAND,
+                    RETURN_TO_LAUNCH,
+                    HOLD,
+                    EMERGENCY_STOP,
+                    TURN,
+                    PAUSE_MISSION,
+                    CLEAR_MISSION,
+                    SET_HOME,
+                    READ_HOME,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    SET_RETURN_HEIGHT,
+                    RETURN_ON_LOSS,
+                    READ_LOGS,
+                    DOWNLOAD_LOG,
+                    READ_FENCE,
+                    SET_FENCE,
+                    READ_RALLY_POINTS,
+                    SET_RALLY_POINTS,
+                    READ_MAP -> Route.NONE;
+        };
     }
 
     /**
@@ -46,30 +59,17 @@ public final class Routes {
         return setpoint.isStill() ? Optional.empty() : new Lead(drone).of(setpoint);
     }
 
-    /** Where a drone would go by itself later on, once it is called home. */
-    static Route refuges(Command command) {
-        if (command instanceof Command.SetHome home && home.point() != null) {
-            return new Route(List.of(refuge("The new home", home.point())), null);
-        }
-        if (command instanceof Command.SetRallyPoints rally) {
-            return new Route(
-                    IntStream.range(0, rally.points().size())
-                            .mapToObj(index -> refuge(
-                                    "Rally point " + (index + 1),
-                                    rally.points().get(index).point()))
-                            .toList(),
-                    null);
-        }
-        return Route.NONE;
-    }
-
-    private static Leg refuge(String words, Geodetic point) {
-        return new Leg(words, point, point, new Heights(List.of(), true));
-    }
-
     /** The way home and down, which is only warned of. */
     public static Route home(DroneState drone) {
         return new MissionWalk(drone).through(List.of(new MissionItem.ReturnToLaunch()), 0);
+    }
+
+    private static Route to(DroneState drone, Command.GoTo goTo) {
+        return new MissionWalk(drone).flyTo(goTo.point(), goTo.altitude(), "the place");
+    }
+
+    private static Route inMode(DroneState drone, String mode) {
+        return drone.capabilities().steering(mode).equals(Optional.of(Steering.MISSION)) ? onBoard(drone) : Route.NONE;
     }
 
     private static Route uploaded(DroneState drone, List<MissionItem> items) {

@@ -33,14 +33,15 @@ public final class ZoneRules {
         if (bounds.isEmpty()) {
             return Optional.empty();
         }
-        return Loopholes.whyNot(bounds, words, drone, command)
+        Loopholes later = Loopholes.of(bounds, words, drone, command);
+        return Optional.ofNullable(later.why())
                 .or(() -> whyNot(
                         Routes.of(drone, command),
                         drone,
                         check -> firstOf(bounds, one -> check.whyNot(one, words)),
                         words))
                 .or(() -> whyNot(
-                        Routes.refuges(command),
+                        later.refuges(),
                         drone,
                         check -> firstOf(bounds, one -> check.whyNot(one.atAnyHeight(), words)),
                         words));

@@ -48,6 +48,9 @@ public final class Fixtures {
     /** Takes commands and lets the test say how they end. */
     public static final class RecordingChannel implements VehicleChannel {
         public final List<Command> performed = new CopyOnWriteArrayList<>();
+        /** What it has no way to do, and nobody thought of. */
+        public volatile @Nullable Class<? extends Command> forgotten;
+
         public final List<Setpoint> setpoints = new CopyOnWriteArrayList<>();
         public final List<CommandId> cancelled = new CopyOnWriteArrayList<>();
         public final ConcurrentHashMap<CommandId, Report> reports = new ConcurrentHashMap<>();
@@ -55,6 +58,9 @@ public final class Fixtures {
 
         @Override
         public void perform(Mandate mandate, Command command, Report report) {
+            if (command.getClass() == forgotten) {
+                throw new IllegalStateException("nobody handles " + command);
+            }
             performed.add(command);
             fences.put(report, mandate.fence());
             reports.put(Objects.requireNonNull(mandate.command()), report);

@@ -17,6 +17,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.operation.JournalEntry;
 import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.junit.jupiter.api.Test;
@@ -51,6 +52,20 @@ class OperationsTest extends WatchHouse {
         wish("arm");
         await().until(() -> vehicle.performed.size() == 1);
         assertThat(store.operations.get(ID).given()).containsExactly(new SavedOperation.Given(link.id(), FIRST));
+    }
+
+    @Test
+    void beginsNoOperationOfAKindThatNobodyConducts() {
+        OperationKind<Watch.State, String> forgotten =
+                new OperationKind<>("forgotten", Watch.KIND.machine(), Watch.KIND.codec());
+        SavedOperation begun = SavedOperation.begun(
+                ID, forgotten.name(), new SavedOperation.Owner("ann", OrganisationId.HOME), "a watch", Instant.now());
+
+        assertThatThrownBy(() -> operations.begin(forgotten, begun, Watch.of(link.id())))
+                .isInstanceOf(Operations.Refused.class)
+                .hasMessageContaining("does not conduct operations of the kind forgotten");
+
+        assertThat(store.operations).isEmpty();
     }
 
     @Test

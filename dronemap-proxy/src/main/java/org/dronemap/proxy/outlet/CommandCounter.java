@@ -5,6 +5,8 @@ import java.util.Map;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandKind;
+import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -85,7 +87,10 @@ final class CommandCounter {
 
     /** Cameras and switches are components of their own for many programs; here all is the vehicle's. */
     private static boolean isPayload(Command command) {
-        return command instanceof Command.TakePicture || command instanceof Command.SetRelay;
+        return switch (command.kind().contention()) {
+            case CAMERA, RELAY -> true;
+            case ARMING, FLIGHT, TRANSFER, PARAMETERS, LOGS, HOME, MAP -> false;
+        };
     }
 
     /** MISSION_ITEM that is no part of a mission: where to go now, as autopilots take it in GUIDED. */
@@ -198,9 +203,7 @@ final class CommandCounter {
     }
 
     private static boolean isSoonSeen(Command command) {
-        return command instanceof Command.Arm
-                || command instanceof Command.Disarm
-                || command instanceof Command.SetMode;
+        return command.kind().contention() == Contention.ARMING || command.kind() == CommandKind.SET_MODE;
     }
 
     /** Acknowledges a place to go to as the item that it came as. */

@@ -245,11 +245,11 @@ final class MissionIntake {
         @Override
         public void ended(Outcome outcome) {
             intakes.remove(place, intake);
-            if (outcome instanceof Outcome.Succeeded) {
-                MissionCounter.acknowledge(intake.asked, MissionCounter.ACK_ACCEPTED, intake.kind);
-            } else {
-                int type = outcome instanceof Outcome.Refused ? MissionCounter.ACK_DENIED : MissionCounter.ACK_ERROR;
-                refuse(intake.asked, type, intake.kind, Reasons.sentence(outcome));
+            switch (outcome.kind()) {
+                case SUCCEEDED -> MissionCounter.acknowledge(intake.asked, MissionCounter.ACK_ACCEPTED, intake.kind);
+                case REFUSED -> refuse(intake.asked, MissionCounter.ACK_DENIED, intake.kind, Reasons.sentence(outcome));
+                case FAILED, TIMED_OUT, SUPERSEDED, UNKNOWN ->
+                    refuse(intake.asked, MissionCounter.ACK_ERROR, intake.kind, Reasons.sentence(outcome));
             }
             if (intake.next != null) {
                 due.add(intake.next);

@@ -15,29 +15,17 @@ final class Reasons {
 
     /** MAV_RESULT. */
     static int result(Outcome outcome) {
-        if (outcome instanceof Outcome.Succeeded) {
-            return ACCEPTED;
-        }
-        if (outcome instanceof Outcome.Refused refused) {
-            return refused.by().equals("gate") ? DENIED : TEMPORARILY_REJECTED;
-        }
-        return outcome instanceof Outcome.Superseded ? CANCELLED : FAILED;
+        return switch (outcome.kind()) {
+            case SUCCEEDED -> ACCEPTED;
+            case REFUSED -> "gate".equals(outcome.by()) ? DENIED : TEMPORARILY_REJECTED;
+            case SUPERSEDED -> CANCELLED;
+            case FAILED, TIMED_OUT, UNKNOWN -> FAILED;
+        };
     }
 
     /** Why not; empty when it succeeded. */
     static String sentence(Outcome outcome) {
-        if (outcome instanceof Outcome.Refused refused) {
-            return refused.reason();
-        }
-        if (outcome instanceof Outcome.Failed failed) {
-            return failed.reason();
-        }
-        if (outcome instanceof Outcome.TimedOut timedOut) {
-            return timedOut.reason();
-        }
-        if (outcome instanceof Outcome.Superseded superseded) {
-            return superseded.reason();
-        }
-        return outcome instanceof Outcome.Unknown unknown ? unknown.reason() : "";
+        String why = outcome.reason();
+        return why == null ? "" : why;
     }
 }

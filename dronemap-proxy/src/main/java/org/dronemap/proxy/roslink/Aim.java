@@ -4,9 +4,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
-import org.dronemap.core.command.ReadMap;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.proxy.roslink.wire.Order;
 import org.dronemap.proxy.roslink.wire.RobotMessage;
@@ -58,38 +56,41 @@ sealed interface Aim {
 
     /** Empty for what these robots are not told. */
     static Optional<Aim> of(Command command) {
-        if (command instanceof Command.Arm) {
-            return Optional.of(new Armed(true));
-        }
-        if (command instanceof Command.Disarm) {
-            return Optional.of(new Armed(false));
-        }
-        if (command instanceof Command.SetMode setMode) {
-            return Optional.ofNullable(RobotModes.number(setMode.mode())).map(Mode::new);
-        }
-        if (command instanceof Command.ReturnToLaunch) {
-            return Optional.of(new Mode(RobotModes.RETURN));
-        }
-        if (command instanceof Command.TakeOff takeOff) {
-            return Optional.of(new Airborne(takeOff.altitudeMeters()));
-        }
-        if (command instanceof Command.Land) {
-            return Optional.of(new Landed());
-        }
-        return local(command);
-    }
-
-    private static Optional<Aim> local(Command command) {
-        if (command instanceof GoToLocal goTo) {
-            return Optional.of(new There(goTo.xMeters(), goTo.yMeters()));
-        }
-        if (command instanceof ReadMap) {
-            return Optional.of(new Mapped());
-        }
-        if (command instanceof EmergencyStop) {
-            return Optional.of(new Still(Optional.of(new Order.EmergencyStop())));
-        }
-        return command instanceof Command.Hold ? Optional.of(new Still(Optional.empty())) : Optional.empty();
+        return switch (command.kind()) {
+            case ARM -> Optional.of(new Armed(true));
+            case DISARM -> Optional.of(new Armed(false));
+            case SET_MODE ->
+                Optional.ofNullable(RobotModes.number(((Command.SetMode) command).mode()))
+                        .map(Mode::new);
+            case RETURN_TO_LAUNCH -> Optional.of(new Mode(RobotModes.RETURN));
+            case TAKE_OFF -> Optional.of(new Airborne(((Command.TakeOff) command).altitudeMeters()));
+            case LAND -> Optional.of(new Landed());
+            case GO_TO_LOCAL ->
+                Optional.of(new There(((GoToLocal) command).xMeters(), ((GoToLocal) command).yMeters()));
+            case READ_MAP -> Optional.of(new Mapped());
+            case EMERGENCY_STOP -> Optional.of(new Still(Optional.of(new Order.EmergencyStop())));
+            case HOLD -> Optional.of(new Still(Optional.empty()));
+            case GO_TO,
+                    TURN,
+                    UPLOAD_MISSION,
+                    START_MISSION,
+                    PAUSE_MISSION,
+                    CLEAR_MISSION,
+                    SET_HOME,
+                    READ_HOME,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    SET_RETURN_HEIGHT,
+                    RETURN_ON_LOSS,
+                    READ_LOGS,
+                    DOWNLOAD_LOG,
+                    READ_FENCE,
+                    SET_FENCE,
+                    READ_RALLY_POINTS,
+                    SET_RALLY_POINTS -> Optional.empty();
+        };
     }
 
     /** With its motors on, or off. */

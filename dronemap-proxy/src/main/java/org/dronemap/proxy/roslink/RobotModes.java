@@ -18,7 +18,7 @@ final class RobotModes {
             "AUTO", Steering.MISSION,
             "GUIDED", Steering.ORDERS,
             "LOITER", Steering.STICKS,
-            "RTL", Steering.SAFETY,
+            "RTL", Steering.HOME,
             "LAND", Steering.SAFETY);
 
     private RobotModes() {}
@@ -41,6 +41,11 @@ final class RobotModes {
 
     static Map<String, Steering> steering() {
         return STEERING;
+    }
+
+    /** Of several for the same, the one that a robot is put into. */
+    static Map<Steering, String> usual() {
+        return Map.of(Steering.STICKS, "LOITER");
     }
 
     /** Null for a mode that has no name here. */

@@ -206,9 +206,16 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
 
     @Override
     public void steer(Mandate mandate, Setpoint setpoint) {
-        if (over || !(setpoint instanceof Setpoint.Velocity velocity)) {
+        if (over) {
             return;
         }
+        switch (setpoint.kind()) {
+            case VELOCITY -> steer(mandate, (Setpoint.Velocity) setpoint);
+            case STICKS, TRACK -> {}
+        }
+    }
+
+    private void steer(Mandate mandate, Setpoint.Velocity velocity) {
         if (!velocity.isStill()) {
             tape.working(true);
         }

@@ -1,6 +1,5 @@
 package org.dronemap.proxy.roslink;
 
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -58,33 +57,36 @@ final class RobotTelemetry {
     }
 
     Capabilities capabilities() {
-        return switch (type.words()) {
-            case NONE, WHEELS ->
-                new Capabilities(
-                        EnumSet.of(
-                                Capability.HOLD,
-                                Capability.EMERGENCY_STOP,
-                                Capability.GO_TO_LOCAL,
-                                Capability.READ_MAP,
-                                Capability.VELOCITY),
-                        List.of());
-            case AR_DRONE ->
-                new Capabilities(
-                        EnumSet.of(Capability.TAKE_OFF, Capability.LAND, Capability.HOLD, Capability.VELOCITY),
-                        List.of());
-            case MAVROS ->
-                new Capabilities(
-                        EnumSet.of(
-                                Capability.ARM,
-                                Capability.DISARM,
-                                Capability.SET_MODE,
-                                Capability.TAKE_OFF,
-                                Capability.LAND,
-                                Capability.RETURN_TO_LAUNCH,
-                                Capability.HOLD,
-                                Capability.VELOCITY),
-                        RobotModes.all(),
-                        Map.copyOf(RobotModes.steering()));
+        boolean named = type.words() == RobotType.Words.MAVROS;
+        return named
+                ? Capabilities.of(this::can, RobotModes.all(), RobotModes.steering(), RobotModes.usual())
+                : Capabilities.of(this::can, List.of(), Map.of(), Map.of());
+    }
+
+    private boolean can(Capability capability) {
+        RobotType.Words words = type.words();
+        return switch (capability) {
+            case HOLD, VELOCITY -> true;
+            case EMERGENCY_STOP, GO_TO_LOCAL, READ_MAP -> !words.flies();
+            case TAKE_OFF, LAND -> words.flies();
+            case ARM, DISARM, SET_MODE, RETURN_TO_LAUNCH -> words == RobotType.Words.MAVROS;
+            case GO_TO,
+                    UPLOAD_MISSION,
+                    START_MISSION,
+                    PAUSE_MISSION,
+                    CLEAR_MISSION,
+                    TURN,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    READ_LOGS,
+                    FENCE,
+                    RALLY_POINTS,
+                    SET_HOME,
+                    READ_HOME,
+                    STICKS,
+                    TRACK -> false;
         };
     }
 

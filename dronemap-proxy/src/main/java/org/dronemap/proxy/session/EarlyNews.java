@@ -11,20 +11,19 @@ import org.dronemap.core.event.DroneEvent;
 final class EarlyNews {
     private static final int MOST_TEXTS = 20;
 
-    private final Map<Class<?>, DroneEvent> facts = new LinkedHashMap<>();
+    private final Map<DroneEvent.Kind, DroneEvent> facts = new LinkedHashMap<>();
     private final List<DroneEvent> texts = new ArrayList<>();
 
     /** Keeps the newest of each fact, and the first sentences as long as no drone has heard them. */
     void heard(DroneEvent event, boolean told) {
-        if (event instanceof DroneEvent.TextHeard) {
-            if (!told && texts.size() < MOST_TEXTS) {
-                texts.add(event);
+        switch (event.kind().early()) {
+            case NEWEST -> facts.put(event.kind(), event);
+            case FIRST -> {
+                if (!told && texts.size() < MOST_TEXTS) {
+                    texts.add(event);
+                }
             }
-        } else if (!(event instanceof DroneEvent.MissionItemReached
-                || event instanceof DroneEvent.MissionRead
-                || event instanceof DroneEvent.OnBoardHeard
-                || event instanceof DroneEvent.Identified)) {
-            facts.put(event.getClass(), event);
+            case NOT -> {}
         }
     }
 

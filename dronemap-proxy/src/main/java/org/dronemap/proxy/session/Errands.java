@@ -19,7 +19,7 @@ final class Errands {
     private record Errand(Exchange exchange, VehicleChannel.Report report, boolean transfer) {}
 
     void begin(CommandId id, Command command, Exchange exchange, VehicleChannel.Report report, long nowNanos) {
-        Errand errand = new Errand(exchange, report, command.contention() == Contention.TRANSFER);
+        Errand errand = new Errand(exchange, report, command.kind().contention() == Contention.TRANSFER);
         underway.put(id, errand);
         exchange.start(nowNanos);
         settle();

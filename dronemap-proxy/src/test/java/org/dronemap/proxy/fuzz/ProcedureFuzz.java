@@ -2,23 +2,13 @@ package org.dronemap.proxy.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicLong;
-import org.dronemap.core.command.CloudLoss;
+import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.LogSink;
-import org.dronemap.core.command.RelaySetting;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.drone.Severity;
-import org.dronemap.core.drone.VehicleLog;
-import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceZone;
-import org.dronemap.core.mission.Mission;
-import org.dronemap.core.mission.MissionItem;
-import org.dronemap.core.mission.RallyPoint;
-import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
@@ -39,68 +29,8 @@ final class ProcedureFuzz {
     private static final int WARM_UP = 200;
     private static final int[] AUTOPILOTS = {3, 12, 0};
     private static final int[] TYPES = {1, 2, 10, 12, 13, 20};
-    private static final MissionItem WAYPOINT =
-            new MissionItem.Waypoint(new Geodetic(47.4, 8.5), Altitude.aboveHome(30), 0);
-    private static final List<Command> COMMANDS = List.of(
-            new Command.Arm(),
-            new Command.Disarm(true),
-            new Command.SetMode("GUIDED"),
-            new Command.TakeOff(20),
-            new Command.Land(),
-            new Command.ReturnToLaunch(),
-            new Command.Hold(),
-            new Command.GoTo(new Geodetic(47.4, 8.5), Altitude.aboveHome(30)),
-            new Command.UploadMission(new Mission(List.of(new MissionItem.TakeOff(20), WAYPOINT, WAYPOINT))),
-            new Command.StartMission(CloudLoss.CONTINUE),
-            new Command.PauseMission(),
-            new Command.ClearMission(),
-            new Command.Turn(90),
-            new Command.TakePicture(),
-            new Command.SetRelay(0, RelaySetting.TOGGLE),
-            new Command.ReadParameters(),
-            new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1500))),
-            new Command.ReadLogs(),
-            new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()),
-            new Command.ReadFence(),
-            new Command.SetFence(List.of(new FenceZone.Polygon(
-                    true, List.of(new Geodetic(47.4, 8.5), new Geodetic(47.5, 8.5), new Geodetic(47.4, 8.6))))),
-            new Command.ReadRallyPoints(),
-            new Command.SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.4, 8.5), 30))),
-            new Command.SetHome(null, null),
-            new Command.SetHome(new Geodetic(47.4, 8.5), new Altitude(500, Altitude.Reference.AMSL)),
-            new Command.ReadHome());
-
-    /** Takes every piece of a log and keeps none. */
-    private static final class Swallowing implements LogSink {
-        private State state = State.OPEN;
-
-        @Override
-        public BitSet kept() {
-            state = State.OPEN;
-            return new BitSet();
-        }
-
-        @Override
-        public boolean put(int piece, byte[] bytes) {
-            return true;
-        }
-
-        @Override
-        public boolean complete(long sizeBytes) {
-            state = State.WRITTEN;
-            return true;
-        }
-
-        @Override
-        public void interrupted() {
-            // Nothing was kept that could be gone on with.
-        }
-
-        @Override
-        public State state() {
-            return state;
-        }
-    }
+    private static final List<Command> COMMANDS =
+            Stream.of(CommandKind.values()).flatMap(CommandSamples::of).toList();
 
     private final Random random;
     private final HostileFrames hostile;

@@ -39,44 +39,23 @@ final class MissionItemJson {
     }
 
     private static void write(MissionItem item, ObjectNode to) {
-        if (item instanceof MissionItem.TakeOff takeOff) {
-            to.put("type", "takeOff");
-            putNumber(to, "altitudeMeters", takeOff.altitudeMeters());
-        } else if (item instanceof MissionItem.Waypoint waypoint) {
-            to.put("type", "waypoint");
-            putPlace(to, waypoint.point(), waypoint.altitude());
-            putNumber(to, "holdSeconds", waypoint.holdSeconds());
-        } else if (item instanceof MissionItem.ReturnToLaunch) {
-            to.put("type", "returnToLaunch");
-        } else if (item instanceof MissionItem.Land) {
-            to.put("type", "land");
-        } else if (item instanceof MissionItem.Wait wait) {
-            to.put("type", "wait");
-            putNumber(to, "seconds", wait.seconds());
-        } else if (item instanceof MissionItem.Action action) {
-            write(action, to);
-        } else if (item instanceof MissionItem.Other other) {
-            to.put("type", "other");
-            to.put("description", other.description());
-        } else {
-            throw new IllegalArgumentException("no form for mission item " + item);
-        }
-    }
-
-    private static void write(MissionItem.Action action, ObjectNode to) {
-        if (action instanceof MissionItem.TakePhoto) {
-            to.put("type", "takePhoto");
-        } else if (action instanceof MissionItem.SetServo servo) {
-            to.put("type", "setServo");
-            to.put("output", servo.output());
-            to.put("pulseMicros", servo.pulseMicros());
-        } else if (action instanceof MissionItem.LookAt look) {
-            to.put("type", "lookAt");
-            putPlace(to, look.point(), look.altitude());
-        } else if (action instanceof MissionItem.LookAhead) {
-            to.put("type", "lookAhead");
-        } else {
-            throw new IllegalArgumentException("no form for mission item " + action);
+        to.put("type", item.kind().word());
+        switch (item.kind()) {
+            case TAKE_OFF -> putNumber(to, "altitudeMeters", ((MissionItem.TakeOff) item).altitudeMeters());
+            case WAYPOINT -> {
+                MissionItem.Waypoint waypoint = (MissionItem.Waypoint) item;
+                putPlace(to, waypoint.point(), waypoint.altitude());
+                putNumber(to, "holdSeconds", waypoint.holdSeconds());
+            }
+            case WAIT -> putNumber(to, "seconds", ((MissionItem.Wait) item).seconds());
+            case SET_SERVO -> {
+                MissionItem.SetServo servo = (MissionItem.SetServo) item;
+                to.put("output", servo.output());
+                to.put("pulseMicros", servo.pulseMicros());
+            }
+            case LOOK_AT -> putPlace(to, ((MissionItem.LookAt) item).point(), ((MissionItem.LookAt) item).altitude());
+            case OTHER -> to.put("description", ((MissionItem.Other) item).description());
+            case RETURN_TO_LAUNCH, LAND, TAKE_PHOTO, LOOK_AHEAD -> {}
         }
     }
 
@@ -89,21 +68,22 @@ final class MissionItemJson {
 
     private static MissionItem read(JsonNode node) {
         String type = node.required("type").stringValue();
-        return switch (type) {
-            case "takeOff" -> new MissionItem.TakeOff(number(node, "altitudeMeters"));
-            case "waypoint" -> new MissionItem.Waypoint(point(node), altitude(node), number(node, "holdSeconds"));
-            case "returnToLaunch" -> new MissionItem.ReturnToLaunch();
-            case "land" -> new MissionItem.Land();
-            case "wait" -> new MissionItem.Wait(number(node, "seconds"));
-            case "takePhoto" -> new MissionItem.TakePhoto();
-            case "setServo" ->
+        MissionItem.Kind kind = MissionItem.Kind.named(type)
+                .orElseThrow(() -> new IllegalArgumentException("unknown mission item type \"" + type + "\""));
+        return switch (kind) {
+            case TAKE_OFF -> new MissionItem.TakeOff(number(node, "altitudeMeters"));
+            case WAYPOINT -> new MissionItem.Waypoint(point(node), altitude(node), number(node, "holdSeconds"));
+            case RETURN_TO_LAUNCH -> new MissionItem.ReturnToLaunch();
+            case LAND -> new MissionItem.Land();
+            case WAIT -> new MissionItem.Wait(number(node, "seconds"));
+            case TAKE_PHOTO -> new MissionItem.TakePhoto();
+            case SET_SERVO ->
                 new MissionItem.SetServo(
                         node.required("output").intValue(),
                         node.required("pulseMicros").intValue());
-            case "lookAt" -> new MissionItem.LookAt(point(node), altitude(node));
-            case "lookAhead" -> new MissionItem.LookAhead();
-            case "other" -> new MissionItem.Other(node.required("description").stringValue());
-            default -> throw new IllegalArgumentException("unknown mission item type \"" + type + "\"");
+            case LOOK_AT -> new MissionItem.LookAt(point(node), altitude(node));
+            case LOOK_AHEAD -> new MissionItem.LookAhead();
+            case OTHER -> new MissionItem.Other(node.required("description").stringValue());
         };
     }
 

@@ -12,20 +12,19 @@ record OutcomeRow(
     static OutcomeRow of(@Nullable Outcome outcome) {
         if (outcome == null) {
             return new OutcomeRow(null, null, null);
-        } else if (outcome instanceof Outcome.Succeeded) {
-            return new OutcomeRow("SUCCEEDED", null, null);
-        } else if (outcome instanceof Outcome.Refused refused) {
-            return new OutcomeRow("REFUSED", refused.by(), refused.reason());
-        } else if (outcome instanceof Outcome.Failed failed) {
-            return new OutcomeRow("FAILED", null, failed.reason());
-        } else if (outcome instanceof Outcome.TimedOut timedOut) {
-            return new OutcomeRow("TIMED_OUT", null, timedOut.reason());
-        } else if (outcome instanceof Outcome.Superseded superseded) {
-            return new OutcomeRow("SUPERSEDED", null, superseded.reason());
-        } else if (outcome instanceof Outcome.Unknown unknown) {
-            return new OutcomeRow("UNKNOWN", null, unknown.reason());
         }
-        throw new IllegalArgumentException("no form for outcome " + outcome);
+        return new OutcomeRow(result(outcome), outcome.by(), outcome.reason());
+    }
+
+    private static String result(Outcome outcome) {
+        return switch (outcome.kind()) {
+            case SUCCEEDED -> "SUCCEEDED";
+            case REFUSED -> "REFUSED";
+            case FAILED -> "FAILED";
+            case TIMED_OUT -> "TIMED_OUT";
+            case SUPERSEDED -> "SUPERSEDED";
+            case UNKNOWN -> "UNKNOWN";
+        };
     }
 
     static @Nullable Outcome read(Row row) throws SQLException {

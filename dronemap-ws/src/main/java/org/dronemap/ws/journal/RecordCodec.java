@@ -52,7 +52,7 @@ public class RecordCodec<S, I> implements OperationCodec<S, I> {
     }
 
     @Override
-    public final I input(String text) {
+    public I input(String text) {
         return input.cast(read(input, text));
     }
 

@@ -1,7 +1,10 @@
 package org.dronemap.ws.service;
 
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.ReadMap;
@@ -19,39 +22,57 @@ final class CommandReader {
 
     private CommandReader() {}
 
+    /** The kind that clients call so; empty when there is none. */
+    static Optional<CommandKind> kind(String type) {
+        return Stream.of(CommandKind.values())
+                .filter(kind -> WireNames.lowerFirst(kind.word()).equals(type))
+                .findFirst();
+    }
+
     static Command read(CommandRequest request, DroneState drone, ParameterSet held) {
         String type = request.type();
         if (type == null) {
             throw InvalidInput.missing("type", KINDS);
         }
-        return switch (type) {
-            case "arm" -> new Command.Arm();
-            case "disarm" -> new Command.Disarm(Boolean.TRUE.equals(request.force()));
-            case "setMode" -> new Command.SetMode(mode(request.mode(), drone));
-            case "takeOff" -> new Command.TakeOff(Ranges.takeOffAltitude("altitude", request.altitude()));
-            case "land" -> new Command.Land();
-            case "returnToLaunch" -> new Command.ReturnToLaunch();
-            case "hold" -> new Command.Hold();
-            case "goTo" -> goTo(request);
-            case "goToLocal" -> new GoToLocal(Ranges.onMap("x", request.x()), Ranges.onMap("y", request.y()), null);
-            case "emergencyStop" -> new EmergencyStop();
-            case "readMap" -> new ReadMap();
-            case "uploadMission" ->
+        return switch (kind(type).orElseThrow(() -> unknown(type))) {
+            case ARM -> new Command.Arm();
+            case DISARM -> new Command.Disarm(Boolean.TRUE.equals(request.force()));
+            case SET_MODE -> new Command.SetMode(mode(request.mode(), drone));
+            case TAKE_OFF -> new Command.TakeOff(Ranges.takeOffAltitude("altitude", request.altitude()));
+            case LAND -> new Command.Land();
+            case RETURN_TO_LAUNCH -> new Command.ReturnToLaunch();
+            case HOLD -> new Command.Hold();
+            case GO_TO -> goTo(request);
+            case GO_TO_LOCAL -> new GoToLocal(Ranges.onMap("x", request.x()), Ranges.onMap("y", request.y()), null);
+            case EMERGENCY_STOP -> new EmergencyStop();
+            case READ_MAP -> new ReadMap();
+            case UPLOAD_MISSION ->
                 new Command.UploadMission(TakeOffFirst.complete(MissionReader.read(request.items()), drone));
-            case "startMission" -> new Command.StartMission(cloudLoss(request.onCloudLoss()));
-            case "turn" -> new Command.Turn(Ranges.turn("degrees", request.degrees()));
-            case "takePicture" -> new Command.TakePicture();
-            case "setRelay" ->
+            case START_MISSION -> new Command.StartMission(cloudLoss(request.onCloudLoss()));
+            case TURN -> new Command.Turn(Ranges.turn("degrees", request.degrees()));
+            case TAKE_PICTURE -> new Command.TakePicture();
+            case SET_RELAY ->
                 new Command.SetRelay(Ranges.relay("relay", request.relay()), relaySetting(request.setting()));
-            case "setHome" -> setHome(request);
-            case "readHome" -> new Command.ReadHome();
-            case "readLogs" -> new Command.ReadLogs();
-            case "readParameters" -> new Command.ReadParameters();
-            case "setParameters" -> new Command.SetParameters(ParameterReader.read(request.parameters(), held));
-            case "pauseMission" -> new Command.PauseMission();
-            case "clearMission" -> new Command.ClearMission();
-            default -> throw InvalidInput.outside("type", KINDS, "\"" + type + "\"");
+            case SET_HOME -> setHome(request);
+            case READ_HOME -> new Command.ReadHome();
+            case READ_LOGS -> new Command.ReadLogs();
+            case READ_PARAMETERS -> new Command.ReadParameters();
+            case SET_PARAMETERS -> new Command.SetParameters(ParameterReader.read(request.parameters(), held));
+            case PAUSE_MISSION -> new Command.PauseMission();
+            case CLEAR_MISSION -> new Command.ClearMission();
+            // These have addresses of their own, or are given by the cloud alone.
+            case READ_FENCE,
+                    SET_FENCE,
+                    READ_RALLY_POINTS,
+                    SET_RALLY_POINTS,
+                    DOWNLOAD_LOG,
+                    SET_RETURN_HEIGHT,
+                    RETURN_ON_LOSS -> throw unknown(type);
         };
+    }
+
+    private static InvalidInput unknown(String type) {
+        return InvalidInput.outside("type", KINDS, "\"" + type + "\"");
     }
 
     private static Command.GoTo goTo(CommandRequest request) {

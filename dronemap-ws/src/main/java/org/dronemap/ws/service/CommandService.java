@@ -3,7 +3,6 @@ package org.dronemap.ws.service;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -14,6 +13,7 @@ import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.UnknownDroneException;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
@@ -29,10 +29,6 @@ public final class CommandService {
     private static final Pattern ID = Pattern.compile("[A-Za-z0-9_-]{8,64}");
     private static final String ID_FORM = "8 to 64 of A-Z, a-z, 0-9, _ and -";
     private static final int MOST_SHOWN = 50;
-    /** Never kept waiting, however much somebody asked for before. */
-    private static final Set<String> FOR_SAFETY =
-            Set.of("land", "returnToLaunch", "hold", "emergencyStop", "pauseMission");
-
     private final CloudManager cloud;
     private final DroneService drones;
     private final Budgets budgets;
@@ -51,9 +47,10 @@ public final class CommandService {
         return submitPaid(principal, face, droneId, request);
     }
 
-    /** What is for safety costs nothing. */
+    /** What is for safety costs nothing, however much somebody asked for before. */
     void pay(Principal principal, @Nullable String type) {
-        if (type == null || !FOR_SAFETY.contains(type)) {
+        Optional<CommandKind> kind = type == null ? Optional.empty() : CommandReader.kind(type);
+        if (kind.filter(one -> one.purpose().interrupts()).isEmpty()) {
             budgets.take(Work.COMMAND, principal.name());
         }
     }
@@ -105,7 +102,7 @@ public final class CommandService {
     private static boolean isOf(CommandRecord record, CommandGate.Source source, DroneState drone, Command command) {
         return record.drone().equals(drone.id())
                 && record.by().equals(source.principal().name())
-                && record.type().equals(command.getClass().getSimpleName())
+                && record.type().equals(command.kind().word())
                 && record.summary().equals(command.summary());
     }
 

@@ -62,21 +62,6 @@ public record CommandView(
 
     /** The one naming of outcomes for all faces. */
     public static OutcomeView outcomeView(Outcome outcome) {
-        if (outcome instanceof Outcome.Refused refused) {
-            return new OutcomeView("refused", refused.by(), refused.reason());
-        }
-        if (outcome instanceof Outcome.Failed failed) {
-            return new OutcomeView("failed", null, failed.reason());
-        }
-        if (outcome instanceof Outcome.TimedOut timedOut) {
-            return new OutcomeView("timedOut", null, timedOut.reason());
-        }
-        if (outcome instanceof Outcome.Superseded superseded) {
-            return new OutcomeView("superseded", null, superseded.reason());
-        }
-        if (outcome instanceof Outcome.Unknown unknown) {
-            return new OutcomeView("unknown", null, unknown.reason());
-        }
-        return new OutcomeView("succeeded", null, null);
+        return new OutcomeView(outcome.kind().word(), outcome.by(), outcome.reason());
     }
 }

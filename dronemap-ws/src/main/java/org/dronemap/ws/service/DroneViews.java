@@ -6,12 +6,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Function;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CommandRules;
 import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
@@ -31,8 +31,6 @@ import org.jspecify.annotations.Nullable;
 /** Maps a drone's state to what clients see, once for all faces. Any thread. */
 public final class DroneViews {
     private static final String FORCE_DISARM = "forceDisarm";
-    /** What autopilots call the mode in which they fly their mission. */
-    private static final Set<String> MISSION_MODES = Set.of("AUTO", "MISSION");
 
     private final DronePlaces places;
     private final Function<DroneId, Control> controls;
@@ -179,11 +177,11 @@ public final class DroneViews {
     private static DroneView.MissionView mission(DroneState state) {
         MissionProgress mission = state.mission();
         var items = mission.items();
-        String mode = state.mode();
+        boolean inMode = state.capabilities().steering(state.mode()).equals(Optional.of(Steering.MISSION));
         MissionPhase phase = mission.phase();
         boolean running = Boolean.TRUE.equals(state.armed())
                 && !mission.complete()
-                && (phase == null ? mode != null && MISSION_MODES.contains(mode) : phase == MissionPhase.RUNNING);
+                && (phase == null ? inMode : phase == MissionPhase.RUNNING);
         return new DroneView.MissionView(
                 items == null ? null : MissionItemView.of(items),
                 mission.current(),

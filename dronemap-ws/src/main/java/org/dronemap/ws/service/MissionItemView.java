@@ -59,24 +59,26 @@ public record MissionItemView(
     }
 
     public static MissionItemView of(MissionItem item) {
-        if (item instanceof MissionItem.TakeOff takeOff) {
-            return plain("takeOff", takeOff.altitudeMeters(), null);
-        }
-        if (item instanceof MissionItem.Waypoint waypoint) {
-            return placed("waypoint", waypoint.point(), waypoint.altitude(), waypoint.holdSeconds());
-        }
-        if (item instanceof MissionItem.Wait wait) {
-            return plain("wait", null, wait.seconds());
-        }
-        if (item instanceof MissionItem.LookAt look) {
-            return placed("lookAt", look.point(), look.altitude(), null);
-        }
-        String type = WireNames.lowerFirst(item.getClass().getSimpleName());
-        if (item instanceof MissionItem.SetServo servo) {
-            return new MissionItemView(type, null, null, null, null, null, servo.output(), servo.pulseMicros(), null);
-        }
-        String description = item instanceof MissionItem.Other other ? other.description() : null;
-        return new MissionItemView(type, null, null, null, null, null, null, null, description);
+        String type = item.kind().word();
+        return switch (item.kind()) {
+            case TAKE_OFF -> plain(type, ((MissionItem.TakeOff) item).altitudeMeters(), null);
+            case WAYPOINT -> {
+                MissionItem.Waypoint waypoint = (MissionItem.Waypoint) item;
+                yield placed(type, waypoint.point(), waypoint.altitude(), waypoint.holdSeconds());
+            }
+            case WAIT -> plain(type, null, ((MissionItem.Wait) item).seconds());
+            case LOOK_AT ->
+                placed(type, ((MissionItem.LookAt) item).point(), ((MissionItem.LookAt) item).altitude(), null);
+            case SET_SERVO -> servo(type, (MissionItem.SetServo) item);
+            case OTHER ->
+                new MissionItemView(
+                        type, null, null, null, null, null, null, null, ((MissionItem.Other) item).description());
+            case RETURN_TO_LAUNCH, LAND, TAKE_PHOTO, LOOK_AHEAD -> plain(type, null, null);
+        };
+    }
+
+    private static MissionItemView servo(String type, MissionItem.SetServo servo) {
+        return new MissionItemView(type, null, null, null, null, null, servo.output(), servo.pulseMicros(), null);
     }
 
     public static List<MissionItemView> of(List<MissionItem> items) {

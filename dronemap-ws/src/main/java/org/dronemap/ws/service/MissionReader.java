@@ -35,17 +35,18 @@ final class MissionReader {
         if (item == null || item.type() == null) {
             throw InvalidInput.missing(at + ".type", TYPES);
         }
-        return switch (item.type()) {
-            case "takeOff" -> new MissionItem.TakeOff(Ranges.takeOffAltitude(at + ".altitude", item.altitude()));
-            case "waypoint" -> waypoint(at + ".", item);
-            case "returnToLaunch" -> new MissionItem.ReturnToLaunch();
-            case "land" -> new MissionItem.Land();
-            case "wait" -> new MissionItem.Wait(Ranges.waitSeconds(at + ".holdSeconds", item.holdSeconds()));
-            case "takePhoto" -> new MissionItem.TakePhoto();
-            case "setServo" -> servo(at + ".", item.output(), item.pulse());
-            case "lookAt" -> lookAt(at + ".", item);
-            case "lookAhead" -> new MissionItem.LookAhead();
-            default -> throw InvalidInput.outside(at + ".type", TYPES, "\"" + item.type() + "\"");
+        String type = item.type();
+        return switch (MissionItem.Kind.named(type).orElse(MissionItem.Kind.OTHER)) {
+            case TAKE_OFF -> new MissionItem.TakeOff(Ranges.takeOffAltitude(at + ".altitude", item.altitude()));
+            case WAYPOINT -> waypoint(at + ".", item);
+            case RETURN_TO_LAUNCH -> new MissionItem.ReturnToLaunch();
+            case LAND -> new MissionItem.Land();
+            case WAIT -> new MissionItem.Wait(Ranges.waitSeconds(at + ".holdSeconds", item.holdSeconds()));
+            case TAKE_PHOTO -> new MissionItem.TakePhoto();
+            case SET_SERVO -> servo(at + ".", item.output(), item.pulse());
+            case LOOK_AT -> lookAt(at + ".", item);
+            case LOOK_AHEAD -> new MissionItem.LookAhead();
+            case OTHER -> throw InvalidInput.outside(at + ".type", TYPES, "\"" + type + "\"");
         };
     }
 

@@ -163,9 +163,7 @@ final class PlanLaunch {
     private Optional<String> modeForOrders(DroneId drone) {
         return commands.known(principal, drone.value())
                 .filter(state -> !takesOrders(state, state.mode()))
-                .flatMap(state -> state.capabilities().modes().stream()
-                        .filter(mode -> takesOrders(state, mode))
-                        .min((one, other) -> one.equals("GUIDED") ? -1 : other.equals("GUIDED") ? 1 : 0));
+                .flatMap(state -> state.capabilities().mode(Capabilities.Steering.ORDERS));
     }
 
     private static boolean takesOrders(DroneState state, @Nullable String mode) {

@@ -5,10 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.process.Beginning;
+import org.dronemap.core.process.PastEnd;
+import org.dronemap.core.process.PeerWatch;
+import org.dronemap.core.process.PeersAtWork;
+import org.dronemap.core.process.Precautions;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Phone;
@@ -33,6 +39,13 @@ class CarefulStartFlightTest {
     @AfterEach
     void close() {
         lab.close();
+    }
+
+    /** As after three ends within two minutes. */
+    private Beginning careful() {
+        PastEnd end = new PastEnd(lab.now(), "lane-0", "It ended with ThreadDeath.", List.of());
+        Precautions precautions = new Precautions(List.of(end, end, end), Set.of());
+        return new Beginning(end, new PeerWatch(PeersAtWork.UNKNOWN, precautions));
     }
 
     private RunFlight runs(LabDrone one, LabDrone other) {
@@ -80,7 +93,7 @@ class CarefulStartFlightTest {
 
         lab.crashServer();
         lab.goOn(Duration.ofSeconds(3));
-        lab.startServerCarefully();
+        lab.startServer(careful());
 
         assertThat(state(virtual)).isEqualTo("suspended");
         lab.until(

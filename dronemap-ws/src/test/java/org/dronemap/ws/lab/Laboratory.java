@@ -5,7 +5,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -20,10 +19,6 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.process.Beginning;
-import org.dronemap.core.process.PastEnd;
-import org.dronemap.core.process.PeerWatch;
-import org.dronemap.core.process.PeersAtWork;
-import org.dronemap.core.process.Precautions;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.sim.physics.LocalFrame;
@@ -78,14 +73,7 @@ public final class Laboratory implements AutoCloseable {
         startServer(Beginning.ORDINARY);
     }
 
-    /** The same, as after three ends within two minutes. */
-    public void startServerCarefully() {
-        PastEnd end = new PastEnd(now(), "lane-0", "It ended with ThreadDeath.", List.of());
-        Precautions careful = new Precautions(List.of(end, end, end), Set.of());
-        startServer(new Beginning(end, new PeerWatch(PeersAtWork.UNKNOWN, careful)));
-    }
-
-    private void startServer(Beginning beginning) {
+    public void startServer(Beginning beginning) {
         process = time.killable();
         server = new SteppedServer(data.path(), process, stores, beginning);
         drones.forEach(drone -> drone.attach(server().links()));

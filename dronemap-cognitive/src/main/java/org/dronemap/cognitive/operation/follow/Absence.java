@@ -7,9 +7,6 @@ import org.dronemap.cognitive.operation.follow.FollowInput.Looked;
 
 /** What comes of a follow whose drone had to do without the cloud, since the process ended and was started again. */
 final class Absence {
-    /** The ways home that a fail-safe takes; who lands where it is has other reasons. */
-    private static final String HOMEWARD = "RTL";
-
     private Absence() {}
 
     /** The process was started again: what the phone says is heard anew. */
@@ -46,7 +43,8 @@ final class Absence {
         Instant at = looked.at();
         String name = state.order().chosen().name();
         String mode = String.valueOf(look.mode());
-        boolean missed = isRecent(state) && look.homing() && mode.endsWith(HOMEWARD);
+        // Who lands where it is has other reasons.
+        boolean missed = isRecent(state) && look.modes() != null && look.modes().home();
         if (missed && state.stage() == Stage.TRACKING) {
             if (isHeard(state, looked)) {
                 return state.to(

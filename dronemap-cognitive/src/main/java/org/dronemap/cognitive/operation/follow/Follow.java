@@ -127,13 +127,15 @@ public final class Follow implements Operation<FollowState, FollowInput> {
                 Boolean.TRUE.equals(drone.armed()),
                 drone.airborne(),
                 steering == Steering.ORDERS,
-                steering == Steering.SAFETY,
+                steering != null && steering.isSafe(),
                 drone.mode(),
                 battery == null ? null : battery.percent(),
                 point == null
                         ? null
                         : Geodesy.distanceMeters(point, state.order().chosen().home()),
-                Grips.of(drone, sway, steering));
+                Grips.of(drone, sway, steering),
+                new FollowInput.Modes(
+                        drone.capabilities().mode(Steering.ORDERS).orElse(null), steering == Steering.HOME));
     }
 
     @Override

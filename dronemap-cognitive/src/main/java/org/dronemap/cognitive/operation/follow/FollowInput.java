@@ -72,6 +72,7 @@ public sealed interface FollowInput {
      * @param mode as people call it; null: not known
      * @param homeMeters how far it is from its home; null: not known
      * @param grip null: nothing of that
+     * @param modes null: written before anybody asked for them
      */
     record Look(
             @Nullable String takenBy,
@@ -83,19 +84,22 @@ public sealed interface FollowInput {
             @Nullable String mode,
             @Nullable Integer batteryPercent,
             @Nullable Double homeMeters,
-            @Nullable Grip grip) {
-        /** In the follow's hands, or in those of whoever it was taken by. */
-        public Look(
-                @Nullable String takenBy,
-                int silentSeconds,
-                boolean armed,
-                boolean airborne,
-                boolean guided,
-                boolean homing,
-                @Nullable String mode,
-                @Nullable Integer batteryPercent,
-                @Nullable Double homeMeters) {
-            this(takenBy, silentSeconds, armed, airborne, guided, homing, mode, batteryPercent, homeMeters, null);
+            @Nullable Grip grip,
+            @Nullable Modes modes) {
+        /** The same, with what its modes are for. */
+        public Look with(Modes told) {
+            return new Look(
+                    takenBy,
+                    silentSeconds,
+                    armed,
+                    airborne,
+                    guided,
+                    homing,
+                    mode,
+                    batteryPercent,
+                    homeMeters,
+                    grip,
+                    told);
         }
     }
 
@@ -107,6 +111,14 @@ public sealed interface FollowInput {
      * @param steered it is in a mode for a pilot's sticks
      */
     record Grip(@Nullable String barred, boolean adrift, boolean steered) {}
+
+    /**
+     * What the drone's modes are for.
+     *
+     * @param orders the one in which it can be led; null: it has none
+     * @param home it is in one in which it comes home
+     */
+    record Modes(@Nullable String orders, boolean home) {}
 
     record CommandEnded(Instant at, DroneId drone, CommandId command, Outcome outcome) implements FollowInput {}
 

@@ -9,17 +9,14 @@ import org.dronemap.cognitive.operation.follow.FollowState.Errand;
 import org.dronemap.cognitive.operation.follow.FollowState.Tries;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
-import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.operation.Action;
-import org.jspecify.annotations.Nullable;
 
 /** The commands that a drone is given, one after the other. */
 final class Steps {
     /** What it ends with that a follow's only drone is down. */
     static final String IT_IS_OVER = "; it is over.";
 
-    private static final String GUIDED = "GUIDED";
     private static final Duration PAUSE = Duration.ofSeconds(3);
     private static final int MOST_TRIES = 3;
 
@@ -46,7 +43,7 @@ final class Steps {
         if (state.tries().given() == 0) {
             give(Errand.Kind.CLOUD_LOSS, new ReturnOnLoss());
         } else if (!look.guided()) {
-            give(Errand.Kind.MODE, new Command.SetMode(GUIDED));
+            lead(look, at);
         } else if (!look.armed()) {
             give(Errand.Kind.ARM, new Command.Arm());
         } else if (!look.airborne()) {
@@ -55,6 +52,17 @@ final class Steps {
             // One that replaces another leads only once it is there.
             String what = state.crew().number() == 0 ? "follows." : "comes.";
             state = state.to(Stage.TRACKING, at, state.order().chosen().name() + " is in the air and " + what);
+        }
+    }
+
+    /** Into the mode in which it can be led. */
+    private void lead(Look look, Instant at) {
+        String orders = look.modes() == null ? null : look.modes().orders();
+        if (orders == null) {
+            state = state.to(
+                    Stage.RETURNING, at, state.order().chosen().name() + " has no mode in which it can be led.");
+        } else {
+            give(Errand.Kind.MODE, new Command.SetMode(orders));
         }
     }
 
@@ -95,7 +103,7 @@ final class Steps {
         if (errand == null || !errand.command().equals(ended.command())) {
             return;
         }
-        String why = failure(ended.outcome());
+        String why = ended.outcome().reason();
         Tries tries = state.tries();
         if (errand.kind() == Errand.Kind.CLOUD_LOSS) {
             state = state.on(null, new Tries(tries.given(), 0, null));
@@ -119,21 +127,5 @@ final class Steps {
     private String stays(String why) {
         return state.order().chosen().name() + " could not be told to come home when the cloud is lost (" + why
                 + "): it would then stay where it is until its battery is low.";
-    }
-
-    private static @Nullable String failure(Outcome outcome) {
-        if (outcome instanceof Outcome.Refused refused) {
-            return refused.reason();
-        }
-        if (outcome instanceof Outcome.Failed failed) {
-            return failed.reason();
-        }
-        if (outcome instanceof Outcome.TimedOut timedOut) {
-            return timedOut.reason();
-        }
-        if (outcome instanceof Outcome.Superseded superseded) {
-            return superseded.reason();
-        }
-        return outcome instanceof Outcome.Unknown unknown ? unknown.reason() : null;
     }
 }

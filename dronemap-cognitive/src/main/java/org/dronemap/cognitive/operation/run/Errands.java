@@ -83,19 +83,8 @@ final class Errands {
     }
 
     private static String reason(Outcome outcome) {
-        if (outcome instanceof Outcome.Refused refused) {
-            return trimmed(refused.reason());
-        }
-        if (outcome instanceof Outcome.Failed failed) {
-            return trimmed(failed.reason());
-        }
-        if (outcome instanceof Outcome.TimedOut timedOut) {
-            return trimmed(timedOut.reason());
-        }
-        if (outcome instanceof Outcome.Superseded superseded) {
-            return trimmed(superseded.reason());
-        }
-        return outcome instanceof Outcome.Unknown unknown ? trimmed(unknown.reason()) : "";
+        String why = outcome.reason();
+        return why == null ? "" : trimmed(why);
     }
 
     private static String trimmed(String sentence) {

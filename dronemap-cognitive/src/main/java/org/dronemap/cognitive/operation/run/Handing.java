@@ -123,13 +123,24 @@ final class Handing {
     }
 
     private static boolean isSame(MissionItem one, MissionItem other) {
-        if (one instanceof MissionItem.Waypoint here && other instanceof MissionItem.Waypoint there) {
-            return Geodesy.distanceMeters(here.point(), there.point()) < SAME_METERS
-                    && Math.abs(here.altitude().meters() - there.altitude().meters()) < SAME_HEIGHT_METERS;
+        if (one.kind() != other.kind()) {
+            return false;
         }
-        if (one instanceof MissionItem.TakeOff here && other instanceof MissionItem.TakeOff there) {
-            return Math.abs(here.altitudeMeters() - there.altitudeMeters()) < SAME_HEIGHT_METERS;
-        }
-        return one.equals(other);
+        return switch (one.kind()) {
+            case WAYPOINT -> isSame((MissionItem.Waypoint) one, (MissionItem.Waypoint) other);
+            case TAKE_OFF ->
+                isSameHeight(
+                        ((MissionItem.TakeOff) one).altitudeMeters(), ((MissionItem.TakeOff) other).altitudeMeters());
+            case RETURN_TO_LAUNCH, LAND, WAIT, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD, OTHER -> one.equals(other);
+        };
+    }
+
+    private static boolean isSame(MissionItem.Waypoint here, MissionItem.Waypoint there) {
+        return Geodesy.distanceMeters(here.point(), there.point()) < SAME_METERS
+                && isSameHeight(here.altitude().meters(), there.altitude().meters());
+    }
+
+    private static boolean isSameHeight(double one, double other) {
+        return Math.abs(one - other) < SAME_HEIGHT_METERS;
     }
 }

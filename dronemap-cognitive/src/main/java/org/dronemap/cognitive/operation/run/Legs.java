@@ -33,7 +33,15 @@ final class Legs {
 
     /** Not just done, or waited for, where a drone has come to. */
     static boolean isFlown(MissionItem item) {
-        return !(item instanceof MissionItem.Wait || item instanceof MissionItem.Action);
+        return switch (item.kind()) {
+            case TAKE_OFF, WAYPOINT, RETURN_TO_LAUNCH, LAND, OTHER -> true;
+            case WAIT, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD -> false;
+        };
+    }
+
+    /** Without waiting, where it is when its turn comes. */
+    private static boolean isDone(MissionItem item) {
+        return !isFlown(item) && item.kind() != MissionItem.Kind.WAIT;
     }
 
     /** How long it waits where it is or where it flies to, in s. */
@@ -41,13 +49,17 @@ final class Legs {
         List<MissionItem> items = sortie.mission().items();
         double seconds = 0;
         for (int item = passed; item < items.size() && (item == passed || !isFlown(items.get(item))); item++) {
-            if (items.get(item) instanceof MissionItem.Waypoint waypoint) {
-                seconds += waypoint.holdSeconds();
-            } else if (items.get(item) instanceof MissionItem.Wait wait) {
-                seconds += wait.seconds();
-            }
+            seconds += hold(items.get(item));
         }
         return seconds;
+    }
+
+    private static double hold(MissionItem item) {
+        return switch (item.kind()) {
+            case WAYPOINT -> ((MissionItem.Waypoint) item).holdSeconds();
+            case WAIT -> ((MissionItem.Wait) item).seconds();
+            case TAKE_OFF, RETURN_TO_LAUNCH, LAND, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD, OTHER -> 0;
+        };
     }
 
     /** The item that it is on: of those that belong to the place where it stands, that place. */
@@ -76,10 +88,10 @@ final class Legs {
             return null;
         }
         int next = passed;
-        while (next < items.size() && items.get(next) instanceof MissionItem.Action) {
+        while (next < items.size() && isDone(items.get(next))) {
             next++;
         }
-        if (next < items.size() && items.get(next) instanceof MissionItem.Wait) {
+        if (next < items.size() && items.get(next).kind() == MissionItem.Kind.WAIT) {
             return new Leg(from, from, true);
         }
         return next < items.size() && items.get(next) instanceof MissionItem.Waypoint to

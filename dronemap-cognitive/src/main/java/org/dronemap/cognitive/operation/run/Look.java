@@ -105,7 +105,7 @@ public record Look(
     }
 
     boolean comesDown() {
-        return steering == Steering.SAFETY;
+        return steering != null && steering.isSafe();
     }
 
     /** Somebody's sticks, or a way of flying that nobody here asks for. */

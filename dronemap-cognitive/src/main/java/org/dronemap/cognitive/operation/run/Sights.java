@@ -1,6 +1,5 @@
 package org.dronemap.cognitive.operation.run;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.cognitive.problem.Place;
@@ -74,12 +73,9 @@ final class Sights {
     /** The mode in which it can be armed; empty when it is in one. */
     private static Optional<String> ordersMode(DroneState state) {
         Capabilities can = state.capabilities();
-        Optional<Steering> orders = Optional.of(Steering.ORDERS);
-        return can.steering(state.mode()).equals(orders)
+        return can.steering(state.mode()).equals(Optional.of(Steering.ORDERS))
                 ? Optional.empty()
-                : can.modes().stream()
-                        .filter(mode -> can.steering(mode).equals(orders))
-                        .min(Comparator.comparing(mode -> mode.equals("GUIDED") ? "" : mode));
+                : can.mode(Steering.ORDERS);
     }
 
     private static @Nullable Place place(DroneState state, @Nullable Position position, RunDrone drone) {

@@ -229,20 +229,27 @@ final class Tracks {
         if (sortie != null) {
             List<MissionItem> items = sortie.mission().items();
             for (MissionItem item : items.subList(Math.min(drone.passed(), items.size()), items.size())) {
-                if (item instanceof MissionItem.Waypoint waypoint) {
-                    walk.to(at(Legs.place(waypoint)));
-                    walk.waitFor(waypoint.holdSeconds());
-                } else if (item instanceof MissionItem.TakeOff takeOff) {
-                    double top = drone.craft().homeAmslMeters() + takeOff.altitudeMeters();
-                    walk.to(new At(walk.last().spot(), top));
-                } else if (item instanceof MissionItem.Wait wait) {
-                    walk.waitFor(wait.seconds());
-                } else if (Legs.isFlown(item)) {
-                    walk.down(drone.craft().homeAmslMeters());
-                }
+                go(walk, item, drone.craft().homeAmslMeters());
             }
         }
         return walk.track();
+    }
+
+    private void go(Walk walk, MissionItem item, double homeAmslMeters) {
+        switch (item.kind()) {
+            case WAYPOINT -> {
+                MissionItem.Waypoint waypoint = (MissionItem.Waypoint) item;
+                walk.to(at(Legs.place(waypoint)));
+                walk.waitFor(waypoint.holdSeconds());
+            }
+            case TAKE_OFF -> {
+                double top = homeAmslMeters + ((MissionItem.TakeOff) item).altitudeMeters();
+                walk.to(new At(walk.last().spot(), top));
+            }
+            case WAIT -> walk.waitFor(((MissionItem.Wait) item).seconds());
+            case RETURN_TO_LAUNCH, LAND, OTHER -> walk.down(homeAmslMeters);
+            case TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD -> {}
+        }
     }
 
     Track homeward(RunDrone drone, Place from) {

@@ -23,10 +23,11 @@ abstract class FollowBench {
     static final Instant ZERO = Instant.parse("2026-05-01T12:00:00Z");
     static final Geodetic HOME = new Geodetic(47.3977, 8.5456);
     static final FollowOrder.Place BEHIND = new FollowOrder.Place(new Side.Behind(), 8, 15);
-    static final Look GROUND = new Look(null, 0, false, false, true, false, "GUIDED", 90, 0.0);
-    static final Look ARMED = new Look(null, 0, true, false, true, false, "GUIDED", 90, 0.0);
-    static final Look AIR = new Look(null, 0, true, true, true, false, "GUIDED", 90, 300.0);
-    static final Look HOMING = new Look(null, 0, true, true, false, true, "RTL", 90, 300.0);
+    private static final FollowInput.Modes MODES = new FollowInput.Modes("GUIDED", false);
+    static final Look GROUND = led(new Look(null, 0, false, false, true, false, "GUIDED", 90, 0.0, null, null));
+    static final Look ARMED = led(new Look(null, 0, true, false, true, false, "GUIDED", 90, 0.0, null, null));
+    static final Look AIR = led(new Look(null, 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
+    static final Look HOMING = led(new Look(null, 0, true, true, false, true, "RTL", 90, 300.0, null, null));
 
     final Follow follow = new Follow(Apart.USUAL);
     final List<Command> given = new ArrayList<>();
@@ -47,8 +48,13 @@ abstract class FollowBench {
     @Nullable
     Reach reach;
 
+    /** Of a copter in its mode. */
+    static Look led(Look look) {
+        return look.with(new FollowInput.Modes("GUIDED", "RTL".equals(look.mode())));
+    }
+
     static Look air(FollowInput.Grip grip) {
-        return new Look(null, 0, true, true, true, false, "GUIDED", 90, 300.0, grip);
+        return new Look(null, 0, true, true, true, false, "GUIDED", 90, 300.0, grip, MODES);
     }
 
     Instant at() {
@@ -99,7 +105,7 @@ abstract class FollowBench {
 
     void start() {
         take(new FollowInput.Start(at(), "mia"));
-        Look pilots = new Look(null, 0, false, false, false, false, "LOITER", 90, 0.0);
+        Look pilots = led(new Look(null, 0, false, false, false, false, "LOITER", 90, 0.0, null, null));
         seen(pilots);
         succeeds();
         seen(pilots);

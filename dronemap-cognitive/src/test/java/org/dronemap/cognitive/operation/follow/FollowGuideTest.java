@@ -242,7 +242,8 @@ class FollowGuideTest {
         FollowState up = relieved.crew().others().get(0).to(Stage.TRACKING, ZERO, "It is in the air.");
         FollowState ready = relieved.with(relieved.crew().with(List.of(up)));
         falcon = new Geodetic(HOME.latitudeDegrees() + 0.0006, HOME.longitudeDegrees());
-        FollowInput.Look air = new FollowInput.Look(null, 0, true, true, true, false, "GUIDED", 90, 66.0);
+        FollowInput.Look air =
+                FollowBench.led(new FollowInput.Look(null, 0, true, true, true, false, "GUIDED", 90, 66.0, null, null));
         FollowState after = follow.decide(
                         ready,
                         new FollowInput.Looked(

@@ -43,7 +43,8 @@ class FollowTest extends FollowBench {
     /** Each wish and event at each stage: what comes of it, or that it is not taken. */
     @Test
     void answersEachWishAndEventAtEachStageAsTheTableSays() throws IOException {
-        Look away = new Look("The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0);
+        Look away =
+                led(new Look("The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
         Look barred = air(new FollowInput.Grip("mia may not command it any more.", false, false));
         Map<String, FollowInput> inputs = new LinkedHashMap<>();
         inputs.put("start", new FollowInput.Start(ZERO, "mia"));
@@ -84,14 +85,14 @@ class FollowTest extends FollowBench {
     @Test
     void leavesADroneToWhoTakesItAndTakesItBackWhenItIsToldTo() {
         start();
-        seen(new Look("The pilot flies it.", 0, true, true, false, false, "LOITER", 90, 300.0));
+        seen(led(new Look("The pilot flies it.", 0, true, true, false, false, "LOITER", 90, 300.0, null, null)));
         assertThat(state.stage()).isEqualTo(Stage.SUSPENDED);
         assertThat(follow.drones(state)).isEmpty();
-        silent(new Look("The pilot flies it.", 0, true, true, false, false, "LOITER", 90, 300.0), 5);
+        silent(led(new Look("The pilot flies it.", 0, true, true, false, false, "LOITER", 90, 300.0, null, null)), 5);
         assertThat(given).hasSize(4);
         take(new FollowInput.GoOn(at(), "mia"));
         assertThat(follow.drones(state)).containsExactly(state.drone());
-        seen(new Look(null, 0, true, true, false, false, "LOITER", 90, 300.0));
+        seen(led(new Look(null, 0, true, true, false, false, "LOITER", 90, 300.0, null, null)));
         succeeds();
         seen(AIR);
         assertThat(given).last().isEqualTo(new Command.SetMode("GUIDED"));
@@ -100,7 +101,7 @@ class FollowTest extends FollowBench {
 
     @Test
     void isOverWhenItsDroneIsTakenOnTheGround() {
-        seen(new Look("The supervisor has it.", 0, false, false, true, false, "GUIDED", 90, 0.0));
+        seen(led(new Look("The supervisor has it.", 0, false, false, true, false, "GUIDED", 90, 0.0, null, null)));
         assertThat(state.isOver()).isTrue();
         assertThat(state.end()).contains("The supervisor has it.");
     }
@@ -165,9 +166,9 @@ class FollowTest extends FollowBench {
     @Test
     void fliesHomeWhileTheBatteryLastsForTheWay() {
         start();
-        heard(new Look(null, 0, true, true, true, false, "GUIDED", 26, 300.0), 1);
+        heard(led(new Look(null, 0, true, true, true, false, "GUIDED", 26, 300.0, null, null)), 1);
         assertThat(state.stage()).isEqualTo(Stage.TRACKING);
-        heard(new Look(null, 0, true, true, true, false, "GUIDED", 24, 300.0), 1);
+        heard(led(new Look(null, 0, true, true, true, false, "GUIDED", 24, 300.0, null, null)), 1);
         assertThat(state.stage()).isEqualTo(Stage.RETURNING);
         assertThat(state.told().get(state.told().size() - 1).words()).contains("24 %");
     }
@@ -205,7 +206,7 @@ class FollowTest extends FollowBench {
     void commandsNothingWhileTheDroneIsNotHeard() {
         start();
         take(new FollowInput.Stop(at(), "mia"));
-        silent(new Look(null, 7, true, true, true, false, "GUIDED", 90, 300.0), 30);
+        silent(led(new Look(null, 7, true, true, true, false, "GUIDED", 90, 300.0, null, null)), 30);
         assertThat(given).hasSize(4);
         assertThat(state.note()).contains("no contact");
         seen(AIR);

@@ -29,7 +29,7 @@ class GripsTest extends FollowBench {
     @Test
     void bringsHomeADroneThatNobodyHasAnyMore() {
         start();
-        seen(new Look("The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0));
+        seen(led(new Look("The supervisor has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null)));
         Look adrift = air(new FollowInput.Grip(null, true, false));
         silent(adrift, 50);
         assertThat(state.note()).contains("Nobody has Falcon any more", "after 60 s");
@@ -91,7 +91,7 @@ class GripsTest extends FollowBench {
     void leavesItsDroneToThePilotWhomItFindsAfterARestart() {
         start();
         Look piloted = new Look(
-                null, 0, true, true, false, false, "LOITER", 90, 300.0, new FollowInput.Grip(null, false, true));
+                null, 0, true, true, false, false, "LOITER", 90, 300.0, new FollowInput.Grip(null, false, true), null);
         take(new FollowInput.Stop(at(), "mia"));
         now += 20;
         take(new FollowInput.Resumed(at()));
@@ -136,7 +136,7 @@ class GripsTest extends FollowBench {
         assertThat(Grips.silentSeconds(drone(LinkState.LIVE, true), Duration.ZERO))
                 .isZero();
         start();
-        Look unheard = new Look(null, 1, false, false, false, false, null, null, null);
+        Look unheard = led(new Look(null, 1, false, false, false, false, null, null, null, null, null));
         take(new FollowInput.Resumed(at()));
         silent(unheard, 20);
         assertThat(state.stage()).isEqualTo(Stage.TRACKING);

@@ -24,8 +24,9 @@ class ReliefsTest extends FollowBench {
     private static final DroneId FALCON = new DroneId("d1");
     private static final DroneId KESTREL = new DroneId("d2");
     private static final DroneId OSPREY = new DroneId("d3");
-    private static final Look LOW = new Look(null, 0, true, true, true, false, "GUIDED", 24, 300.0);
-    private static final Look TAKEN = new Look("sue has it.", 0, true, true, true, false, "GUIDED", 90, 300.0);
+    private static final Look LOW = led(new Look(null, 0, true, true, true, false, "GUIDED", 24, 300.0, null, null));
+    private static final Look TAKEN =
+            led(new Look("sue has it.", 0, true, true, true, false, "GUIDED", 90, 300.0, null, null));
 
     private final Map<DroneId, Look> looks = new HashMap<>();
     private final Map<DroneId, Double> apart = new HashMap<>();
@@ -116,7 +117,7 @@ class ReliefsTest extends FollowBench {
         assertThat(words()).last().isEqualTo("Kestrel has taken over; Falcon flies home.");
         pass(5);
         assertThat(told.get(FALCON)).as("it is led home").isNull();
-        looks.put(FALCON, new Look(null, 0, true, true, true, false, "GUIDED", 24, 14.0));
+        looks.put(FALCON, led(new Look(null, 0, true, true, true, false, "GUIDED", 24, 14.0, null, null)));
         pass(0.1);
         assertThat(told.get(FALCON)).containsExactly(new Command.ReturnToLaunch());
         looks.put(FALCON, GROUND);
@@ -231,7 +232,7 @@ class ReliefsTest extends FollowBench {
     void asksForAnotherWhenOneFailsOnItsWay() {
         follows();
         relieve(KESTREL, "Kestrel");
-        looks.put(KESTREL, new Look("sue has it.", 0, false, false, true, false, "GUIDED", 90, 0.0));
+        looks.put(KESTREL, led(new Look("sue has it.", 0, false, false, true, false, "GUIDED", 90, 0.0, null, null)));
         pass(0.5);
         assertThat(state.stage()).isEqualTo(Stage.TRACKING);
         assertThat(state.isRelievable()).isTrue();

@@ -39,7 +39,7 @@ public record CommandRequest(IntFunction<Message> message, int command, Retry re
     }
 
     /** Parameters of a COMMAND_LONG, the missing ones 0. */
-    public static CommandRequest ofLong(Target target, int command, float[] parameters, Proof proof) {
+    public static CommandRequest ofLong(Target target, int command, float[] parameters, Retry retry, Proof proof) {
         float[] p = java.util.Arrays.copyOf(parameters, 7);
         return new CommandRequest(
                 confirmation -> new CommandLong(
@@ -55,20 +55,12 @@ public record CommandRequest(IntFunction<Message> message, int command, Retry re
                         p[5],
                         p[6]),
                 command,
-                Retry.REPEATABLE,
+                retry,
                 proof);
     }
 
     /** A COMMAND_INT, whose position is exact. */
-    public static CommandRequest ofInt(CommandInt message) {
-        return new CommandRequest(confirmation -> message, message.command(), Retry.REPEATABLE, Proof.ACKNOWLEDGED);
-    }
-
-    public CommandRequest verifyFirst() {
-        return new CommandRequest(message, command, Retry.VERIFY_FIRST, proof);
-    }
-
-    public CommandRequest once() {
-        return new CommandRequest(message, command, Retry.ONCE, proof);
+    public static CommandRequest ofInt(CommandInt message, Retry retry) {
+        return new CommandRequest(confirmation -> message, message.command(), retry, Proof.ACKNOWLEDGED);
     }
 }

@@ -1,7 +1,6 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -9,7 +8,6 @@ import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -41,6 +39,7 @@ import org.jspecify.annotations.Nullable;
 final class ArduPilot implements Autopilot {
     private static final String AUTO = "AUTO";
     private static final String GUIDED = "GUIDED";
+    private static final String RTL = "RTL";
     private static final int NAV_TAKEOFF = 22;
     private static final int CONDITION_YAW = 115;
     private static final float RELATIVE = 1f;
@@ -107,53 +106,37 @@ final class ArduPilot implements Autopilot {
 
     @Override
     public Capabilities capabilities() {
-        Set<Capability> can = EnumSet.of(
-                Capability.ARM,
-                Capability.DISARM,
-                Capability.SET_MODE,
-                Capability.TAKE_PICTURE,
-                Capability.SET_RELAY,
-                Capability.READ_PARAMETERS,
-                Capability.SET_PARAMETERS,
-                Capability.READ_LOGS,
-                Capability.FENCE,
-                Capability.RALLY_POINTS,
-                Capability.SET_HOME,
-                Capability.READ_HOME);
-        if (table.has(AUTO)) {
-            can.addAll(EnumSet.of(
-                    Capability.UPLOAD_MISSION,
-                    Capability.CLEAR_MISSION,
-                    Capability.START_MISSION,
-                    Capability.HOLD,
-                    Capability.PAUSE_MISSION));
-        }
-        if (table.has(GUIDED)) {
-            can.add(Capability.GO_TO);
-        }
-        can.addAll(steered());
-        if (table.has("RTL")) {
-            can.add(Capability.RETURN_TO_LAUNCH);
-        }
-        if (kind != VehicleKind.FIXED_WING && (table.has("LAND") || table.has("QLAND"))) {
-            can.add(Capability.LAND);
-        }
-        if (table == ModeTable.COPTER || kind == VehicleKind.VTOL) {
-            can.add(Capability.TAKE_OFF);
-        }
-        if (table == ModeTable.COPTER) {
-            can.add(Capability.TURN);
-        }
-        return new Capabilities(can, modes(), table.steering(), table.arming());
+        return Capabilities.of(this::can, modes(), table.steering(), table.usual(), table.arming());
     }
 
-    private Set<Capability> steered() {
-        if (table == ModeTable.COPTER || table == ModeTable.ROVER) {
-            return EnumSet.of(Capability.STICKS, Capability.VELOCITY, Capability.TRACK);
-        }
-        return table == ModeTable.PLANE || table == ModeTable.SUB
-                ? EnumSet.of(Capability.STICKS)
-                : EnumSet.noneOf(Capability.class);
+    private boolean can(Capability capability) {
+        return switch (capability) {
+            case ARM,
+                    DISARM,
+                    SET_MODE,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    READ_LOGS,
+                    FENCE,
+                    RALLY_POINTS,
+                    SET_HOME,
+                    READ_HOME -> true;
+            case UPLOAD_MISSION, CLEAR_MISSION, START_MISSION, HOLD, PAUSE_MISSION -> table.has(AUTO);
+            case GO_TO -> table.has(GUIDED);
+            case RETURN_TO_LAUNCH -> table.has(RTL);
+            case LAND -> kind != VehicleKind.FIXED_WING && (table.has("LAND") || table.has("QLAND"));
+            case TAKE_OFF -> table == ModeTable.COPTER || kind == VehicleKind.VTOL;
+            case TURN -> table == ModeTable.COPTER;
+            case VELOCITY, TRACK -> table == ModeTable.COPTER || table == ModeTable.ROVER;
+            case STICKS ->
+                table == ModeTable.COPTER
+                        || table == ModeTable.ROVER
+                        || table == ModeTable.PLANE
+                        || table == ModeTable.SUB;
+            case GO_TO_LOCAL, EMERGENCY_STOP, READ_MAP -> false;
+        };
     }
 
     @Override
@@ -181,63 +164,41 @@ final class ArduPilot implements Autopilot {
 
     @Override
     public Exchange plan(Command command, Cockpit cockpit) {
-        if (command instanceof Command.Arm) {
-            return Maneuvers.arm(cockpit);
-        }
-        if (command instanceof Command.Disarm disarm) {
-            return Maneuvers.disarm(cockpit, disarm.force());
-        }
-        if (command instanceof Command.SetMode setMode) {
-            return mode(cockpit, setMode.mode(), cockpit.observer());
-        }
-        if (command instanceof Command.Land) {
-            return mode(cockpit, kind == VehicleKind.VTOL ? "QLAND" : "LAND", cockpit.observer());
-        }
-        if (command instanceof Command.ReturnToLaunch) {
-            return mode(cockpit, "RTL", cockpit.observer());
-        }
-        if (command instanceof Command.TakeOff takeOff) {
-            return takeOff(cockpit, takeOff);
-        }
-        if (command instanceof Command.GoTo goTo) {
-            return goTo(cockpit, goTo);
-        }
-        return planPayload(command, cockpit);
+        return switch (command.kind()) {
+            case SET_MODE -> mode(cockpit, ((Command.SetMode) command).mode(), cockpit.observer());
+            case TAKE_OFF -> takeOff(cockpit, (Command.TakeOff) command);
+            case LAND -> mode(cockpit, kind == VehicleKind.VTOL ? "QLAND" : "LAND", cockpit.observer());
+            case RETURN_TO_LAUNCH -> mode(cockpit, RTL, cockpit.observer());
+            case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
+            case GO_TO -> goTo(cockpit, (Command.GoTo) command);
+            case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
+            case UPLOAD_MISSION ->
+                upload(cockpit, ((Command.UploadMission) command).mission().items());
+            case START_MISSION -> start(cockpit, (Command.StartMission) command);
+            case CLEAR_MISSION -> new MissionPlans(cockpit, HOME_ITEMS).clear();
+            case SET_RELAY -> Maneuvers.relay(cockpit, (Command.SetRelay) command);
+            case SET_RETURN_HEIGHT -> ReturnHeights.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
+            case RETURN_ON_LOSS -> CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
+            case ARM -> Maneuvers.arm(cockpit);
+            case DISARM -> Maneuvers.disarm(cockpit, ((Command.Disarm) command).force());
+            case TAKE_PICTURE -> Maneuvers.picture(cockpit);
+            case SET_HOME -> HomePlans.set(cockpit, (Command.SetHome) command);
+            case READ_HOME -> HomePlans.read(cockpit);
+            case READ_PARAMETERS -> CommonPlans.readParameters(cockpit);
+            case SET_PARAMETERS -> CommonPlans.set(cockpit, (Command.SetParameters) command);
+            case READ_LOGS -> CommonPlans.readLogs(cockpit);
+            case DOWNLOAD_LOG -> CommonPlans.download(cockpit, (Command.DownloadLog) command);
+            case READ_FENCE -> FencePlans.readFence(cockpit);
+            case SET_FENCE -> FencePlans.set(cockpit, (Command.SetFence) command);
+            case READ_RALLY_POINTS -> FencePlans.readRally(cockpit);
+            case SET_RALLY_POINTS -> FencePlans.set(cockpit, (Command.SetRallyPoints) command);
+            case EMERGENCY_STOP, GO_TO_LOCAL, READ_MAP -> Maneuvers.cannot(command);
+        };
     }
 
     @Override
     public Optional<Message> steer(Setpoint setpoint, Target target) {
         return new Steersman(target, kind).say(setpoint);
-    }
-
-    private Exchange planPayload(Command command, Cockpit cockpit) {
-        if (command instanceof Command.Turn turn) {
-            return turn(cockpit, turn.degrees());
-        }
-        if (command instanceof Command.SetRelay relay) {
-            return Maneuvers.relay(cockpit, relay);
-        }
-        if (command instanceof SetReturnHeight height) {
-            return ReturnHeights.set(cockpit, height, kind, RETURN_HEIGHT);
-        }
-        if (command instanceof ReturnOnLoss) {
-            return CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
-        }
-        Exchange common = CommonPlans.plan(command, cockpit);
-        return common != null ? common : planMission(command, cockpit);
-    }
-
-    private Exchange planMission(Command command, Cockpit cockpit) {
-        if (command instanceof Command.UploadMission upload) {
-            return upload(cockpit, upload.mission().items());
-        }
-        if (command instanceof Command.ClearMission) {
-            return new MissionPlans(cockpit, HOME_ITEMS).clear();
-        }
-        if (command instanceof Command.StartMission start) {
-            return start(cockpit, start);
-        }
-        return hold(cockpit, cockpit.observer());
     }
 
     private Exchange mode(Cockpit cockpit, String name, Observer observer) {
@@ -259,9 +220,15 @@ final class ArduPilot implements Autopilot {
 
     private Exchange either(Cockpit cockpit, String first, String second, Observer observer) {
         return new Alternative(
-                mode(cockpit, first, observer),
-                outcome -> outcome instanceof Outcome.Refused || outcome instanceof Outcome.Failed,
-                () -> mode(cockpit, second, observer));
+                mode(cockpit, first, observer), ArduPilot::isOtherwise, () -> mode(cockpit, second, observer));
+    }
+
+    /** Whether the vehicle has said that it does not: who is silent is not asked for something else. */
+    private static boolean isOtherwise(Outcome outcome) {
+        return switch (outcome.kind()) {
+            case REFUSED, FAILED -> true;
+            case SUCCEEDED, TIMED_OUT, SUPERSEDED, UNKNOWN -> false;
+        };
     }
 
     private Sequence.Step guided(Cockpit cockpit) {
@@ -275,8 +242,11 @@ final class ArduPilot implements Autopilot {
                 Sequence.Step.of(() -> new CommandExchange(
                         cockpit.target(),
                         CommandRequest.ofLong(
-                                        cockpit.target(), NAV_TAKEOFF, parameters, Maneuvers.climbing(cockpit.status()))
-                                .verifyFirst(),
+                                cockpit.target(),
+                                NAV_TAKEOFF,
+                                parameters,
+                                CommandRequest.Retry.VERIFY_FIRST,
+                                Maneuvers.climbing(cockpit.status())),
                         cockpit.observer()))));
     }
 
@@ -304,8 +274,8 @@ final class ArduPilot implements Autopilot {
                 MissionCodec.e7(command.point().latitudeDegrees()),
                 MissionCodec.e7(command.point().longitudeDegrees()),
                 (float) command.altitude().meters());
-        CommandExchange reposition =
-                new CommandExchange(cockpit.target(), CommandRequest.ofInt(message), cockpit.observer());
+        CommandExchange reposition = new CommandExchange(
+                cockpit.target(), CommandRequest.ofInt(message, CommandRequest.Retry.REPEATABLE), cockpit.observer());
         return new Sequence(List.of(
                 guided(cockpit),
                 Sequence.Step.of(() -> new Alternative(
@@ -343,7 +313,11 @@ final class ArduPilot implements Autopilot {
             steps.add(Sequence.Step.of(() -> new CommandExchange(
                     cockpit.target(),
                     CommandRequest.ofLong(
-                            cockpit.target(), Maneuvers.MISSION_START, new float[0], CommandRequest.Proof.ACKNOWLEDGED),
+                            cockpit.target(),
+                            Maneuvers.MISSION_START,
+                            new float[0],
+                            CommandRequest.Retry.REPEATABLE,
+                            CommandRequest.Proof.ACKNOWLEDGED),
                     cockpit.observer())));
         }
         return new Sequence(steps);

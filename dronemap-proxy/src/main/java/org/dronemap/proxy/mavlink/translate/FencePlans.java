@@ -15,34 +15,33 @@ import org.dronemap.proxy.mavlink.procedure.MissionKind;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 import org.dronemap.proxy.mavlink.procedure.Stage;
-import org.jspecify.annotations.Nullable;
 
 /** Fences and rally points: written like missions, read back and compared. */
 final class FencePlans {
     private FencePlans() {}
 
-    /** Null for a command of another kind. */
-    static @Nullable Exchange plan(Command command, Cockpit cockpit) {
-        if (command instanceof Command.ReadFence) {
-            return read(cockpit, MissionKind.FENCE, items -> fenceRead(cockpit, items));
-        }
-        if (command instanceof Command.SetFence set) {
-            return write(
-                    cockpit,
-                    MissionKind.FENCE,
-                    FenceCodec.fenceToWire(set.zones(), cockpit.target()),
-                    items -> fenceRead(cockpit, items));
-        }
-        if (command instanceof Command.ReadRallyPoints) {
-            return read(cockpit, MissionKind.RALLY, items -> rallyRead(cockpit, items));
-        }
-        return command instanceof Command.SetRallyPoints set
-                ? write(
-                        cockpit,
-                        MissionKind.RALLY,
-                        FenceCodec.rallyToWire(set.points(), cockpit.target()),
-                        items -> rallyRead(cockpit, items))
-                : null;
+    static Exchange readFence(Cockpit cockpit) {
+        return read(cockpit, MissionKind.FENCE, items -> fenceRead(cockpit, items));
+    }
+
+    static Exchange set(Cockpit cockpit, Command.SetFence command) {
+        return write(
+                cockpit,
+                MissionKind.FENCE,
+                FenceCodec.fenceToWire(command.zones(), cockpit.target()),
+                items -> fenceRead(cockpit, items));
+    }
+
+    static Exchange readRally(Cockpit cockpit) {
+        return read(cockpit, MissionKind.RALLY, items -> rallyRead(cockpit, items));
+    }
+
+    static Exchange set(Cockpit cockpit, Command.SetRallyPoints command) {
+        return write(
+                cockpit,
+                MissionKind.RALLY,
+                FenceCodec.rallyToWire(command.points(), cockpit.target()),
+                items -> rallyRead(cockpit, items));
     }
 
     private static void fenceRead(Cockpit cockpit, List<MissionItemInt> items) {

@@ -74,11 +74,16 @@ final class HomePlans {
         BooleanSupplier elsewhere = () -> first.outcome() instanceof Outcome.Failed;
         return new Sequence(List.of(
                 Sequence.Step.of(() -> order(cockpit, place)),
-                new Sequence.Step(
-                        () -> first,
-                        outcome -> outcome instanceof Outcome.Succeeded || outcome instanceof Outcome.Failed),
+                new Sequence.Step(() -> first, HomePlans::isSaid),
                 Sequence.Step.when(elsewhere, () -> order(cockpit, place)),
                 Sequence.Step.when(elsewhere, () -> reading(cockpit, place))));
+    }
+
+    private static boolean isSaid(Outcome outcome) {
+        return switch (outcome.kind()) {
+            case SUCCEEDED, FAILED -> true;
+            case REFUSED, TIMED_OUT, SUPERSEDED, UNKNOWN -> false;
+        };
     }
 
     private static HomeReading reading(Cockpit cockpit, @Nullable Place place) {
@@ -111,7 +116,8 @@ final class HomePlans {
                 there.latitudeE7(),
                 there.longitudeE7(),
                 (float) there.altitudeMeters());
-        return new CommandExchange(cockpit.target(), CommandRequest.ofInt(message), cockpit.observer());
+        return new CommandExchange(
+                cockpit.target(), CommandRequest.ofInt(message, CommandRequest.Retry.REPEATABLE), cockpit.observer());
     }
 
     private static String words(HomePosition home) {

@@ -21,6 +21,7 @@ final class Maneuvers {
     static final int DO_REPOSITION = 192;
     static final int MISSION_START = 300;
     static final int ARM_DISARM = 400;
+    private static final CommandRequest.Retry REPEATABLE = CommandRequest.Retry.REPEATABLE;
     private static final int DO_SET_RELAY = 181;
     private static final int DO_DIGICAM_CONTROL = 203;
     private static final int IMAGE_START_CAPTURE = 2000;
@@ -37,8 +38,12 @@ final class Maneuvers {
     static CommandExchange once(Cockpit cockpit, int command, float... parameters) {
         return new CommandExchange(
                 cockpit.target(),
-                CommandRequest.ofLong(cockpit.target(), command, parameters, CommandRequest.Proof.ACKNOWLEDGED)
-                        .once(),
+                CommandRequest.ofLong(
+                        cockpit.target(),
+                        command,
+                        parameters,
+                        CommandRequest.Retry.ONCE,
+                        CommandRequest.Proof.ACKNOWLEDGED),
                 cockpit.observer());
     }
 
@@ -69,7 +74,7 @@ final class Maneuvers {
                 Heartbeat.ID);
         return new CommandExchange(
                 cockpit.target(),
-                CommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {1f}, proof),
+                CommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {1f}, REPEATABLE, proof),
                 cockpit.observer());
     }
 
@@ -81,7 +86,8 @@ final class Maneuvers {
                 Heartbeat.ID);
         return new CommandExchange(
                 cockpit.target(),
-                CommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {0f, force ? FORCE : 0f}, proof),
+                CommandRequest.ofLong(
+                        cockpit.target(), ARM_DISARM, new float[] {0f, force ? FORCE : 0f}, REPEATABLE, proof),
                 cockpit.observer());
     }
 
@@ -93,7 +99,8 @@ final class Maneuvers {
                 Heartbeat.ID);
         return new CommandExchange(
                 cockpit.target(),
-                CommandRequest.ofLong(cockpit.target(), DO_SET_MODE, new float[] {CUSTOM_MODE, main, sub}, proof),
+                CommandRequest.ofLong(
+                        cockpit.target(), DO_SET_MODE, new float[] {CUSTOM_MODE, main, sub}, REPEATABLE, proof),
                 observer);
     }
 
@@ -125,6 +132,11 @@ final class Maneuvers {
             return true;
         };
         return new Sequence.Step(() -> new ParameterChange(cockpit.target(), wanted), goesOn);
+    }
+
+    /** The gate lets nothing through that the autopilot does not declare; whatever comes all the same is not carried out. */
+    static Exchange cannot(Command command) {
+        return refuse("This autopilot has no way to " + command.summary() + ".");
     }
 
     static Exchange refuse(String why) {

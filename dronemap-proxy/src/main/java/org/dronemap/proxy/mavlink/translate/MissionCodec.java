@@ -189,41 +189,38 @@ public final class MissionCodec {
     }
 
     private static Step step(MissionItem item, Form form) {
-        if (item instanceof MissionItem.TakeOff takeOff) {
-            return new Step(NAV_TAKEOFF, FRAME_RELATIVE, 0, form.noYaw())
-                    .at(form.hereLatitudeE7(), form.hereLongitudeE7(), takeOff.altitudeMeters());
-        }
-        if (item instanceof MissionItem.Waypoint waypoint) {
-            return new Step(NAV_WAYPOINT, frame(waypoint.altitude()), waypoint.holdSeconds(), form.noYaw())
-                    .at(waypoint.point(), waypoint.altitude());
-        }
-        if (item instanceof MissionItem.Land) {
-            return new Step(NAV_LAND, FRAME_RELATIVE, 0, form.noYaw())
-                    .at(form.homeInFront() ? 0 : Integer.MAX_VALUE, form.homeInFront() ? 0 : Integer.MAX_VALUE, 0);
-        }
-        if (item instanceof MissionItem.ReturnToLaunch) {
-            return new Step(NAV_RETURN_TO_LAUNCH, FRAME_RELATIVE, 0, 0f);
-        }
-        if (item instanceof MissionItem.Wait wait) {
-            return Step.order(NAV_DELAY, wait.seconds(), 0);
-        }
-        if (item instanceof MissionItem.Action action) {
-            return order(action);
-        }
-        throw new IllegalArgumentException("not a plannable mission item: " + item);
+        return switch (item.kind()) {
+            case TAKE_OFF ->
+                new Step(NAV_TAKEOFF, FRAME_RELATIVE, 0, form.noYaw())
+                        .at(
+                                form.hereLatitudeE7(),
+                                form.hereLongitudeE7(),
+                                ((MissionItem.TakeOff) item).altitudeMeters());
+            case WAYPOINT -> waypoint((MissionItem.Waypoint) item, form);
+            case LAND ->
+                new Step(NAV_LAND, FRAME_RELATIVE, 0, form.noYaw())
+                        .at(form.homeInFront() ? 0 : Integer.MAX_VALUE, form.homeInFront() ? 0 : Integer.MAX_VALUE, 0);
+            case RETURN_TO_LAUNCH -> new Step(NAV_RETURN_TO_LAUNCH, FRAME_RELATIVE, 0, 0f);
+            case WAIT -> Step.order(NAV_DELAY, ((MissionItem.Wait) item).seconds(), 0);
+            case TAKE_PHOTO -> Step.order(DO_DIGICAM_CONTROL, 0, 0).at(ONE_PHOTO, 0, 0);
+            case SET_SERVO ->
+                Step.order(
+                        DO_SET_SERVO,
+                        ((MissionItem.SetServo) item).output(),
+                        ((MissionItem.SetServo) item).pulseMicros());
+            case LOOK_AT -> look((MissionItem.LookAt) item);
+            case LOOK_AHEAD -> Step.order(DO_SET_ROI_NONE, 0, 0);
+            case OTHER -> throw new IllegalArgumentException("not a plannable mission item: " + item);
+        };
     }
 
-    private static Step order(MissionItem.Action action) {
-        if (action instanceof MissionItem.SetServo servo) {
-            return Step.order(DO_SET_SERVO, servo.output(), servo.pulseMicros());
-        }
-        if (action instanceof MissionItem.LookAt look) {
-            return new Step(DO_SET_ROI_LOCATION, frame(look.altitude()), 0, 0f).at(look.point(), look.altitude());
-        }
-        if (action instanceof MissionItem.LookAhead) {
-            return Step.order(DO_SET_ROI_NONE, 0, 0);
-        }
-        return Step.order(DO_DIGICAM_CONTROL, 0, 0).at(ONE_PHOTO, 0, 0);
+    private static Step waypoint(MissionItem.Waypoint waypoint, Form form) {
+        return new Step(NAV_WAYPOINT, frame(waypoint.altitude()), waypoint.holdSeconds(), form.noYaw())
+                .at(waypoint.point(), waypoint.altitude());
+    }
+
+    private static Step look(MissionItem.LookAt look) {
+        return new Step(DO_SET_ROI_LOCATION, frame(look.altitude()), 0, 0f).at(look.point(), look.altitude());
     }
 
     private static int frame(Altitude altitude) {

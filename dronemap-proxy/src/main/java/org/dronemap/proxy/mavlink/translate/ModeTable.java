@@ -1,5 +1,6 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -60,8 +61,12 @@ final class ModeTable {
             "SIMPLE",
             "VELOCITY");
 
-    private static final Set<String> SAFETY =
-            Set.of("RTL", "SMART_RTL", "AUTO_RTL", "QRTL", "LAND", "QLAND", "AUTOLAND", "LOITERALTQLAND");
+    private static final Set<String> HOME = Set.of("RTL", "SMART_RTL", "AUTO_RTL", "QRTL");
+
+    private static final Set<String> SAFETY = Set.of("LAND", "QLAND", "AUTOLAND", "LOITERALTQLAND");
+
+    /** The first of these that a vehicle has is the one for what it goes by in it. */
+    private static final List<String> USUAL = List.of("GUIDED", "LOITER", "AUTO", "RTL", "LAND");
 
     private static final String GUIDED = "GUIDED";
 
@@ -116,6 +121,8 @@ final class ModeTable {
                 steering.put(name, Steering.ORDERS);
             } else if (STANDS.contains(name)) {
                 steering.put(name, Steering.STANDS);
+            } else if (HOME.contains(name)) {
+                steering.put(name, Steering.HOME);
             } else if (SAFETY.contains(name)) {
                 steering.put(name, Steering.SAFETY);
             } else if (name.equals("AUTO")) {
@@ -129,10 +136,23 @@ final class ModeTable {
     Map<String, String> arming() {
         Map<String, String> arming = new LinkedHashMap<>();
         if (has(GUIDED)) {
-            Set<String> refusing = this == COPTER ? COPTER_REFUSES_TO_ARM : SAFETY;
-            names.values().stream().filter(refusing::contains).forEach(name -> arming.put(name, GUIDED));
+            names.values().stream().filter(this::refusesToArm).forEach(name -> arming.put(name, GUIDED));
         }
         return arming;
+    }
+
+    private boolean refusesToArm(String mode) {
+        return this == COPTER ? COPTER_REFUSES_TO_ARM.contains(mode) : HOME.contains(mode) || SAFETY.contains(mode);
+    }
+
+    /** The mode that it is put into for each of these, where there are several. */
+    Map<Steering, String> usual() {
+        Map<Steering, String> usual = new EnumMap<>(Steering.class);
+        Map<String, Steering> steering = steering();
+        for (String name : USUAL) {
+            Optional.ofNullable(steering.get(name)).ifPresent(by -> usual.putIfAbsent(by, name));
+        }
+        return usual;
     }
 
     boolean has(String name) {

@@ -1,7 +1,6 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,7 +8,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -37,6 +35,10 @@ final class Px4 implements Autopilot {
     private static final int FRAME_GLOBAL_INT = 5;
     private static final int AUTO_MAIN_MODE = 4;
     private static final int COM_DLL_EXCEPT_MISSION = 1;
+    private static final String LOITER = "LOITER";
+    private static final String MISSION = "MISSION";
+    private static final String RTL = "RTL";
+    private static final String LAND = "LAND";
     private static final Map<String, Mode> MODES = modesByName();
     private static final Map<String, Steering> STEERING = Map.ofEntries(
             Map.entry("MANUAL", Steering.STICKS),
@@ -45,13 +47,19 @@ final class Px4 implements Autopilot {
             Map.entry("RATTITUDE", Steering.STICKS),
             Map.entry("ALTCTL", Steering.STICKS),
             Map.entry("POSCTL", Steering.STICKS),
-            Map.entry("LOITER", Steering.ORDERS),
+            Map.entry(LOITER, Steering.ORDERS),
             Map.entry("OFFBOARD", Steering.ORDERS),
-            Map.entry("MISSION", Steering.MISSION),
-            Map.entry("RTL", Steering.SAFETY),
-            Map.entry("LAND", Steering.SAFETY));
+            Map.entry(MISSION, Steering.MISSION),
+            Map.entry(RTL, Steering.HOME),
+            Map.entry(LAND, Steering.SAFETY));
+    private static final Map<Steering, String> USUAL = Map.of(
+            Steering.STICKS, "POSCTL",
+            Steering.ORDERS, LOITER,
+            Steering.MISSION, MISSION,
+            Steering.HOME, RTL,
+            Steering.SAFETY, LAND);
     /** It is not armed on its way home or down, and waits for orders in the other. */
-    private static final Map<String, String> ARMING = Map.of("RTL", "LOITER", "LAND", "LOITER");
+    private static final Map<String, String> ARMING = Map.of(RTL, LOITER, LAND, LOITER);
 
     private static final String NO_HOME =
             "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
@@ -77,10 +85,10 @@ final class Px4 implements Autopilot {
         modes.put("RATTITUDE", new Mode(8, 0));
         modes.put("ALTCTL", new Mode(2, 0));
         modes.put("POSCTL", new Mode(3, 0));
-        modes.put("LOITER", new Mode(AUTO_MAIN_MODE, 3));
-        modes.put("MISSION", new Mode(AUTO_MAIN_MODE, 4));
-        modes.put("RTL", new Mode(AUTO_MAIN_MODE, 5));
-        modes.put("LAND", new Mode(AUTO_MAIN_MODE, 6));
+        modes.put(LOITER, new Mode(AUTO_MAIN_MODE, 3));
+        modes.put(MISSION, new Mode(AUTO_MAIN_MODE, 4));
+        modes.put(RTL, new Mode(AUTO_MAIN_MODE, 5));
+        modes.put(LAND, new Mode(AUTO_MAIN_MODE, 6));
         modes.put("RTGS", new Mode(AUTO_MAIN_MODE, 7));
         modes.put("FOLLOWME", new Mode(AUTO_MAIN_MODE, 8));
         modes.put("OFFBOARD", new Mode(6, 0));
@@ -126,19 +134,33 @@ final class Px4 implements Autopilot {
 
     @Override
     public Capabilities capabilities() {
-        Set<Capability> can = EnumSet.complementOf(EnumSet.of(
-                Capability.TURN,
-                Capability.SET_RELAY,
-                Capability.GO_TO_LOCAL,
-                Capability.EMERGENCY_STOP,
-                Capability.READ_MAP,
-                Capability.VELOCITY,
-                Capability.STICKS,
-                Capability.TRACK));
-        if (kind == VehicleKind.ROVER || kind == VehicleKind.BOAT || kind == VehicleKind.SUBMARINE) {
-            can.removeAll(EnumSet.of(Capability.TAKE_OFF, Capability.LAND));
-        }
-        return new Capabilities(can, modes(), STEERING, ARMING);
+        return Capabilities.of(this::can, modes(), STEERING, USUAL, ARMING);
+    }
+
+    private boolean can(Capability capability) {
+        return switch (capability) {
+            case ARM,
+                    DISARM,
+                    SET_MODE,
+                    RETURN_TO_LAUNCH,
+                    HOLD,
+                    GO_TO,
+                    UPLOAD_MISSION,
+                    START_MISSION,
+                    PAUSE_MISSION,
+                    CLEAR_MISSION,
+                    TAKE_PICTURE,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    READ_LOGS,
+                    FENCE,
+                    RALLY_POINTS,
+                    SET_HOME,
+                    READ_HOME -> true;
+            case TAKE_OFF, LAND ->
+                kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE;
+            case TURN, SET_RELAY, GO_TO_LOCAL, EMERGENCY_STOP, READ_MAP, VELOCITY, STICKS, TRACK -> false;
+        };
     }
 
     @Override
@@ -159,35 +181,34 @@ final class Px4 implements Autopilot {
 
     @Override
     public Exchange plan(Command command, Cockpit cockpit) {
-        if (command instanceof Command.Arm) {
-            return Maneuvers.arm(cockpit);
-        }
-        if (command instanceof Command.Disarm disarm) {
-            return Maneuvers.disarm(cockpit, disarm.force());
-        }
-        if (command instanceof Command.SetMode setMode) {
-            return mode(cockpit, setMode.mode());
-        }
-        if (command instanceof Command.Land) {
-            return mode(cockpit, "LAND");
-        }
-        if (command instanceof Command.ReturnToLaunch) {
-            return mode(cockpit, "RTL");
-        }
-        if (command instanceof Command.TakeOff takeOff) {
-            return takeOff(cockpit, takeOff);
-        }
-        if (command instanceof Command.GoTo goTo) {
-            return goTo(cockpit, goTo);
-        }
-        if (command instanceof SetReturnHeight height) {
-            return ReturnHeights.set(cockpit, height, kind, RETURN_HEIGHT);
-        }
-        if (command instanceof ReturnOnLoss) {
-            return CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
-        }
-        Exchange common = CommonPlans.plan(command, cockpit);
-        return common != null ? common : planMission(command, cockpit);
+        return switch (command.kind()) {
+            case SET_MODE -> mode(cockpit, ((Command.SetMode) command).mode());
+            case TAKE_OFF -> takeOff(cockpit, (Command.TakeOff) command);
+            case LAND -> mode(cockpit, LAND);
+            case RETURN_TO_LAUNCH -> mode(cockpit, RTL);
+            case HOLD, PAUSE_MISSION -> mode(cockpit, LOITER);
+            case GO_TO -> goTo(cockpit, (Command.GoTo) command);
+            case UPLOAD_MISSION ->
+                upload(cockpit, ((Command.UploadMission) command).mission().items());
+            case START_MISSION -> start(cockpit, (Command.StartMission) command);
+            case CLEAR_MISSION -> new MissionPlans(cockpit, 0).clear();
+            case SET_RETURN_HEIGHT -> ReturnHeights.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
+            case RETURN_ON_LOSS -> CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
+            case ARM -> Maneuvers.arm(cockpit);
+            case DISARM -> Maneuvers.disarm(cockpit, ((Command.Disarm) command).force());
+            case TAKE_PICTURE -> Maneuvers.picture(cockpit);
+            case SET_HOME -> HomePlans.set(cockpit, (Command.SetHome) command);
+            case READ_HOME -> HomePlans.read(cockpit);
+            case READ_PARAMETERS -> CommonPlans.readParameters(cockpit);
+            case SET_PARAMETERS -> CommonPlans.set(cockpit, (Command.SetParameters) command);
+            case READ_LOGS -> CommonPlans.readLogs(cockpit);
+            case DOWNLOAD_LOG -> CommonPlans.download(cockpit, (Command.DownloadLog) command);
+            case READ_FENCE -> FencePlans.readFence(cockpit);
+            case SET_FENCE -> FencePlans.set(cockpit, (Command.SetFence) command);
+            case READ_RALLY_POINTS -> FencePlans.readRally(cockpit);
+            case SET_RALLY_POINTS -> FencePlans.set(cockpit, (Command.SetRallyPoints) command);
+            case TURN, SET_RELAY, EMERGENCY_STOP, GO_TO_LOCAL, READ_MAP -> Maneuvers.cannot(command);
+        };
     }
 
     @Override
@@ -195,21 +216,11 @@ final class Px4 implements Autopilot {
         return new Steersman(target, kind).say(setpoint);
     }
 
-    private Exchange planMission(Command command, Cockpit cockpit) {
-        if (command instanceof Command.UploadMission upload) {
-            List<MissionItem> mission = upload.mission().items();
-            return new MissionPlans(cockpit, 0)
-                    .upload(
-                            mission,
-                            MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form(cockpit.status())));
-        }
-        if (command instanceof Command.ClearMission) {
-            return new MissionPlans(cockpit, 0).clear();
-        }
-        if (command instanceof Command.StartMission start) {
-            return start(cockpit, start);
-        }
-        return mode(cockpit, "LOITER");
+    private static Exchange upload(Cockpit cockpit, List<MissionItem> mission) {
+        return new MissionPlans(cockpit, 0)
+                .upload(
+                        mission,
+                        MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form(cockpit.status())));
     }
 
     private static MissionCodec.Form form(VehicleStatus status) {
@@ -237,8 +248,12 @@ final class Px4 implements Autopilot {
         float[] parameters = {-1f, 0f, 0f, Float.NaN, Float.NaN, Float.NaN, altitude};
         return new CommandExchange(
                 cockpit.target(),
-                CommandRequest.ofLong(cockpit.target(), NAV_TAKEOFF, parameters, Maneuvers.climbing(cockpit.status()))
-                        .verifyFirst(),
+                CommandRequest.ofLong(
+                        cockpit.target(),
+                        NAV_TAKEOFF,
+                        parameters,
+                        CommandRequest.Retry.VERIFY_FIRST,
+                        Maneuvers.climbing(cockpit.status())),
                 cockpit.observer());
     }
 
@@ -263,7 +278,8 @@ final class Px4 implements Autopilot {
                 MissionCodec.e7(command.point().latitudeDegrees()),
                 MissionCodec.e7(command.point().longitudeDegrees()),
                 (float) altitude);
-        return new CommandExchange(cockpit.target(), CommandRequest.ofInt(message), cockpit.observer());
+        return new CommandExchange(
+                cockpit.target(), CommandRequest.ofInt(message, CommandRequest.Retry.REPEATABLE), cockpit.observer());
     }
 
     private static Exchange start(Cockpit cockpit, Command.StartMission start) {
@@ -281,7 +297,7 @@ final class Px4 implements Autopilot {
         } else if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
             steps.add(new Sequence.Step(() -> new SetCurrentItem(cockpit.target(), 0, seq -> seq == 0), any -> true));
         }
-        steps.add(Sequence.Step.of(() -> mode(cockpit, "MISSION")));
+        steps.add(Sequence.Step.of(() -> mode(cockpit, MISSION)));
         return new Sequence(steps);
     }
 }

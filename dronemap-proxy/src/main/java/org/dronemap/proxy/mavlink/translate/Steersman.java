@@ -40,13 +40,12 @@ final class Steersman {
     }
 
     Optional<Message> say(Setpoint setpoint) {
-        if (setpoint instanceof Setpoint.Velocity velocity) {
-            return Optional.of(speeds(velocity));
-        }
-        if (setpoint instanceof Setpoint.Track track) {
-            return Optional.of(place(track));
-        }
-        return setpoint instanceof Setpoint.Sticks sticks ? Optional.of(sticks(sticks)) : Optional.empty();
+        return Optional.of(
+                switch (setpoint.kind()) {
+                    case VELOCITY -> speeds((Setpoint.Velocity) setpoint);
+                    case TRACK -> place((Setpoint.Track) setpoint);
+                    case STICKS -> sticks((Setpoint.Sticks) setpoint);
+                });
     }
 
     private SetPositionTargetLocalNed speeds(Setpoint.Velocity velocity) {

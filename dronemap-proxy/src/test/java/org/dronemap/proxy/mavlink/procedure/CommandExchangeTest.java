@@ -27,7 +27,11 @@ class CommandExchangeTest {
     }
 
     private CommandRequest request(CommandRequest.Proof proof) {
-        return CommandRequest.ofLong(wire.target(), ARM, new float[] {1f}, proof);
+        return request(CommandRequest.Retry.REPEATABLE, proof);
+    }
+
+    private CommandRequest request(CommandRequest.Retry retry, CommandRequest.Proof proof) {
+        return CommandRequest.ofLong(wire.target(), ARM, new float[] {1f}, retry, proof);
     }
 
     private static CommandRequest.Proof seen(BooleanSupplier seen) {
@@ -207,7 +211,7 @@ class CommandExchangeTest {
     void sendsAnOnceOnlyCommandOnceAndDoesNotPretendToKnow() {
         wire.peer((w, message) -> w.answer(new CommandAck(999, 0, 0, 0, 255, 190)));
         CommandExchange exchange = new CommandExchange(
-                wire.target(), request(CommandRequest.Proof.ACKNOWLEDGED).once(), Observer.NONE);
+                wire.target(), request(CommandRequest.Retry.ONCE, CommandRequest.Proof.ACKNOWLEDGED), Observer.NONE);
 
         assertThat(wire.runWhole(exchange)).isInstanceOf(Outcome.Unknown.class);
         assertThat(wire.sent()).hasSize(1);
@@ -217,7 +221,7 @@ class CommandExchangeTest {
     void doesNotTakeTheLateEchoOfAnEarlierCommandForItsOwn() {
         Target target = wire.target();
         wire.peer((w, message) -> w.answer(ack(0)));
-        CommandRequest picture = request(CommandRequest.Proof.ACKNOWLEDGED).once();
+        CommandRequest picture = request(CommandRequest.Retry.ONCE, CommandRequest.Proof.ACKNOWLEDGED);
         assertThat(wire.runWhole(new CommandExchange(target, picture, Observer.NONE)))
                 .isEqualTo(DONE);
         // The network doubles the acknowledgement of the first and loses the second command.
@@ -273,8 +277,8 @@ class CommandExchangeTest {
             boolean first = ((CommandLong) message).confirmation() == 0;
             w.answer(first ? new CommandAck(999, 0, 0, 0, 255, 190) : ack(4));
         });
-        CommandExchange takeOff =
-                new CommandExchange(wire.target(), request(seen(climbing::get)).verifyFirst(), Observer.NONE);
+        CommandExchange takeOff = new CommandExchange(
+                wire.target(), request(CommandRequest.Retry.VERIFY_FIRST, seen(climbing::get)), Observer.NONE);
         takeOff.start(wire.now());
         for (int i = 0; i < 8; i++) {
             wire.run(takeOff, 0.25);
@@ -312,8 +316,8 @@ class CommandExchangeTest {
 
     @Test
     void doesNotRepeatATakeOffWithoutALookAtTheVehicle() {
-        CommandExchange exchange =
-                new CommandExchange(wire.target(), request(seen(() -> false)).verifyFirst(), Observer.NONE);
+        CommandExchange exchange = new CommandExchange(
+                wire.target(), request(CommandRequest.Retry.VERIFY_FIRST, seen(() -> false)), Observer.NONE);
 
         assertThat(wire.runWhole(exchange)).isInstanceOf(Outcome.TimedOut.class);
         assertThat(wire.sent()).hasSize(1);

@@ -92,9 +92,13 @@ class EveryFaultTest {
             acted.incrementAndGet();
             w.answer(new CommandAck(COMMAND, 0, 0, 0, 255, 190));
         });
-        CommandRequest request =
-                CommandRequest.ofLong(wire.target(), COMMAND, new float[] {1f}, CommandRequest.Proof.ACKNOWLEDGED);
-        return new CommandExchange(wire.target(), once ? request.once() : request, Observer.NONE);
+        CommandRequest request = CommandRequest.ofLong(
+                wire.target(),
+                COMMAND,
+                new float[] {1f},
+                once ? CommandRequest.Retry.ONCE : CommandRequest.Retry.REPEATABLE,
+                CommandRequest.Proof.ACKNOWLEDGED);
+        return new CommandExchange(wire.target(), request, Observer.NONE);
     }
 
     private static List<MissionItemInt> items() {

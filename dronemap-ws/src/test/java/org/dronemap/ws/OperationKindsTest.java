@@ -1,0 +1,89 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.operation.Operation;
+import org.dronemap.core.operation.OperationCodec;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.ws.house.Faces;
+import org.dronemap.ws.house.SharedServer;
+import org.dronemap.ws.house.TestHouse;
+import org.dronemap.ws.wiring.RunSide;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** What there is of operations is conducted, written down, and shown by each face. */
+class OperationKindsTest {
+    private static final JavaClasses SHIPPED = new ClassFileImporter()
+            .withImportOption(new ImportOption.DoNotIncludeTests())
+            .importPackages(
+                    "org.dronemap.cognitive",
+                    "org.dronemap.ws.journal",
+                    "org.dronemap.ws.stream",
+                    "org.dronemap.core.operation");
+
+    /** Where each is shown: an address of REST, an operation of SOAP, a message of the stream. */
+    private static final Map<String, Shown> SHOWN = Map.of(
+            "missionRun", new Shown("GET /api/v1/runs/{id}", "getRun", "RunChanged"),
+            "follow", new Shown("GET /api/v1/follows/{id}", "getFollow", "FollowChanged"));
+
+    private static TestHouse house;
+
+    private record Shown(String rest, String soap, String stream) {}
+
+    @BeforeAll
+    static void open() {
+        house = SharedServer.get();
+    }
+
+    private static List<OperationKind<?, ?>> kinds() throws IllegalAccessException, InvocationTargetException {
+        List<OperationKind<?, ?>> kinds = new ArrayList<>();
+        for (RecordComponent component : RunSide.class.getRecordComponents()) {
+            if (component.getAccessor().invoke(house.runs()) instanceof OperationKind<?, ?> kind) {
+                kinds.add(kind);
+            }
+        }
+        return kinds;
+    }
+
+    private static List<String> shipped(Class<?> type) {
+        return SHIPPED.stream()
+                .filter(one -> one.isAssignableTo(type) && !one.isInterface())
+                .filter(one ->
+                        one.getSubclasses().isEmpty() && !one.getModifiers().contains(JavaModifier.ABSTRACT))
+                .map(JavaClass::getName)
+                .toList();
+    }
+
+    @Test
+    void conductsEachMachineAndReadsItsJournal() throws ReflectiveOperationException {
+        assertThat(kinds().stream().map(kind -> kind.machine().getClass().getName()))
+                .containsExactlyInAnyOrderElementsOf(shipped(Operation.class));
+        assertThat(kinds().stream().map(kind -> kind.codec().getClass().getName()))
+                .containsExactlyInAnyOrderElementsOf(shipped(OperationCodec.class));
+        assertThat(kinds().stream().map(OperationKind::name))
+                .containsExactlyInAnyOrderElementsOf(house.runs().operations().kinds());
+    }
+
+    @Test
+    void showsEachKindByEachFace() throws ReflectiveOperationException {
+        assertThat(kinds().stream().map(OperationKind::name)).containsExactlyInAnyOrderElementsOf(SHOWN.keySet());
+        Faces faces = new Faces(house);
+        assertThat(faces.rest())
+                .containsAll(SHOWN.values().stream().map(Shown::rest).toList());
+        assertThat(faces.soap())
+                .containsAll(SHOWN.values().stream().map(Shown::soap).toList());
+        assertThat(SHOWN.values())
+                .allMatch(shown -> SHIPPED.contain("org.dronemap.ws.stream.StreamMessage$" + shown.stream()));
+    }
+}
