@@ -84,7 +84,7 @@ def pictures(page: Page, name: str) -> None:
 def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
     killable: Server, browser: Browser, hovering: tuple[Api, Json]
 ) -> None:
-    """End to end because a stopped server process keeps its connections open: only a browser shows what it notices."""
+    """End to end because a stopped server keeps its connections open: only a browser shows what it sees."""
     api, drone = hovering
     page = open_page(browser)
     page.add_init_script(WATCH)
@@ -131,7 +131,7 @@ def test_two_holds_stop_the_motors_in_the_air(
     station.choose(drone["name"])
     hands.press(page, page.get_by_role("button", name=re.compile("^Emergency stop")).first)
     expect(page.get_by_text(f"{drone['name']} FALLS from where it is")).to_be_visible()
-    pictures(page, "stop") if not touch else None
+    picture(page, f"stop-{'phone' if touch else 'desk'}-light")
     hands.hold(page, page.get_by_role("button", name="Emergency stop: motors off"))
     expect(page.get_by_text("Once more, within 3 s")).to_be_visible()
     assert api.drone(drone["id"])["armed"], "one hold sends nothing"
