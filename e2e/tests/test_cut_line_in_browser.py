@@ -132,7 +132,10 @@ def test_two_holds_stop_the_motors_in_the_air(
     hands.press(page, page.get_by_role("button", name=re.compile("^Emergency stop")).first)
     expect(page.get_by_text(f"{drone['name']} FALLS from where it is")).to_be_visible()
     picture(page, f"stop-{'phone' if touch else 'desk'}-light")
-    hands.hold(page, page.get_by_role("button", name="Emergency stop: motors off"))
+    stop = page.get_by_role("button", name="Emergency stop: motors off")
+    # Who flew it up has control for 30 s after that.
+    expect(stop).to_have_attribute("aria-disabled", "false", timeout=60_000)
+    hands.hold(page, stop)
     expect(page.get_by_text("Once more, within 3 s")).to_be_visible()
     assert api.drone(drone["id"])["armed"], "one hold sends nothing"
     hands.hold(page, page.get_by_role("button", name="Hold again: the motors stop now"))
