@@ -85,7 +85,7 @@ public final class Routes {
             return new Route(List.of(), "Which mission is on the vehicle is not known");
         }
         Integer current = mission.current();
-        boolean goesOn = drone.airborne() && !mission.complete() && current != null;
-        return new MissionWalk(drone).through(items, goesOn ? current : 0);
+        int next = current == null || mission.complete() || !drone.airborne() ? 0 : current;
+        return new MissionWalk(drone).through(items, next);
     }
 }
