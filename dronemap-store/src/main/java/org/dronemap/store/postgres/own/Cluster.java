@@ -150,6 +150,12 @@ final class Cluster {
         }
     }
 
+    /** False when it is known that other programs than these run it, such as those of an older Dronemap. */
+    boolean isOfTheseProgramsOrUnknown(ProcessHandle process) {
+        Path program = engine.program("postgres");
+        return process.info().command().map(Path::of).map(program::equals).orElse(true);
+    }
+
     /** Starts it on a free loopback port and returns that once it takes connections. */
     int start() {
         return start(Cluster::freePort);

@@ -22,7 +22,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * The PostgreSQL that a server runs itself, in a directory that it holds alone. A database that outlived a killed
- * server is taken over; one that crashed recovers at its start. Thread-safe.
+ * server is taken over, unless other programs than ours run it: their weaknesses may be why there are new ones. One that
+ * crashed recovers at its start. Thread-safe.
  */
 public final class OwnPostgres implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(OwnPostgres.class);
@@ -174,6 +175,13 @@ public final class OwnPostgres implements AutoCloseable {
         Optional<ProcessHandle> process = left.get().process(cluster.directory());
         if (process.isEmpty()) {
             forgetStaleFile(left.get());
+            return Optional.empty();
+        }
+        if (!cluster.isOfTheseProgramsOrUnknown(process.get())) {
+            LOG.info(
+                    "The database that outlived its server (process {}) is of another version, starting it anew",
+                    process.get().pid());
+            cluster.stop();
             return Optional.empty();
         }
         if (answers(left.get().port(), process.get())) {

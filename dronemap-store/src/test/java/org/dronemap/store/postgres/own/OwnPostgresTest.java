@@ -63,6 +63,26 @@ class OwnPostgresTest {
     }
 
     @Test
+    void startsADatabaseAnewThatProgramsOfAnotherVersionRun() throws Exception {
+        Homes.copyStopped(stopped, directory);
+        try (ChildProcess child = new ChildProcess(directory, "updated", 3)) {
+            awaitDone(child);
+            child.kill();
+        }
+        long orphan = postmaster().pid();
+        Path programs = Engine.unpack(directory.toRealPath()).directory();
+        Files.move(programs, programs.resolveSibling("postgres-of-before"));
+        Homes.putPrograms(directory);
+        try (OwnPostgres own = OwnPostgres.start(directory)) {
+            assertThat(own.wasAdopted()).isFalse();
+            assertThat(postmaster().pid()).isNotEqualTo(orphan);
+            assertThat(ProcessHandle.of(postmaster().pid()).orElseThrow().info().command())
+                    .contains(programs.resolve("bin").resolve("postgres").toString());
+            assertThat(count(own)).isEqualTo(3);
+        }
+    }
+
+    @Test
     void recoversWhenServerAndDatabaseWereKilled() throws Exception {
         Homes.copyStopped(stopped, directory);
         try (ChildProcess child = new ChildProcess(directory, "crashed", 3)) {
