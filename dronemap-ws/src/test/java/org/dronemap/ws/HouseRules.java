@@ -6,12 +6,20 @@ import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
 import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.Dependency;
+import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import java.lang.reflect.RecordComponent;
 import java.util.List;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.history.TelemetryColumn;
+import org.dronemap.core.stored.Stored;
 import org.dronemap.proxy.endpoint.BoundedDraft;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.service.PasswordHashing;
@@ -53,6 +61,8 @@ final class HouseRules {
             .definedBy("org.dronemap.core.time..")
             .layer("process")
             .definedBy("org.dronemap.core.process..")
+            .layer("stored")
+            .definedBy("org.dronemap.core.stored..")
             .layer("geo")
             .definedBy("org.dronemap.core.geo..")
             .layer("mission")
@@ -82,6 +92,8 @@ final class HouseRules {
             .whereLayer("time")
             .mayNotAccessAnyLayer()
             .whereLayer("process")
+            .mayNotAccessAnyLayer()
+            .whereLayer("stored")
             .mayNotAccessAnyLayer()
             .whereLayer("conduct")
             .mayNotBeAccessedByAnyLayer()
@@ -206,6 +218,53 @@ final class HouseRules {
             .should()
             .callMethod(PasswordHashing.class, "matches", String.class, String.class)
             .as("passwords are compared in one place, which slows down who guesses");
+
+    static final ArchRule STORED_TEXT_HAS_NAMES_OF_ITS_OWN = noClasses()
+            .that()
+            .resideInAnyPackage("org.dronemap.store..", "org.dronemap.ws.journal..")
+            .should()
+            .accessTargetWhere(new DescribedPredicate<JavaAccess<?>>("it asks for a name of the code") {
+                @Override
+                public boolean test(JavaAccess<?> access) {
+                    JavaClass owner = access.getTargetOwner();
+                    boolean ours =
+                            owner.isEquivalentTo(Enum.class) || owner.getName().startsWith("org.dronemap.");
+                    // Each enum has a valueOf that the compiler wrote.
+                    boolean compilers =
+                            access.getOriginOwner().isEnum() && access.getName().equals("valueOf");
+                    return switch (access.getName()) {
+                        case "name", "valueOf", "toString" -> ours && !compilers && owner.isAssignableTo(Enum.class);
+                        case "getName", "getSimpleName" ->
+                            owner.isEquivalentTo(Class.class) || owner.isEquivalentTo(RecordComponent.class);
+                        default -> false;
+                    };
+                }
+            })
+            .as("what is stored has names of its own: those of @Stored");
+
+    static final ArchRule CORE_STORES_NO_NAMES_OF_CLASSES = noClasses()
+            .that()
+            .resideInAnyPackage("org.dronemap.core..", "org.dronemap.cognitive..")
+            .should()
+            .callMethod(Class.class, "getSimpleName");
+
+    static final ArchRule CONSTANTS_THAT_STORES_KNOW_HAVE_STORED_NAMES = classes()
+            .that()
+            .resideInAPackage("org.dronemap.store..")
+            .should(new ArchCondition<>("know only enums of ours that have stored names") {
+                @Override
+                public void check(JavaClass store, ConditionEvents events) {
+                    for (Dependency dependency : store.getDirectDependenciesFromSelf()) {
+                        JavaClass type = dependency.getTargetClass();
+                        // What stands in a column is decided by its kind; no kind is written down.
+                        boolean named = !type.isEnum()
+                                || type.isEquivalentTo(TelemetryColumn.Kind.class)
+                                || !type.getPackageName().startsWith("org.dronemap.core.")
+                                || type.isAnnotatedWith(Stored.class);
+                        events.add(new SimpleConditionEvent(dependency, named, dependency.getDescription()));
+                    }
+                }
+            });
 
     static final ArchRule MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED = noClasses()
             .that()

@@ -14,15 +14,20 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.dronemap.core.stored.Stored;
+import org.dronemap.core.stored.StoredNames;
+import org.dronemap.ws.journal.PlantedNames;
 import org.dronemap.ws.planted.PlantedCases;
 import org.dronemap.ws.planted.PlantedTime;
 import org.dronemap.ws.planted.PlantedViolation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * All modules obey the rules of the house, and the rules can fail. Whatever flies can be stepped, but for a few classes that
@@ -67,7 +72,10 @@ class HouseTest {
                 HouseRules.NO_CYCLES,
                 HouseRules.ONLY_THE_GATE_COMMANDS,
                 HouseRules.MESSAGES_OF_WEBSOCKETS_ARE_BOUNDED,
-                HouseRules.PASSWORDS_ARE_COMPARED_IN_ONE_PLACE);
+                HouseRules.PASSWORDS_ARE_COMPARED_IN_ONE_PLACE,
+                HouseRules.STORED_TEXT_HAS_NAMES_OF_ITS_OWN,
+                HouseRules.CORE_STORES_NO_NAMES_OF_CLASSES,
+                HouseRules.CONSTANTS_THAT_STORES_KNOW_HAVE_STORED_NAMES);
     }
 
     @ParameterizedTest
@@ -102,6 +110,40 @@ class HouseTest {
                         .evaluate(planted)
                         .hasViolation())
                 .isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"simple", "constant", "read", "component"})
+    void findsPlantedNames(String method) {
+        JavaClasses planted = new ClassFileImporter().importClasses(PlantedNames.class);
+
+        assertThat(HouseRules.STORED_TEXT_HAS_NAMES_OF_ITS_OWN
+                        .evaluate(planted)
+                        .getFailureReport()
+                        .getDetails())
+                .anyMatch(line -> line.contains("PlantedNames." + method));
+    }
+
+    /** Not one of these changes ever, and nothing is stored under a name that is not among them. */
+    @Test
+    void storesUnderTheNamesThatItAlwaysStoredUnder() throws IOException {
+        Path approved = Path.of("src/test/resources/stored-names.txt");
+
+        List<String> now = HOUSE.stream()
+                .filter(type -> type.isAnnotatedWith(Stored.class))
+                .map(type -> storedNames(type.reflect()))
+                .sorted()
+                .toList();
+
+        assertThat(now)
+                .as("what is new here goes into " + approved + "; what was there stays")
+                .containsExactlyElementsOf(Files.readAllLines(approved));
+    }
+
+    private static String storedNames(Class<?> type) {
+        String as = type.getAnnotation(Stored.class).as();
+        String names = String.join(" ", StoredNames.ofParts(type));
+        return type.isEnum() ? "one of: " + names : (as + " { " + names).strip() + " }";
     }
 
     static Stream<Class<?>> planted() {

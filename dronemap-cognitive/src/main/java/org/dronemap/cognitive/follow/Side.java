@@ -1,14 +1,19 @@
 package org.dronemap.cognitive.follow;
 
+import org.dronemap.core.stored.Stored;
+
 /** On which side of its target a drone stays. */
 public sealed interface Side {
     /** Where the target comes from. */
+    @Stored(as = "Behind")
     record Behind() implements Side {}
 
     /** Where the target goes. */
+    @Stored(as = "Ahead")
     record Ahead() implements Side {}
 
     /** Always in the same direction, degrees clockwise from north. */
+    @Stored(as = "Fixed", names = "bearingDegrees")
     record Fixed(double bearingDegrees) implements Side {
         public Fixed {
             if (!(Math.abs(bearingDegrees) <= 360)) {
@@ -18,6 +23,7 @@ public sealed interface Side {
     }
 
     /** Round and round, degrees a second clockwise seen from above; negative: the other way. */
+    @Stored(as = "Orbit", names = "degreesPerSecond")
     record Orbit(double degreesPerSecond) implements Side {
         private static final double FASTEST = 30;
 

@@ -1,5 +1,7 @@
 package org.dronemap.cognitive.plan;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * A visit to a waypoint.
  *
@@ -8,6 +10,7 @@ package org.dronemap.cognitive.plan;
  * @param leavesSeconds when the drone is free to leave; the next way may begin later
  * @param usedJoules drawn since the plan's beginning, when it leaves
  */
+@Stored(names = "waypoint way beginsSeconds leavesSeconds usedJoules")
 public record Stop(String waypoint, Way way, double beginsSeconds, double leavesSeconds, double usedJoules) {
     public double arrivesSeconds() {
         return way.arrivesSeconds();

@@ -3,6 +3,7 @@ package org.dronemap.cognitive.plan;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 
 /**
  * What one drone flies.
@@ -10,6 +11,7 @@ import org.dronemap.core.drone.DroneId;
  * @param last from the last stop, or from the start, to the drone's end
  * @param usedJoules drawn in all
  */
+@Stored(names = "drone stops last usedJoules")
 public record Tour(DroneId drone, List<Stop> stops, Way last, double usedJoules) {
     public Tour {
         stops = List.copyOf(stops);

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.plan;
 
 import java.util.List;
 import org.dronemap.cognitive.problem.Place;
+import org.dronemap.core.stored.Stored;
 
 /**
  * Flown from one stop to the next: straight from fix to fix, standing still for a moment at each. Between two fixes a
@@ -10,6 +11,7 @@ import org.dronemap.cognitive.problem.Place;
  * @param fixes the first when it sets off, the last when it arrives
  * @param joules drawn on it
  */
+@Stored(names = "fixes joules")
 public record Way(List<Fix> fixes, double joules) {
     public Way {
         fixes = List.copyOf(fixes);

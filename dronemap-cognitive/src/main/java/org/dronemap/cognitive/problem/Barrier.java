@@ -3,6 +3,7 @@ package org.dronemap.cognitive.problem;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.stored.Stored;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.ShapeFaults;
 import org.dronemap.core.zone.Zone;
@@ -13,6 +14,7 @@ import org.dronemap.core.zone.Zone;
  * @param words what people call it: "the no-fly zone “Airport”"
  * @param drones whom it binds; nobody named: everybody
  */
+@Stored(names = "words shape band drones")
 public record Barrier(String words, FenceZone shape, AltitudeBand band, Set<DroneId> drones) {
     /** A circle is gone round in so many straight pieces. */
     public static final int CIRCLE_TURNS = 16;

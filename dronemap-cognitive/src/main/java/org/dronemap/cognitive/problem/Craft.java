@@ -2,6 +2,7 @@ package org.dronemap.cognitive.problem;
 
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 
 /**
  * A drone that can be planned with.
@@ -9,6 +10,7 @@ import org.dronemap.core.drone.DroneId;
  * @param homeAmslMeters what altitudes above its home are counted from
  * @param linkQuality 0 (nothing arrives) to 1 (everything does)
  */
+@Stored(names = "id start finish performance supply skills homeAmslMeters linkQuality")
 public record Craft(
         DroneId id,
         Start start,

@@ -1,13 +1,17 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * What a plan is to be good at: the weighted sum of the longest tour's duration in seconds and of a measure summed over
  * all tours, in its unit.
  *
  * @param everyDrone whether each drone must fly, else drones may be left where they are
  */
+@Stored(names = "longestWeight measure sumWeight everyDrone")
 public record Objective(double longestWeight, Measure measure, double sumWeight, boolean everyDrone) {
     /** What is summed. */
+    @Stored(names = "SECONDS METERS JOULES")
     public enum Measure {
         SECONDS,
         METERS,

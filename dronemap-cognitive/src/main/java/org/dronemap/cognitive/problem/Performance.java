@@ -1,12 +1,14 @@
 package org.dronemap.cognitive.problem;
 
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.stored.Stored;
 
 /**
  * How a vehicle moves and what that draws.
  *
  * @param assumed nobody measured it: the careful figures of its kind
  */
+@Stored(names = "speeds power response assumed")
 public record Performance(Speeds speeds, Power power, WindResponse response, boolean assumed) {
     public Performance(Speeds speeds, Power power, WindResponse response) {
         this(speeds, power, response, false);

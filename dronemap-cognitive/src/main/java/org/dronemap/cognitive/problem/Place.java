@@ -2,8 +2,10 @@ package org.dronemap.cognitive.problem;
 
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.stored.Stored;
 
 /** A point in space: WGS-84, metres above mean sea level. */
+@Stored(names = "point altitudeAmslMeters")
 public record Place(Geodetic point, double altitudeAmslMeters) {
     public Place {
         Require.within(

@@ -1,11 +1,14 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * What a vehicle draws, in W, descending as much as when it hovers. An aeroplane hovers by circling.
  *
  * @param cruise at its cruising speed through still air
  * @param climb straight up at its climbing speed
  */
+@Stored(names = "hover cruise climb")
 public record Power(double hover, double cruise, double climb) {
     private static final double MOST = 1_000_000;
 

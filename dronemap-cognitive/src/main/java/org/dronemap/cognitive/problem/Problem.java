@@ -6,8 +6,10 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.stored.Stored;
 
 /** Who is to visit which waypoints: all that a planner knows. Never changes. */
+@Stored(names = "waypoints crafts barriers wind objective rules")
 public record Problem(
         List<Waypoint> waypoints,
         List<Craft> crafts,

@@ -1,5 +1,7 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * What every plan keeps to.
  *
@@ -7,6 +9,7 @@ package org.dronemap.cognitive.problem;
  * @param roomMeters what ways round barriers leave beside them
  * @param takeOffMeters a take-off leads at least so high, and a drone comes to its landing no lower
  */
+@Stored(names = "separation leastLinkQuality roomMeters takeOffMeters")
 public record Rules(Separation separation, double leastLinkQuality, double roomMeters, double takeOffMeters) {
     public static final Rules USUAL = new Rules(Separation.USUAL, 0.5, 3, 5);
 

@@ -1,12 +1,14 @@
 package org.dronemap.cognitive.problem;
 
 import org.dronemap.core.drone.Capability;
+import org.dronemap.core.stored.Stored;
 
 /**
  * Something that a task takes and that some drones can do.
  *
  * @param words completes the sentence "no drone can …": "take a picture"
  */
+@Stored(names = "words")
 public record Skill(String words) {
     public Skill {
         if (words.isBlank()) {

@@ -1,5 +1,7 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * How fast a vehicle moves, in m/s; it stops at each turn and each waypoint.
  *
@@ -8,6 +10,7 @@ package org.dronemap.cognitive.problem;
  * @param greatestAirspeed what it can fly against the wind at most, at least {@code cruise}
  * @param acceleration gathering speed and braking, in m/s²; infinite: at once
  */
+@Stored(names = "cruise climb descent landing greatestAirspeed acceleration")
 public record Speeds(
         double cruise, double climb, double descent, double landing, double greatestAirspeed, double acceleration) {
     /** So high over the ground a landing slows down. */

@@ -1,11 +1,14 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * Where a drone is when the plan begins.
  *
  * @param place the ground under it, or where it flies
  * @param readySeconds when it can set off, on the plan's clock; till then it stays there
  */
+@Stored(names = "place airborne readySeconds")
 public record Start(Place place, boolean airborne, double readySeconds) {
     public Start {
         Require.within("readySeconds", readySeconds, 0, Double.MAX_VALUE);

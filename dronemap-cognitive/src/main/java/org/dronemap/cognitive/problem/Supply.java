@@ -1,6 +1,9 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /** What is left in a battery and what must be left in it at the end, in J; infinite without a limit. */
+@Stored(names = "remainingJoules reserveJoules")
 public record Supply(double remainingJoules, double reserveJoules) {
     public static final Supply UNLIMITED = new Supply(Double.POSITIVE_INFINITY, 0);
 

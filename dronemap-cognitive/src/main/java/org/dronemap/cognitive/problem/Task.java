@@ -3,6 +3,7 @@ package org.dronemap.cognitive.problem;
 import java.util.List;
 import java.util.Set;
 import org.dronemap.core.mission.WaypointTask;
+import org.dronemap.core.stored.Stored;
 
 /**
  * What is done at a waypoint.
@@ -11,6 +12,7 @@ import org.dronemap.core.mission.WaypointTask;
  * @param needs what it must be able to do
  * @param parts what is done there, in order
  */
+@Stored(names = "serviceSeconds needs parts")
 public record Task(double serviceSeconds, Set<Skill> needs, List<WaypointTask> parts) {
     public static final Task FLY_THROUGH = new Task(0, Set.of());
 

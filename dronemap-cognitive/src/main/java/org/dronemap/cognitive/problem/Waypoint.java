@@ -1,10 +1,13 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * A place that one drone is to visit once.
  *
  * @param priority what leaving it out weighs, relative to others
  */
+@Stored(names = "id place task priority window")
 public record Waypoint(String id, Place place, Task task, double priority, Window window) {
     public static final double LEAST_PRIORITY = 0.001;
     public static final double HIGHEST_PRIORITY = 1_000;

@@ -1,10 +1,13 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * The same wind everywhere.
  *
  * @param fromDegrees where it comes from, clockwise from north
  */
+@Stored(names = "metersPerSecond fromDegrees")
 public record Wind(double metersPerSecond, double fromDegrees) {
     public static final Wind CALM = new Wind(0, 0);
 

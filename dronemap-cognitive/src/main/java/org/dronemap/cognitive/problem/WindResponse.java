@@ -1,6 +1,9 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.stored.Stored;
+
 /** What a vehicle does about wind on its way. */
+@Stored(names = "KEEPS_GROUND_SPEED KEEPS_AIRSPEED UNTOUCHED")
 public enum WindResponse {
     /** Copters on a mission: flies faster through the air against the wind, up to its greatest airspeed. */
     KEEPS_GROUND_SPEED,

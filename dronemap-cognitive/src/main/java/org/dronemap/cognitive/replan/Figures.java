@@ -1,5 +1,7 @@
 package org.dronemap.cognitive.replan;
 
+import org.dronemap.core.stored.Stored;
+
 /**
  * What a plan comes to, before drones are kept apart.
  *
@@ -8,4 +10,5 @@ package org.dronemap.cognitive.replan;
  * @param cost the objective itself, of what is served
  * @param unserved how many waypoints nobody visits
  */
+@Stored(names = "longestSeconds sum cost unserved")
 public record Figures(double longestSeconds, double sum, double cost, int unserved) {}

@@ -3,6 +3,7 @@ package org.dronemap.cognitive.replan;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 
 /**
  * What one drone has been told to visit, in order, as far as it is not done.
@@ -11,6 +12,7 @@ import org.dronemap.core.drone.DroneId;
  * @param next what may be given to others
  * @param busy whether it is a while before it could be told of anything else: what has to go out at once is for others
  */
+@Stored(names = "drone firm next busy")
 public record LiveOrder(DroneId drone, List<String> firm, List<String> next, boolean busy) {
     public LiveOrder {
         firm = List.copyOf(firm);

@@ -1,6 +1,7 @@
 package org.dronemap.cognitive.replan;
 
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -9,5 +10,6 @@ import org.jspecify.annotations.Nullable;
  * @param from nobody, when it is new or was unserved
  * @param to nobody, when it is unserved now
  */
+@Stored(names = "waypoint from to")
 public record Moved(
         String waypoint, @Nullable DroneId from, @Nullable DroneId to) {}

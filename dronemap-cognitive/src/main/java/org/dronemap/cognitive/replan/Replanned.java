@@ -3,6 +3,7 @@ package org.dronemap.cognitive.replan;
 import java.util.List;
 import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 
 /**
  * A plan in place of one that is being flown, and what can be said of it.
@@ -11,6 +12,7 @@ import org.dronemap.core.drone.DroneId;
  * @param iterations how many changes were tried
  * @param faults why it must not be flown, as sentences of the independent checker; none for a plan that can be
  */
+@Stored(names = "plan changes before after iterations faults")
 public record Replanned(
         Plan plan, Changes changes, Figures before, Figures after, long iterations, List<String> faults) {
     public Replanned {
@@ -27,6 +29,7 @@ public record Replanned(
      * @param moved in the order of the problem's waypoints
      * @param drones those whose order is another one, in the order of the problem; done and cancelled waypoints do not count
      */
+    @Stored(names = "moved drones")
     public record Changes(List<Moved> moved, List<DroneId> drones) {
         public Changes {
             moved = List.copyOf(moved);

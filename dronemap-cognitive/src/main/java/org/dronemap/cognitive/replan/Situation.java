@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import org.dronemap.cognitive.problem.Problem;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 
 /**
  * How things stand when a plan has to change.
@@ -14,6 +15,7 @@ import org.dronemap.core.drone.DroneId;
  * @param live what drones have been told to do; those of drones that are not in the problem have lost their drone, and
  *     waypoints that are not in the problem are done, cancelled or reserved
  */
+@Stored(names = "problem live")
 public record Situation(Problem problem, List<LiveOrder> live) {
     public Situation {
         live = List.copyOf(live);

@@ -1,6 +1,9 @@
 package org.dronemap.core.access;
 
+import org.dronemap.core.stored.Stored;
+
 /** Whether a user may come in. */
+@Stored(names = "WAITING ACTIVE DISABLED")
 public enum AccountState {
     /** Asked for an account; an administrator decides. */
     WAITING,

@@ -1,8 +1,10 @@
 package org.dronemap.core.access;
 
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** What a user may do, least first; each role may do all that the ones before it may. */
+@Stored(names = "REPORTER VIEWER PLANNER OPERATOR SUPERVISOR ADMINISTRATOR")
 public enum Role {
     /** Of the public: sends reports, sees no drone. */
     REPORTER,

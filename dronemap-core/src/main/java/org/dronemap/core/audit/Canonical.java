@@ -3,6 +3,7 @@ package org.dronemap.core.audit;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
 /** Values one after the other as bytes that could come from no other values: each with its length before it. */
@@ -14,11 +15,15 @@ final class Canonical {
     }
 
     Canonical add(@Nullable Object value) {
-        byte[] text = value == null ? new byte[0] : value.toString().getBytes(StandardCharsets.UTF_8);
+        byte[] text = value == null ? new byte[0] : text(value).getBytes(StandardCharsets.UTF_8);
         bytes.writeBytes(
                 ByteBuffer.allocate(4).putInt(value == null ? -1 : text.length).array());
         bytes.writeBytes(text);
         return this;
+    }
+
+    private static String text(Object value) {
+        return value instanceof Enum<?> constant ? StoredNames.of(constant) : value.toString();
     }
 
     byte[] bytes() {

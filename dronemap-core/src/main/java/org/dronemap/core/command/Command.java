@@ -11,6 +11,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterValue;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** What may be asked of a drone. Discrete: each one ends in exactly one {@link Outcome}. */
@@ -20,6 +21,7 @@ public sealed interface Command {
     /** A phrase for people: "take off to 20 m". */
     String summary();
 
+    @Stored(as = "Arm")
     record Arm() implements Command {
         @Override
         public CommandKind kind() {
@@ -33,6 +35,7 @@ public sealed interface Command {
     }
 
     /** {@code force} stops the motors even in the air. */
+    @Stored(as = "Disarm", names = "force")
     record Disarm(boolean force) implements Command {
         @Override
         public CommandKind kind() {
@@ -45,6 +48,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "SetMode", names = "mode")
     record SetMode(String mode) implements Command {
         @Override
         public CommandKind kind() {
@@ -58,6 +62,7 @@ public sealed interface Command {
     }
 
     /** Climb to a height of 1 to 500 m above home. */
+    @Stored(as = "TakeOff", names = "altitudeMeters")
     record TakeOff(double altitudeMeters) implements Command {
         public TakeOff {
             if (!(altitudeMeters >= 1 && altitudeMeters <= 500)) {
@@ -76,6 +81,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "Land")
     record Land() implements Command {
         @Override
         public CommandKind kind() {
@@ -88,6 +94,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "ReturnToLaunch")
     record ReturnToLaunch() implements Command {
         @Override
         public CommandKind kind() {
@@ -100,6 +107,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "Hold")
     record Hold() implements Command {
         @Override
         public CommandKind kind() {
@@ -112,6 +120,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "GoTo", names = "point altitude")
     record GoTo(Geodetic point, Altitude altitude) implements Command {
         @Override
         public CommandKind kind() {
@@ -124,6 +133,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "UploadMission", names = "mission")
     record UploadMission(Mission mission) implements Command {
         @Override
         public CommandKind kind() {
@@ -142,6 +152,7 @@ public sealed interface Command {
      * @param onCloudLoss what the vehicle shall do by itself when the cloud falls silent on the way
      * @param anew from its beginning, also in the air
      */
+    @Stored(as = "StartMission", names = "onCloudLoss anew")
     record StartMission(CloudLoss onCloudLoss, boolean anew) implements Command {
         public StartMission(CloudLoss onCloudLoss) {
             this(onCloudLoss, false);
@@ -158,6 +169,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "PauseMission")
     record PauseMission() implements Command {
         @Override
         public CommandKind kind() {
@@ -170,6 +182,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "ClearMission")
     record ClearMission() implements Command {
         @Override
         public CommandKind kind() {
@@ -183,6 +196,7 @@ public sealed interface Command {
     }
 
     /** Turn on the spot from where it looks now, clockwise when positive: -360 to 360 degrees, not 0. */
+    @Stored(as = "Turn", names = "degrees")
     record Turn(double degrees) implements Command {
         public Turn {
             if (!(Math.abs(degrees) <= 360 && degrees != 0)) {
@@ -202,6 +216,7 @@ public sealed interface Command {
     }
 
     /** Make a place the one that it returns to; null for both: where it is now. */
+    @Stored(as = "SetHome", names = "point altitude")
     record SetHome(@Nullable Geodetic point, @Nullable Altitude altitude) implements Command {
         public SetHome {
             if ((point == null) != (altitude == null)) {
@@ -221,6 +236,7 @@ public sealed interface Command {
     }
 
     /** Ask the vehicle where its home is. */
+    @Stored(as = "ReadHome")
     record ReadHome() implements Command {
         @Override
         public CommandKind kind() {
@@ -233,6 +249,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "TakePicture")
     record TakePicture() implements Command {
         @Override
         public CommandKind kind() {
@@ -246,6 +263,7 @@ public sealed interface Command {
     }
 
     /** Switch one of the relays 0 to 15. */
+    @Stored(as = "SetRelay", names = "relay setting")
     record SetRelay(int relay, RelaySetting setting) implements Command {
         public SetRelay {
             if (relay < 0 || relay > 15) {
@@ -267,6 +285,7 @@ public sealed interface Command {
     }
 
     /** Read the whole list of parameters anew. */
+    @Stored(as = "ReadParameters")
     record ReadParameters() implements Command {
         @Override
         public CommandKind kind() {
@@ -280,6 +299,7 @@ public sealed interface Command {
     }
 
     /** Change parameters and read each back; 1 to 10,000 of them. */
+    @Stored(as = "SetParameters", names = "values")
     record SetParameters(List<ParameterValue> values) implements Command {
         public SetParameters {
             values = List.copyOf(values);
@@ -300,6 +320,7 @@ public sealed interface Command {
     }
 
     /** List the logs that the vehicle keeps. */
+    @Stored(as = "ReadLogs")
     record ReadLogs() implements Command {
         @Override
         public CommandKind kind() {
@@ -313,6 +334,7 @@ public sealed interface Command {
     }
 
     /** Fetch one log, going on where an earlier attempt ended. */
+    @Stored(as = "DownloadLog", names = "log sink")
     record DownloadLog(VehicleLog log, LogSink sink) implements Command {
         @Override
         public CommandKind kind() {
@@ -326,6 +348,7 @@ public sealed interface Command {
     }
 
     /** Read the fence that the vehicle keeps. */
+    @Stored(as = "ReadFence")
     record ReadFence() implements Command {
         @Override
         public CommandKind kind() {
@@ -339,6 +362,7 @@ public sealed interface Command {
     }
 
     /** Replace the fence on board; none at all takes it away. */
+    @Stored(as = "SetFence", names = "zones")
     record SetFence(List<FenceZone> zones) implements Command {
         public SetFence {
             zones = List.copyOf(zones);
@@ -358,6 +382,7 @@ public sealed interface Command {
         }
     }
 
+    @Stored(as = "ReadRallyPoints")
     record ReadRallyPoints() implements Command {
         @Override
         public CommandKind kind() {
@@ -371,6 +396,7 @@ public sealed interface Command {
     }
 
     /** Replace the rally points on board; none at all takes them away. */
+    @Stored(as = "SetRallyPoints", names = "points")
     record SetRallyPoints(List<RallyPoint> points) implements Command {
         public SetRallyPoints {
             points = List.copyOf(points);

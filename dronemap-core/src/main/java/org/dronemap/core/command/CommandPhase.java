@@ -1,6 +1,9 @@
 package org.dronemap.core.command;
 
+import org.dronemap.core.stored.Stored;
+
 /** How far a command is. */
+@Stored(names = "SENT ACCEPTED DONE")
 public enum CommandPhase {
     /** On its way to the vehicle. */
     SENT,

@@ -1,6 +1,9 @@
 package org.dronemap.core.command;
 
+import org.dronemap.core.stored.Stored;
+
 /** Stand still at once, and give up whatever it was driving to. */
+@Stored(as = "EmergencyStop")
 public record EmergencyStop() implements Command.Apart {
     @Override
     public CommandKind kind() {

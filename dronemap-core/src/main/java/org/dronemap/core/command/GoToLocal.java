@@ -1,6 +1,7 @@
 package org.dronemap.core.command;
 
 import java.util.Locale;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -8,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param zMeters null for what stays on the ground
  */
+@Stored(as = "GoToLocal", names = "xMeters yMeters zMeters")
 public record GoToLocal(
         double xMeters, double yMeters, @Nullable Double zMeters) implements Command.Apart {
     private static final double FARTHEST_METERS = 100_000;

@@ -1,5 +1,6 @@
 package org.dronemap.core.command;
 
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** How a command ended; every one ends in exactly one of these. */
@@ -37,6 +38,7 @@ public sealed interface Outcome {
     String reason();
 
     /** Carried out, and seen to be. */
+    @Stored(as = "Succeeded")
     record Succeeded() implements Outcome {
         @Override
         public Kind kind() {
@@ -50,6 +52,7 @@ public sealed interface Outcome {
     }
 
     /** Somebody said no before it had an effect; {@code by} is "gate" or "vehicle". */
+    @Stored(as = "Refused", names = "by reason")
     record Refused(@Override String by, @Override String reason) implements Outcome {
         @Override
         public Kind kind() {
@@ -58,6 +61,7 @@ public sealed interface Outcome {
     }
 
     /** Accepted, but it did not come about. */
+    @Stored(as = "Failed", names = "reason")
     record Failed(@Override String reason) implements Outcome {
         @Override
         public Kind kind() {
@@ -66,6 +70,7 @@ public sealed interface Outcome {
     }
 
     /** No answer within the stated time; {@code reason} states it. */
+    @Stored(as = "TimedOut", names = "reason")
     record TimedOut(@Override String reason) implements Outcome {
         @Override
         public Kind kind() {
@@ -74,6 +79,7 @@ public sealed interface Outcome {
     }
 
     /** A newer command took its place. */
+    @Stored(as = "Superseded", names = "reason")
     record Superseded(@Override String reason) implements Outcome {
         @Override
         public Kind kind() {
@@ -82,6 +88,7 @@ public sealed interface Outcome {
     }
 
     /** It may or may not have acted, and nobody can tell any more. */
+    @Stored(as = "Unknown", names = "reason")
     record Unknown(@Override String reason) implements Outcome {
         @Override
         public Kind kind() {

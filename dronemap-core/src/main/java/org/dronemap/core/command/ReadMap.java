@@ -1,6 +1,9 @@
 package org.dronemap.core.command;
 
+import org.dronemap.core.stored.Stored;
+
 /** Ask the vehicle for the map that it goes by. */
+@Stored(as = "ReadMap")
 public record ReadMap() implements Command.Apart {
     @Override
     public CommandKind kind() {

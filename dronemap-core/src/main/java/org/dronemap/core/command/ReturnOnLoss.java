@@ -1,6 +1,9 @@
 package org.dronemap.core.command;
 
+import org.dronemap.core.stored.Stored;
+
 /** Come home by itself when the cloud falls silent while it waits for what it is led by; what its owner set for that stays. */
+@Stored(as = "ReturnOnLoss")
 public record ReturnOnLoss() implements Command.Apart {
     @Override
     public CommandKind kind() {

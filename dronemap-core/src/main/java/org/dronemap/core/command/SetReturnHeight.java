@@ -1,12 +1,14 @@
 package org.dronemap.core.command;
 
 import java.util.Locale;
+import org.dronemap.core.stored.Stored;
 
 /**
  * How high over its home a vehicle flies home, whoever or whatever makes it.
  *
  * @param atLeast what is set higher stays: there may be something to fly over
  */
+@Stored(as = "SetReturnHeight", names = "meters atLeast")
 public record SetReturnHeight(double meters, boolean atLeast) implements Command.Apart {
     public SetReturnHeight {
         if (!(meters >= 0 && meters <= 500)) {

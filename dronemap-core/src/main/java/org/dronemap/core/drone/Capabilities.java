@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,6 +32,7 @@ public record Capabilities(
             new Capabilities(Set.of(), List.of(), Map.of(), Map.of(), Map.of(), false);
 
     /** What a vehicle goes by in a mode. */
+    @Stored(names = "STICKS ORDERS STANDS MISSION HOME SAFETY")
     public enum Steering {
         /** A pilot's sticks. */
         STICKS,

@@ -1,6 +1,13 @@
 package org.dronemap.core.drone;
 
+import org.dronemap.core.stored.Stored;
+
 /** What a vehicle may be able to do; each command and each setpoint needs exactly one of these. */
+@Stored(
+        names = "ARM DISARM SET_MODE TAKE_OFF LAND RETURN_TO_LAUNCH HOLD GO_TO UPLOAD_MISSION "
+                + "START_MISSION PAUSE_MISSION CLEAR_MISSION TURN TAKE_PICTURE SET_RELAY READ_PARAMETERS "
+                + "SET_PARAMETERS READ_LOGS FENCE RALLY_POINTS SET_HOME READ_HOME GO_TO_LOCAL "
+                + "EMERGENCY_STOP READ_MAP VELOCITY STICKS TRACK")
 public enum Capability {
     ARM("arm"),
     DISARM("disarm"),

@@ -1,8 +1,10 @@
 package org.dronemap.core.drone;
 
 import java.util.regex.Pattern;
+import org.dronemap.core.stored.Stored;
 
 /** The cloud's durable name of a drone; survives address changes and restarts. */
+@Stored(names = "value")
 public record DroneId(String value) {
     private static final Pattern FORM = Pattern.compile("[a-z0-9-]{1,40}");
 

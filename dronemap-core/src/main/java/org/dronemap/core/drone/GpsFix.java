@@ -1,6 +1,9 @@
 package org.dronemap.core.drone;
 
+import org.dronemap.core.stored.Stored;
+
 /** Quality of a satellite fix, worst first. */
+@Stored(names = "NONE TWO_D THREE_D DGPS RTK_FLOAT RTK_FIXED")
 public enum GpsFix {
     NONE("none"),
     TWO_D("2D"),

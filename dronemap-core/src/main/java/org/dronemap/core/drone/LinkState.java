@@ -1,6 +1,9 @@
 package org.dronemap.core.drone;
 
+import org.dronemap.core.stored.Stored;
+
 /** How sure the watchdog is that the vehicle is still there. */
+@Stored(names = "LIVE SUSPECT LOST ENDED")
 public enum LinkState {
     /** Heard within its link's normal silence. */
     LIVE,

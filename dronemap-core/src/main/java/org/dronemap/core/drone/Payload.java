@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param readings the newest of each sensor, at most {@value #MOST_READINGS}, the one heard last at the end
  * @param wind in its newest flight; null: it told of none
  */
+@Stored(names = "photo outputs readings wind")
 public record Payload(
         @Nullable Photo photo,
         List<Integer> outputs,
@@ -23,9 +25,11 @@ public record Payload(
     public static final int MOST_READINGS = 16;
 
     /** {@code number}: the vehicle's own count; {@code point}: where it was taken, null when it did not say. */
+    @Stored(names = "number heard point")
     public record Photo(int number, Instant heard, @Nullable Geodetic point) {}
 
     /** A number under a name, in the unit that the sensor has. */
+    @Stored(names = "name value heard")
     public record Reading(String name, double value, Instant heard) {}
 
     public Payload {

@@ -1,8 +1,10 @@
 package org.dronemap.core.geo;
 
 import java.util.Locale;
+import org.dronemap.core.stored.Stored;
 
 /** A point on WGS-84, degrees; altitudes are carried beside it with their reference. */
+@Stored(names = "latitudeDegrees longitudeDegrees")
 public record Geodetic(double latitudeDegrees, double longitudeDegrees) {
     public Geodetic {
         if (!(Math.abs(latitudeDegrees) <= 90)) {

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,6 +34,7 @@ public record Flight(
     private static final int MOST_USERS = 20;
 
     /** How far it is. */
+    @Stored(names = "RUNNING LOST ENDED")
     public enum State {
         RUNNING,
         /** There is no contact; it may still fly, and go on when it is heard again. */

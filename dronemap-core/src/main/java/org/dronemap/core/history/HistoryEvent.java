@@ -3,6 +3,7 @@ package org.dronemap.core.history;
 import java.time.Instant;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,6 +28,7 @@ public record HistoryEvent(
         @Nullable String reason) {
 
     /** What sort of thing happened. */
+    @Stored(names = "ARMED DISARMED MODE PHASE MESSAGE COMMAND MISSION CONTROL")
     public enum Kind {
         ARMED,
         DISARMED,

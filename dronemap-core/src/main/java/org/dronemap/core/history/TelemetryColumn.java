@@ -3,10 +3,16 @@ package org.dronemap.core.history;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
-import java.util.Locale;
+import org.dronemap.core.stored.Stored;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
 /** A column of telemetry where it is a table: in the database, in the archive and in files, by the same name in this order. */
+@Stored(
+        names = "drone_id at latitude longitude altitude_amsl altitude_above_home ground_speed "
+                + "air_speed climb_rate heading roll pitch yaw battery_percent battery_volts "
+                + "battery_amps gps_fix satellites hdop link loss_short loss_long round_trip mode armed "
+                + "phase mission_item")
 public enum TelemetryColumn {
     DRONE_ID(Kind.TEXT, true),
     AT(Kind.TIME, true),
@@ -72,9 +78,8 @@ public enum TelemetryColumn {
         this.required = false;
     }
 
-    /** {@code ALTITUDE_AMSL} is {@code altitude_amsl}. */
     public String label() {
-        return name().toLowerCase(Locale.ROOT);
+        return StoredNames.of(this);
     }
 
     /** All labels, in this order. */
@@ -111,11 +116,12 @@ public enum TelemetryColumn {
         return switch (this) {
             case DRONE_ID -> point.drone().value();
             case AT -> ChronoUnit.MICROS.between(Instant.EPOCH, point.at());
-            case GPS_FIX -> point.gps() == null ? null : point.gps().fix().name();
-            case LINK -> point.link().name();
+            case GPS_FIX ->
+                point.gps() == null ? null : StoredNames.of(point.gps().fix());
+            case LINK -> StoredNames.of(point.link());
             case MODE -> point.mode();
             case ARMED -> point.armed();
-            default -> point.phase() == null ? null : point.phase().name();
+            default -> point.phase() == null ? null : StoredNames.of(point.phase());
         };
     }
 }

@@ -7,9 +7,14 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** A number of a {@link TelemetryPoint} that can be drawn over time, with its unit. */
+@Stored(
+        names = "latitude longitude altitude_amsl altitude_above_home ground_speed air_speed "
+                + "climb_rate heading roll pitch yaw battery_percent battery_volts battery_amps "
+                + "satellites hdop loss_short loss_long round_trip mission_item")
 public enum TelemetryField {
     LATITUDE("°"),
     LONGITUDE("°"),

@@ -1,8 +1,12 @@
 package org.dronemap.core.mission;
 
+import org.dronemap.core.stored.Stored;
+
 /** An altitude in metres that carries what it is measured from, so that no home is needed to plan. */
+@Stored(names = "meters reference")
 public record Altitude(double meters, Reference reference) {
     /** What zero is. */
+    @Stored(names = "HOME AMSL")
     public enum Reference {
         /** The vehicle's home position. */
         HOME,

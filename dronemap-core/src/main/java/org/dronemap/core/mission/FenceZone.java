@@ -2,12 +2,14 @@ package org.dronemap.core.mission;
 
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.stored.Stored;
 
 /** A part of the fence that a vehicle keeps on board: it stays in it ({@code inside}), or out of it. */
 public sealed interface FenceZone {
     boolean inside();
 
     /** An area with 3 to 100 corners. */
+    @Stored(as = "Polygon", names = "inside corners")
     record Polygon(boolean inside, List<Geodetic> corners) implements FenceZone {
         public Polygon {
             corners = List.copyOf(corners);
@@ -18,6 +20,7 @@ public sealed interface FenceZone {
     }
 
     /** A circle with a radius of 1 to 100,000 m. */
+    @Stored(as = "Circle", names = "inside center radiusMeters")
     record Circle(boolean inside, Geodetic center, double radiusMeters) implements FenceZone {
         public Circle {
             if (!(radiusMeters >= 1 && radiusMeters <= 100_000)) {

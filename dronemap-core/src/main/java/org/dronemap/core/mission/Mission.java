@@ -1,8 +1,10 @@
 package org.dronemap.core.mission;
 
 import java.util.List;
+import org.dronemap.core.stored.Stored;
 
 /** An ordered, flyable list of 1 to 500 items. */
+@Stored(names = "items")
 public record Mission(List<MissionItem> items) {
     /** Most items of one mission; real autopilots hold some seven hundred. */
     public static final int MAX_ITEMS = 500;

@@ -3,6 +3,7 @@ package org.dronemap.core.mission;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.stored.Stored;
 
 /** One step of a mission. */
 public sealed interface MissionItem {
@@ -39,6 +40,7 @@ public sealed interface MissionItem {
     Kind kind();
 
     /** Climb straight up to a height in metres above home. */
+    @Stored(as = "TakeOff", names = "altitudeMeters")
     record TakeOff(double altitudeMeters) implements MissionItem {
         @Override
         public Kind kind() {
@@ -47,6 +49,7 @@ public sealed interface MissionItem {
     }
 
     /** Fly through a point; wait there for {@code holdSeconds}. */
+    @Stored(as = "Waypoint", names = "point altitude holdSeconds")
     record Waypoint(Geodetic point, Altitude altitude, double holdSeconds) implements MissionItem {
         @Override
         public Kind kind() {
@@ -55,6 +58,7 @@ public sealed interface MissionItem {
     }
 
     /** Fly home and land there. */
+    @Stored(as = "ReturnToLaunch")
     record ReturnToLaunch() implements MissionItem {
         @Override
         public Kind kind() {
@@ -63,6 +67,7 @@ public sealed interface MissionItem {
     }
 
     /** Land where it is. */
+    @Stored(as = "Land")
     record Land() implements MissionItem {
         @Override
         public Kind kind() {
@@ -71,6 +76,7 @@ public sealed interface MissionItem {
     }
 
     /** Wait in the air where it is. */
+    @Stored(as = "Wait", names = "seconds")
     record Wait(double seconds) implements MissionItem {
         @Override
         public Kind kind() {
@@ -79,6 +85,7 @@ public sealed interface MissionItem {
     }
 
     /** One picture, with the camera that the vehicle has. */
+    @Stored(as = "TakePhoto")
     record TakePhoto() implements MissionItem {
         @Override
         public Kind kind() {
@@ -87,6 +94,7 @@ public sealed interface MissionItem {
     }
 
     /** The output with that number, from 1, to pulses of that length in microseconds. */
+    @Stored(as = "SetServo", names = "output pulseMicros")
     record SetServo(int output, int pulseMicros) implements MissionItem {
         public static final int MOST_OUTPUTS = 32;
         public static final int SHORTEST_MICROS = 500;
@@ -99,6 +107,7 @@ public sealed interface MissionItem {
     }
 
     /** Camera and nose point to that place until the next {@link LookAhead}, wherever the drone flies. */
+    @Stored(as = "LookAt", names = "point altitude")
     record LookAt(Geodetic point, Altitude altitude) implements MissionItem {
         @Override
         public Kind kind() {
@@ -107,6 +116,7 @@ public sealed interface MissionItem {
     }
 
     /** No place is looked at any more. */
+    @Stored(as = "LookAhead")
     record LookAhead() implements MissionItem {
         @Override
         public Kind kind() {
@@ -115,6 +125,7 @@ public sealed interface MissionItem {
     }
 
     /** Something found on a vehicle that the cloud does not plan itself; shown, never uploaded. */
+    @Stored(as = "Other", names = "description")
     record Other(String description) implements MissionItem {
         @Override
         public Kind kind() {

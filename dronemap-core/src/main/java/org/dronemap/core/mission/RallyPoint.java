@@ -1,8 +1,10 @@
 package org.dronemap.core.mission;
 
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.stored.Stored;
 
 /** Where a vehicle may go instead of home; the height is above home. */
+@Stored(names = "point altitudeMeters")
 public record RallyPoint(Geodetic point, double altitudeMeters) {
     public RallyPoint {
         if (!(Math.abs(altitudeMeters) <= Altitude.HIGHEST_PLANNED_METERS)) {

@@ -1,6 +1,7 @@
 package org.dronemap.core.mission;
 
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.stored.Stored;
 
 /** Something that a drone does at a waypoint. */
 public sealed interface WaypointTask {
@@ -13,6 +14,7 @@ public sealed interface WaypointTask {
     }
 
     /** One picture. */
+    @Stored(as = "Photo")
     record Photo() implements WaypointTask {
         private static final double SECONDS = 2;
 
@@ -28,6 +30,7 @@ public sealed interface WaypointTask {
     }
 
     /** An output of the vehicle to pulses of that length. */
+    @Stored(as = "Servo", names = "output pulseMicros")
     record Servo(int output, int pulseMicros) implements WaypointTask {
         private static final double SECONDS = 2;
 
@@ -43,6 +46,7 @@ public sealed interface WaypointTask {
     }
 
     /** Camera and nose point to a place while the drone is at the waypoint. */
+    @Stored(as = "Look", names = "point altitudeAmslMeters")
     record Look(Geodetic point, double altitudeAmslMeters) implements WaypointTask {
         private static final double SECONDS = 3;
 
@@ -53,5 +57,6 @@ public sealed interface WaypointTask {
     }
 
     /** It stays for so long, and what its sensors tell meanwhile is kept. */
+    @Stored(as = "Sensors", names = "seconds")
     record Sensors(double seconds) implements WaypointTask {}
 }

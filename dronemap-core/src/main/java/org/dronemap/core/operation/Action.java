@@ -3,6 +3,7 @@ package org.dronemap.core.operation;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 
 /** What an operation asks of who conducts it. */
 public sealed interface Action<I> {
@@ -10,8 +11,10 @@ public sealed interface Action<I> {
      * A command through the gate, as any other. The operation names it, so that the same one given twice, as after a restart,
      * acts once.
      */
+    @Stored(as = "Give", names = "drone id command")
     record Give<I>(DroneId drone, CommandId id, Command command) implements Action<I> {}
 
     /** Work that takes long, outside: its result comes back as an input. */
+    @Stored(as = "Compute", names = "what")
     record Compute<I>(Computation<I> what) implements Action<I> {}
 }

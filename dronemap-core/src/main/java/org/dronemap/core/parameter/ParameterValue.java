@@ -1,8 +1,10 @@
 package org.dronemap.core.parameter;
 
 import java.util.regex.Pattern;
+import org.dronemap.core.stored.Stored;
 
 /** A value that a parameter shall get. */
+@Stored(names = "name value")
 public record ParameterValue(String name, double value) {
     private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_.-]{1,16}");
 

@@ -2,6 +2,7 @@ package org.dronemap.core.recording;
 
 import java.time.Instant;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,6 +27,7 @@ public record Recording(
         @Nullable String notice) {
 
     /** Whether all of the flight is in it. */
+    @Stored(names = "RUNNING COMPLETE INCOMPLETE")
     public enum State {
         RUNNING,
         COMPLETE,

@@ -1,8 +1,10 @@
 package org.dronemap.core.virtual;
 
 import java.util.Locale;
+import org.dronemap.core.stored.Stored;
 
 /** What drones that could serve are compared by, in this order: only where two are alike does the next one count. */
+@Stored(names = "DISTANCE BATTERY_LEFT LINK_LOSS ORDER")
 public enum Quantity {
     /** Metres from where it stands to the first waypoint, in steps of 50. */
     DISTANCE("%.0f m from the first waypoint"),

@@ -1,6 +1,11 @@
 package org.dronemap.core.virtual;
 
+import org.dronemap.core.stored.Stored;
+
 /** How far a run is. */
+@Stored(
+        names = "QUEUED UPLOADING ARMING STARTING FLYING RETURNING GIVING_UP STOPPING SUSPENDED DONE "
+                + "FAILED STOPPED")
 public enum Stage {
     /** Waits for a drone. */
     QUEUED,

@@ -2,9 +2,11 @@ package org.dronemap.core.zone;
 
 import java.util.Locale;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** From a floor to a ceiling in metres, both measured from the same reference; null: no bound on that side. */
+@Stored(names = "floorMeters ceilingMeters reference")
 public record AltitudeBand(
         @Nullable Double floorMeters, @Nullable Double ceilingMeters, Altitude.Reference reference) {
     public static final AltitudeBand ALL = new AltitudeBand(null, null, Altitude.Reference.HOME);

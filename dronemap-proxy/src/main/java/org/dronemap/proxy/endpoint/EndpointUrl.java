@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.dronemap.core.stored.Stored;
+import org.dronemap.core.stored.StoredNames;
 
 /**
  * Where vehicles call in or are called, such as {@code udpserver://127.0.0.1:14550} (port 0 takes any free one) or
@@ -25,6 +27,9 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
             Pattern.compile("(\\[[0-9a-fA-F:.]+]|[^:/?#@\\s\\[\\]]+):(\\d{1,5})(/[^?#\\s]*)?");
 
     /** How bytes travel, and who begins. */
+    @Stored(
+            names = "udpserver udpclient tcpserver tcpclient serial wsserver wsclient wssserver wssclient "
+                    + "dtlsserver")
     public enum Kind {
         UDPSERVER("udp", "udpserver://ADDRESS:PORT"),
         UDPCLIENT("udp", "udpclient://HOST:PORT"),
@@ -51,7 +56,7 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
         }
 
         String scheme() {
-            return name().toLowerCase(Locale.ROOT);
+            return StoredNames.of(this);
         }
 
         /** True when vehicles call in here; false when this end dials, again and again. */

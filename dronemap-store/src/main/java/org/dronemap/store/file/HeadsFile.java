@@ -18,6 +18,7 @@ import java.util.Set;
 import org.dronemap.core.audit.AuditHead;
 import org.dronemap.core.audit.AuditHeads;
 import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.stored.StoredNames;
 import org.dronemap.store.StoreException;
 
 /** Signed heads, a line each, in a file that is only ever added to. Any thread. */
@@ -62,7 +63,7 @@ public final class HeadsFile implements AuditHeads {
         String hash = signed.head().hash();
         return String.join(
                 " ",
-                signed.kind().name().toLowerCase(Locale.ROOT),
+                StoredNames.of(signed.kind()).toLowerCase(Locale.ROOT),
                 String.valueOf(signed.head().sequence()),
                 hash.isEmpty() ? "-" : hash,
                 signed.at().toString(),
@@ -77,7 +78,7 @@ public final class HeadsFile implements AuditHeads {
         try {
             AuditHead head = new AuditHead(Long.parseLong(parts[1]), parts[2].equals("-") ? "" : parts[2]);
             SignedHead signed = new SignedHead(
-                    SignedHead.Kind.valueOf(parts[0].toUpperCase(Locale.ROOT)),
+                    StoredNames.constant(SignedHead.Kind.class, parts[0].toUpperCase(Locale.ROOT)),
                     head,
                     Instant.parse(parts[3]),
                     parts[4]);

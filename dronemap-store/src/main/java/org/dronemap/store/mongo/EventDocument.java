@@ -7,6 +7,7 @@ import org.bson.Document;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.history.HistoryEvent;
+import org.dronemap.core.stored.StoredNames;
 
 /** Events as documents, each with an id that it gets again when the same batch is written again. */
 final class EventDocument {
@@ -17,7 +18,8 @@ final class EventDocument {
 
     /** {@code number}: the how manieth of its kind it is in the batch. */
     static Document of(HistoryEvent event, int number, long order) {
-        String name = event.drone() + "\n" + event.at() + "\n" + event.kind() + "\n" + event.text() + "\n" + number;
+        String name = event.drone() + "\n" + event.at() + "\n" + StoredNames.of(event.kind()) + "\n" + event.text()
+                + "\n" + number;
         return new Document(
                         "_id",
                         UUID.nameUUIDFromBytes(name.getBytes(StandardCharsets.UTF_8))
@@ -26,11 +28,9 @@ final class EventDocument {
                 .append(PointDocument.AT, Date.from(event.at()))
                 .append(PointDocument.MICROS, PointDocument.micros(event.at()))
                 .append(ORDER, order)
-                .append("kind", event.kind().name())
+                .append("kind", StoredNames.of(event.kind()))
                 .append("text", event.text())
-                .append(
-                        "severity",
-                        event.severity() == null ? null : event.severity().name())
+                .append("severity", event.severity() == null ? null : StoredNames.of(event.severity()))
                 .append("by", event.by())
                 .append("command", event.command())
                 .append("result", event.result())
@@ -42,9 +42,9 @@ final class EventDocument {
         return new HistoryEvent(
                 new DroneId(document.getString(PointDocument.DRONE)),
                 PointDocument.time(document),
-                HistoryEvent.Kind.valueOf(document.getString("kind")),
+                StoredNames.constant(HistoryEvent.Kind.class, document.getString("kind")),
                 document.getString("text"),
-                severity == null ? null : Severity.valueOf(severity),
+                severity == null ? null : StoredNames.constant(Severity.class, severity),
                 document.getString("by"),
                 document.getString("command"),
                 document.getString("result"),

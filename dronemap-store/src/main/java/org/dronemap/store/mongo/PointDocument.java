@@ -3,7 +3,6 @@ package org.dronemap.store.mongo;
 import java.time.Instant;
 import java.time.temporal.ChronoField;
 import java.util.Date;
-import java.util.Locale;
 import org.bson.Document;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
@@ -18,6 +17,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -32,7 +32,7 @@ final class PointDocument {
     private PointDocument() {}
 
     static String member(TelemetryField field) {
-        return field.name().toLowerCase(Locale.ROOT);
+        return StoredNames.of(field);
     }
 
     static int micros(Instant time) {
@@ -48,15 +48,15 @@ final class PointDocument {
         Document document = new Document(DRONE, point.drone().value())
                 .append(AT, Date.from(point.at()))
                 .append(MICROS, micros(point.at()))
-                .append("link", point.link().name());
+                .append("link", StoredNames.of(point.link()));
         for (TelemetryField field : TelemetryField.values()) {
             put(document, member(field), field.of(point));
         }
         Gps gps = point.gps();
-        put(document, "gps_fix", gps == null ? null : gps.fix().name());
+        put(document, "gps_fix", gps == null ? null : StoredNames.of(gps.fix()));
         put(document, "mode", point.mode());
         put(document, "armed", point.armed());
-        put(document, "phase", point.phase() == null ? null : point.phase().name());
+        put(document, "phase", point.phase() == null ? null : StoredNames.of(point.phase()));
         return document;
     }
 
@@ -77,14 +77,14 @@ final class PointDocument {
                 attitude(document),
                 battery(document),
                 gps(document),
-                LinkState.valueOf(document.getString("link")),
+                StoredNames.constant(LinkState.class, document.getString("link")),
                 new LinkQuality(
                         number(document, TelemetryField.LOSS_SHORT),
                         number(document, TelemetryField.LOSS_LONG),
                         number(document, TelemetryField.ROUND_TRIP)),
                 document.getString("mode"),
                 document.getBoolean("armed"),
-                phase == null ? null : FlightPhase.valueOf(phase),
+                phase == null ? null : StoredNames.constant(FlightPhase.class, phase),
                 item == null ? null : (Integer) item.intValue());
     }
 
@@ -126,7 +126,7 @@ final class PointDocument {
         return fix == null
                 ? null
                 : new Gps(
-                        GpsFix.valueOf(fix),
+                        StoredNames.constant(GpsFix.class, fix),
                         whole(document, TelemetryField.SATELLITES),
                         number(document, TelemetryField.HDOP));
     }

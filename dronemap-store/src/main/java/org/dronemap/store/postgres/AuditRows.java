@@ -12,6 +12,7 @@ import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHead;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
 /** Records of what was done as rows. */
@@ -86,7 +87,7 @@ final class AuditRows {
     static AuditRecord record(Row row) throws SQLException {
         String outcome = row.text("outcome");
         Optional<AuditOutcome> known = Arrays.stream(AuditOutcome.values())
-                .filter(one -> one.name().equals(outcome))
+                .filter(one -> StoredNames.of(one).equals(outcome))
                 .findFirst();
         AuditEntry entry = new AuditEntry(
                 row.time("happened_at"),

@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
 /** Columns that say how far rights reach: words separated by commas. */
@@ -29,7 +30,7 @@ final class KeyScopeText {
     }
 
     static String words(Set<Permission> permissions) {
-        return permissions.stream().map(Permission::name).collect(Collectors.joining(COMMA));
+        return permissions.stream().map(StoredNames::of).collect(Collectors.joining(COMMA));
     }
 
     static @Nullable Set<DroneId> dronesOrAll(@Nullable String drones) {
@@ -38,7 +39,9 @@ final class KeyScopeText {
 
     static Set<Permission> permissions(String words) {
         EnumSet<Permission> all = EnumSet.noneOf(Permission.class);
-        Arrays.stream(words.split(COMMA)).map(Permission::valueOf).forEach(all::add);
+        Arrays.stream(words.split(COMMA))
+                .map(word -> StoredNames.constant(Permission.class, word))
+                .forEach(all::add);
         return all;
     }
 

@@ -178,13 +178,12 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     }
 
     private static HistoryEvent event(Row row) throws SQLException {
-        String severity = row.textOrNull("severity");
         return new HistoryEvent(
                 new DroneId(row.text("drone_id")),
                 row.time("at"),
                 row.name("kind", HistoryEvent.Kind.class),
                 row.text("text"),
-                severity == null ? null : Severity.valueOf(severity),
+                row.nameOrNull("severity", Severity.class),
                 row.textOrNull("done_by"),
                 row.textOrNull("command_id"),
                 row.textOrNull("result"),

@@ -5,6 +5,7 @@ import java.sql.SQLException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.util.List;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 
 /** The columns of the row that a result stands on, by name and in the types of the core. */
@@ -94,6 +95,11 @@ record Row(ResultSet result) {
     }
 
     <E extends Enum<E>> E name(String column, Class<E> type) throws SQLException {
-        return Enum.valueOf(type, text(column));
+        return StoredNames.constant(type, text(column));
+    }
+
+    <E extends Enum<E>> @Nullable E nameOrNull(String column, Class<E> type) throws SQLException {
+        String name = textOrNull(column);
+        return name == null ? null : StoredNames.constant(type, name);
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.stored.StoredNames;
 import org.dronemap.core.zone.AltitudeBand;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
@@ -29,7 +30,7 @@ final class ShapeJson {
     static void write(AltitudeBand band, ObjectNode to) {
         to.put("floorMeters", band.floorMeters());
         to.put("ceilingMeters", band.ceilingMeters());
-        to.put("altitudeReference", band.reference().name());
+        to.put("altitudeReference", StoredNames.of(band.reference()));
     }
 
     private static void point(Geodetic point, ObjectNode to) {
@@ -54,7 +55,9 @@ final class ShapeJson {
         return new AltitudeBand(
                 number(from, "floorMeters"),
                 number(from, "ceilingMeters"),
-                Altitude.Reference.valueOf(from.required("altitudeReference").stringValue()));
+                StoredNames.constant(
+                        Altitude.Reference.class,
+                        from.required("altitudeReference").stringValue()));
     }
 
     private static Geodetic point(JsonNode from) {

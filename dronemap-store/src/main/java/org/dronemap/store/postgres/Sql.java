@@ -13,6 +13,7 @@ import javax.sql.DataSource;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.stored.StoredNames;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
 import org.jspecify.annotations.Nullable;
@@ -115,8 +116,8 @@ final class Sql {
         if (argument instanceof Instant time) {
             return StoredInstant.of(time).atOffset(ZoneOffset.UTC);
         }
-        if (argument instanceof Enum<?> name) {
-            return name.name();
+        if (argument instanceof Enum<?> constant) {
+            return StoredNames.of(constant);
         }
         // PostgreSQL's text cannot hold the zero character.
         return argument instanceof String text ? text.replace('\0', '\uFFFD') : argument;

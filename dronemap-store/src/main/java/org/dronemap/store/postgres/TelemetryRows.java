@@ -3,7 +3,6 @@ package org.dronemap.store.postgres;
 import java.sql.Connection;
 import java.sql.SQLException;
 import java.util.List;
-import java.util.Locale;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneId;
@@ -18,6 +17,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.history.TelemetryColumn;
 import org.dronemap.core.history.TelemetryField;
 import org.dronemap.core.history.TelemetryPoint;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 import org.postgresql.PGConnection;
 import org.postgresql.copy.CopyIn;
@@ -29,9 +29,8 @@ final class TelemetryRows {
 
     private TelemetryRows() {}
 
-    /** {@code ALTITUDE_AMSL} is kept in {@code altitude_amsl}. */
     static String column(TelemetryField field) {
-        return field.name().toLowerCase(Locale.ROOT);
+        return StoredNames.of(field);
     }
 
     /** Begins to copy points into that table. */
@@ -56,14 +55,14 @@ final class TelemetryRows {
         out.integer(battery == null ? null : battery.percent());
         real(point, out, TelemetryField.BATTERY_VOLTS, TelemetryField.BATTERY_AMPS);
         Gps gps = point.gps();
-        out.text(gps == null ? null : gps.fix().name());
+        out.text(gps == null ? null : StoredNames.of(gps.fix()));
         out.integer(gps == null ? null : gps.satellites());
         real(point, out, TelemetryField.HDOP);
-        out.text(point.link().name());
+        out.text(StoredNames.of(point.link()));
         real(point, out, TelemetryField.LOSS_SHORT, TelemetryField.LOSS_LONG, TelemetryField.ROUND_TRIP);
         out.text(point.mode());
         out.bool(point.armed());
-        out.text(point.phase() == null ? null : point.phase().name());
+        out.text(point.phase() == null ? null : StoredNames.of(point.phase()));
         out.integer(point.missionItem());
     }
 
@@ -74,7 +73,6 @@ final class TelemetryRows {
     }
 
     static TelemetryPoint read(Row row) throws SQLException {
-        String phase = row.textOrNull("phase");
         return new TelemetryPoint(
                 new DroneId(row.text("drone_id")),
                 row.time("at"),
@@ -87,7 +85,7 @@ final class TelemetryRows {
                 new LinkQuality(row.number("loss_short"), row.number("loss_long"), row.number("round_trip")),
                 row.textOrNull("mode"),
                 row.boolOrNull("armed"),
-                phase == null ? null : FlightPhase.valueOf(phase),
+                row.nameOrNull("phase", FlightPhase.class),
                 row.integerOrNull("mission_item"));
     }
 
@@ -125,7 +123,7 @@ final class TelemetryRows {
     }
 
     private static @Nullable Gps gps(Row row) throws SQLException {
-        String fix = row.textOrNull("gps_fix");
-        return fix == null ? null : new Gps(GpsFix.valueOf(fix), row.integerOrNull("satellites"), row.number("hdop"));
+        GpsFix fix = row.nameOrNull("gps_fix", GpsFix.class);
+        return fix == null ? null : new Gps(fix, row.integerOrNull("satellites"), row.number("hdop"));
     }
 }

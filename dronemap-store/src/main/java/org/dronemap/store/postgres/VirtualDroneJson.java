@@ -15,6 +15,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.stored.StoredNames;
 import org.dronemap.core.virtual.Area;
 import org.dronemap.core.virtual.Assignment;
 import org.dronemap.core.virtual.Choice;
@@ -76,9 +77,9 @@ final class VirtualDroneJson {
 
     private static void needs(Needs needs, ObjectNode to) {
         VehicleKind kind = needs.kind();
-        to.put("kind", kind == null ? null : kind.name());
+        to.put("kind", kind == null ? null : StoredNames.of(kind));
         ArrayNode capabilities = to.putArray("capabilities");
-        needs.capabilities().stream().map(Enum::name).sorted().forEach(capabilities::add);
+        needs.capabilities().stream().map(StoredNames::of).sorted().forEach(capabilities::add);
         to.put("enduranceMinutes", needs.enduranceMinutes());
         Area area = needs.area();
         if (area != null) {
@@ -91,9 +92,10 @@ final class VirtualDroneJson {
 
     private static Needs needs(JsonNode from) {
         Set<Capability> capabilities = EnumSet.noneOf(Capability.class);
-        from.required("capabilities").forEach(name -> capabilities.add(Capability.valueOf(name.stringValue())));
+        from.required("capabilities")
+                .forEach(name -> capabilities.add(StoredNames.constant(Capability.class, name.stringValue())));
         return new Needs(
-                from.hasNonNull("kind") ? VehicleKind.valueOf(text(from, "kind")) : null,
+                from.hasNonNull("kind") ? StoredNames.constant(VehicleKind.class, text(from, "kind")) : null,
                 capabilities,
                 from.hasNonNull("enduranceMinutes")
                         ? Integer.valueOf(from.required("enduranceMinutes").intValue())
@@ -122,9 +124,9 @@ final class VirtualDroneJson {
     private static void run(Run run, ObjectNode to) {
         to.put("ticket", run.ticket());
         mission(run.mission(), to);
-        to.put("onCloudLoss", run.onCloudLoss().name());
+        to.put("onCloudLoss", StoredNames.of(run.onCloudLoss()));
         to.put("flown", run.flown());
-        to.put("stage", run.stage().name());
+        to.put("stage", StoredNames.of(run.stage()));
         Assignment assignment = run.assignment();
         if (assignment != null) {
             assignment(assignment, to.putObject("assignment"));
@@ -147,9 +149,9 @@ final class VirtualDroneJson {
         return new Run(
                 from.required("ticket").longValue(),
                 mission(from),
-                CloudLoss.valueOf(text(from, "onCloudLoss")),
+                StoredNames.constant(CloudLoss.class, text(from, "onCloudLoss")),
                 from.required("flown").intValue(),
-                Stage.valueOf(text(from, "stage")),
+                StoredNames.constant(Stage.class, text(from, "stage")),
                 from.has("assignment") ? assignment(from.required("assignment")) : null,
                 avoided,
                 from.required("failures").intValue(),
@@ -185,7 +187,7 @@ final class VirtualDroneJson {
         Quantity deciding = choice.deciding();
         to.put("chosen", choice.chosen().value());
         to.put("runnerUp", runnerUp == null ? null : runnerUp.value());
-        to.put("deciding", deciding == null ? null : deciding.name());
+        to.put("deciding", deciding == null ? null : StoredNames.of(deciding));
         to.put("chosenValue", choice.chosenValue());
         to.put("otherValue", choice.otherValue());
         to.put("energy", choice.energy());
@@ -202,7 +204,7 @@ final class VirtualDroneJson {
         return new Choice(
                 new DroneId(text(from, "chosen")),
                 from.hasNonNull("runnerUp") ? new DroneId(text(from, "runnerUp")) : null,
-                from.hasNonNull("deciding") ? Quantity.valueOf(text(from, "deciding")) : null,
+                from.hasNonNull("deciding") ? StoredNames.constant(Quantity.class, text(from, "deciding")) : null,
                 from.required("chosenValue").doubleValue(),
                 from.required("otherValue").doubleValue(),
                 text(from, "energy"),

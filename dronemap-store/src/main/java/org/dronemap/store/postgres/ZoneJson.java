@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.stored.StoredNames;
 import org.dronemap.core.zone.Binding;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Validity;
@@ -48,7 +49,7 @@ final class ZoneJson {
         }
         to.put("from", text(zone.validity().from()));
         to.put("until", text(zone.validity().until()));
-        to.put("onBreach", zone.onBreach().name());
+        to.put("onBreach", StoredNames.of(zone.onBreach()));
         to.put("changedBy", zone.changedBy());
         to.put("changedAt", zone.changedAt().toString());
         if (!zone.organisation().isHome()) {
@@ -68,7 +69,8 @@ final class ZoneJson {
                 ShapeJson.band(from),
                 binding(from),
                 new Validity(moment(from, "from"), moment(from, "until")),
-                BreachAction.valueOf(from.required("onBreach").stringValue()),
+                StoredNames.constant(
+                        BreachAction.class, from.required("onBreach").stringValue()),
                 from.required("changedBy").stringValue(),
                 Instant.parse(from.required("changedAt").stringValue()),
                 from.has("organisation")

@@ -1,12 +1,18 @@
 package org.dronemap.ws.journal;
 
 import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
+import org.dronemap.core.stored.StoredNames;
 import tools.jackson.databind.JsonNode;
 
 /**
@@ -31,6 +37,42 @@ final class Forms {
         return form;
     }
 
+    /** Fails for whatever has no stored name, wherever in these it may occur. */
+    void requireNames(Type... types) {
+        Set<Type> seen = new HashSet<>();
+        Deque<Type> open = new ArrayDeque<>(List.of(types));
+        while (!open.isEmpty()) {
+            Type type = open.remove();
+            if (seen.add(type)) {
+                open.addAll(type instanceof Class<?> plain ? named(plain) : parts(type));
+            }
+        }
+    }
+
+    private static List<Type> parts(Type type) {
+        return type instanceof ParameterizedType generic
+                ? Stream.concat(Stream.of(generic.getRawType()), Stream.of(generic.getActualTypeArguments()))
+                        .toList()
+                : List.of();
+    }
+
+    /** What it is made of. */
+    private List<Type> named(Class<?> type) {
+        if (type.isRecord()) {
+            StoredNames.ofParts(type);
+            return Stream.of(type.getRecordComponents())
+                    .map(RecordComponent::getGenericType)
+                    .toList();
+        }
+        if (type.isEnum()) {
+            StoredNames.ofParts(type);
+            return List.of();
+        }
+        List<Class<?>> kinds = kinds(type);
+        kinds.forEach(StoredNames::of);
+        return List.copyOf(kinds);
+    }
+
     private Form make(Type type) {
         if (type instanceof ParameterizedType generic && generic.getRawType() instanceof Class<?> raw) {
             Type[] arguments = generic.getActualTypeArguments();
@@ -48,12 +90,17 @@ final class Forms {
         if (type.isRecord()) {
             return new RecordForm(type, this);
         }
-        List<Class<?>> records = new ArrayList<>(open.getOrDefault(type, List.of()));
-        addRecords(type, records);
+        List<Class<?>> records = kinds(type);
         if (records.isEmpty() && !open.containsKey(type)) {
             throw new IllegalStateException("nobody knows how to write a " + type);
         }
         return new OneOfForm(type, records, this);
+    }
+
+    private List<Class<?>> kinds(Class<?> type) {
+        List<Class<?>> records = new ArrayList<>(open.getOrDefault(type, List.of()));
+        addRecords(type, records);
+        return records;
     }
 
     private static void addRecords(Class<?> type, List<Class<?>> records) {

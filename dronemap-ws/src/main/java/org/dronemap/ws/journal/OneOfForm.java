@@ -3,11 +3,12 @@ package org.dronemap.ws.journal;
 import java.util.Collection;
 import java.util.Map;
 import java.util.TreeMap;
+import org.dronemap.core.stored.StoredNames;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
-/** One of several records, told apart by the simple name of its class, which therefore is never to change. */
+/** One of several records, told apart by what each is stored as. */
 final class OneOfForm implements Form {
     private static final String TYPE = "type";
 
@@ -19,18 +20,18 @@ final class OneOfForm implements Form {
         this.base = base;
         this.forms = forms;
         for (Class<?> one : all) {
-            if (types.put(one.getSimpleName(), one) != null) {
-                throw new IllegalStateException("two kinds of " + base + " are called " + one.getSimpleName());
+            if (types.put(StoredNames.of(one), one) != null) {
+                throw new IllegalStateException("two kinds of " + base + " are stored as " + StoredNames.of(one));
             }
         }
     }
 
     @Override
     public JsonNode write(Object value) {
-        Class<?> type = value.getClass();
+        String name = StoredNames.of(value.getClass());
         ObjectNode node = JsonNodeFactory.instance.objectNode();
-        node.put(TYPE, type.getSimpleName());
-        form(type.getSimpleName()).fill(node, value);
+        node.put(TYPE, name);
+        form(name).fill(node, value);
         return node;
     }
 
@@ -38,7 +39,7 @@ final class OneOfForm implements Form {
     public Object read(JsonNode node) {
         JsonNode type = node.get(TYPE);
         if (type == null || !type.isString()) {
-            throw new IllegalArgumentException("no " + base.getSimpleName() + ": " + node);
+            throw new IllegalArgumentException("no " + base + ": " + node);
         }
         return form(type.stringValue()).read(node, 1);
     }
@@ -46,7 +47,7 @@ final class OneOfForm implements Form {
     private RecordForm form(String name) {
         Class<?> type = types.get(name);
         if (type == null || !(forms.of(type) instanceof RecordForm form) || form.has(TYPE)) {
-            throw new IllegalArgumentException("no kind of " + base.getSimpleName() + ": " + name);
+            throw new IllegalArgumentException("no kind of " + base + ": " + name);
         }
         return form;
     }

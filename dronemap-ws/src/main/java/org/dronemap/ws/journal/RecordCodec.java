@@ -34,6 +34,7 @@ public class RecordCodec<S, I> implements OperationCodec<S, I> {
         this.state = state;
         this.input = input;
         this.forms = new Forms(Map.of(Computation.class, computations));
+        forms.requireNames(state, input, Action.class);
     }
 
     @Override

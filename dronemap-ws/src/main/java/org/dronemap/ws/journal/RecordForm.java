@@ -7,13 +7,14 @@ import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * A record: each component under its name, in their order; no more and no less. Only lists and what may be null may be
+ * A record: each component under its stored name, in their order; no more and no less. Only lists and what may be null may be
  * missing, and are empty or null then: so what was written before a record had them can be read still.
  */
 final class RecordForm implements Form {
@@ -33,11 +34,13 @@ final class RecordForm implements Form {
             throw new IllegalStateException(type + " is no record", e);
         }
         constructor.setAccessible(true);
-        for (RecordComponent component : components) {
+        List<String> names = StoredNames.ofParts(type);
+        for (int i = 0; i < components.length; i++) {
+            RecordComponent component = components[i];
             Method accessor = component.getAccessor();
             accessor.setAccessible(true);
             members.add(new Member(
-                    component.getName(),
+                    names.get(i),
                     accessor,
                     forms.of(component.getGenericType()),
                     component.getAnnotatedType().isAnnotationPresent(Nullable.class)));
@@ -86,7 +89,7 @@ final class RecordForm implements Form {
     Object read(JsonNode node, int others) {
         long written = members.stream().filter(one -> node.has(one.name())).count();
         if (!node.isObject() || node.size() != written + others) {
-            throw new IllegalArgumentException("no " + type.getSimpleName() + ": " + node);
+            throw new IllegalArgumentException("no " + type + ": " + node);
         }
         @Nullable Object[] parts = new @Nullable Object[members.size()];
         for (int i = 0; i < parts.length; i++) {
@@ -95,7 +98,7 @@ final class RecordForm implements Form {
         try {
             return constructor.newInstance(parts);
         } catch (InvocationTargetException e) {
-            throw new IllegalArgumentException("no " + type.getSimpleName() + ": " + e.getCause(), e);
+            throw new IllegalArgumentException("no " + type + ": " + e.getCause(), e);
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(e);
         }
@@ -116,6 +119,6 @@ final class RecordForm implements Form {
     }
 
     private String at(Member member) {
-        return member.name() + " of " + type.getSimpleName();
+        return member.name() + " of " + type;
     }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import org.dronemap.core.stored.StoredNames;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
@@ -47,17 +48,9 @@ final class Scalars {
         return type.isEnum() ? Optional.of(enumeration(type)) : Optional.ofNullable(ALL.get(type));
     }
 
-    private static Form enumeration(Class<?> type) {
-        return spelt(
-                text -> {
-                    for (Object constant : type.getEnumConstants()) {
-                        if (((Enum<?>) constant).name().equals(text)) {
-                            return constant;
-                        }
-                    }
-                    throw new IllegalArgumentException("there is no " + text + " among " + type.getSimpleName());
-                },
-                value -> ((Enum<?>) value).name());
+    @SuppressWarnings({"unchecked", "rawtypes"})
+    private static Form enumeration(Class type) {
+        return spelt(text -> StoredNames.constant(type, text), value -> StoredNames.of((Enum<?>) value));
     }
 
     private static Form spelt(Function<String, Object> parse) {

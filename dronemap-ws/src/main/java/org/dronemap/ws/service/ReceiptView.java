@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.DateTimeException;
 import java.time.Instant;
@@ -7,13 +8,13 @@ import org.dronemap.core.audit.AuditHead;
 import org.dronemap.core.audit.SignedHead;
 import org.jspecify.annotations.Nullable;
 
-/** That the records up to this one were there at that time: whoever keeps it can have it compared later. */
+/** That the records up to this one were there at that time: whoever keeps it can have it compared for ever. */
 @Schema(description = "Keep it where nobody who runs the server can change it.")
 public record ReceiptView(
-        @Nullable Long sequence,
-        @Nullable String hash,
-        @Nullable String at,
-        @Nullable String signature) {
+        @JsonProperty("sequence") @Nullable Long sequence,
+        @JsonProperty("hash") @Nullable String hash,
+        @JsonProperty("at") @Nullable String at,
+        @JsonProperty("signature") @Nullable String signature) {
     static ReceiptView of(SignedHead signed) {
         return new ReceiptView(
                 signed.head().sequence(), signed.head().hash(), signed.at().toString(), signed.signature());

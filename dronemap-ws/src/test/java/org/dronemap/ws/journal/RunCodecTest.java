@@ -16,9 +16,7 @@ import org.dronemap.cognitive.operation.run.Target;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
-import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.Action;
@@ -110,48 +108,6 @@ class RunCodecTest {
                 .startsWith("{\"actions\":[],\"why\":\"Because.\",\"next\":\"")
                 .isEqualTo(codec.decision(new Decision<>(codec.state(codec.state(state)), List.of(), "Because.")))
                 .isNotEqualTo(codec.decision(new Decision<>(other, List.of(), "Because.")));
-    }
-
-    /** What is stored goes by these: a name that changes makes stored runs unreadable. */
-    @Test
-    void callsThingsAsTheyWereAlwaysCalled() {
-        assertThat(records(RunInput.class))
-                .extracting(Class::getSimpleName)
-                .containsExactlyInAnyOrder(
-                        "Looked",
-                        "CommandEnded",
-                        "Replanned",
-                        "Resumed",
-                        "AddWaypoints",
-                        "MoveWaypoint",
-                        "CancelWaypoint",
-                        "AddBarrier",
-                        "JoinDrone",
-                        "ResumeDrone",
-                        "GiveUpDrone",
-                        "Answer",
-                        "Pause",
-                        "GoOn",
-                        "Stop");
-        assertThat(records(Outcome.class))
-                .extracting(Class::getSimpleName)
-                .containsExactlyInAnyOrder("Succeeded", "Refused", "Failed", "TimedOut", "Superseded", "Unknown");
-        assertThat(records(MissionItem.class))
-                .extracting(Class::getSimpleName)
-                .containsExactlyInAnyOrder(
-                        "TakeOff",
-                        "Waypoint",
-                        "ReturnToLaunch",
-                        "Land",
-                        "TakePhoto",
-                        "SetServo",
-                        "LookAt",
-                        "LookAhead",
-                        "Wait",
-                        "Other");
-        assertThat(records(FenceZone.class))
-                .extracting(Class::getSimpleName)
-                .containsExactlyInAnyOrder("Polygon", "Circle");
     }
 
     @Test

@@ -38,9 +38,13 @@ import org.dronemap.ws.service.VirtualDroneService;
 import org.dronemap.ws.service.VirtualDroneViews;
 import org.dronemap.ws.service.WarehouseService;
 import org.dronemap.ws.service.ZoneService;
+import org.jspecify.annotations.Nullable;
 
 /** A server as {@link Dronemap} builds it, with the use cases that lead drones, and without faces and sockets. */
 public final class SteppedServer implements AutoCloseable {
+    private static final Settings.Hidden GIVEN_LINK_SECRET = new Settings.Hidden("0123456789abcdef".repeat(4));
+    private static final Settings.Hidden GIVEN_AUDIT_KEY = new Settings.Hidden("fedcba9876543210".repeat(4));
+
     private final Closing closing = new Closing();
     private final HouseBuilder builder;
     private final House house;
@@ -63,7 +67,15 @@ public final class SteppedServer implements AutoCloseable {
 
     /** It takes up what {@code stores} hold, and hears vehicles from now on. */
     public SteppedServer(Path data, Time time, Stores stores, Beginning beginning) {
-        Settings settings = settings(data);
+        this(settings(data, GIVEN_LINK_SECRET, GIVEN_AUDIT_KEY), time, stores, beginning);
+    }
+
+    SteppedServer(Settings settings, Time time, Stores stores) {
+        this(settings, time, stores, Beginning.ORDINARY);
+    }
+
+    private SteppedServer(Settings settings, Time time, Stores stores, Beginning beginning) {
+        Path data = settings.dataDirectory();
         builder = new HouseBuilder(settings, closing, time, beginning);
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
@@ -101,7 +113,8 @@ public final class SteppedServer implements AutoCloseable {
         builder.serve();
     }
 
-    private static Settings settings(Path data) {
+    /** Without secrets: those in the folder. */
+    static Settings settings(Path data, Settings.@Nullable Hidden linkSecret, Settings.@Nullable Hidden auditKey) {
         return new Settings(
                 data,
                 "127.0.0.1",
@@ -121,8 +134,8 @@ public final class SteppedServer implements AutoCloseable {
                 RecordingPolicy.DEFAULT,
                 HistoryPolicy.DEFAULT,
                 null,
-                new Settings.Hidden("0123456789abcdef".repeat(4)),
-                new Settings.Hidden("fedcba9876543210".repeat(4)),
+                linkSecret,
+                auditKey,
                 Registration.APPROVAL,
                 new Settings.Protection(ClientLimits.DEFAULT, Rates.UNBOUNDED),
                 null,

@@ -6,6 +6,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.Reach;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** What befalls a follow. */
@@ -21,6 +22,7 @@ public sealed interface FollowInput {
      * @param unsteered why the drone could not be steered, as a sentence; null: it was, or nobody wanted to
      * @param others the follow's other drones
      */
+    @Stored(as = "Looked", names = "at drone sighted reach unsteered others")
     record Looked(
             Instant at,
             @Nullable Look drone,
@@ -59,6 +61,7 @@ public sealed interface FollowInput {
      * @param look null: it was removed
      * @param apartMeters on the ground from the one that leads; null: not known, or it still rises
      */
+    @Stored(names = "drone look apartMeters")
     record Other(
             DroneId drone, @Nullable Look look, @Nullable Double apartMeters) {}
 
@@ -74,6 +77,7 @@ public sealed interface FollowInput {
      * @param grip null: nothing of that
      * @param modes null: written before anybody asked for them
      */
+    @Stored(names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes")
     record Look(
             @Nullable String takenBy,
             int silentSeconds,
@@ -110,6 +114,7 @@ public sealed interface FollowInput {
      * @param adrift nobody has control of it, and it waits for somebody with its motors running
      * @param steered it is in a mode for a pilot's sticks
      */
+    @Stored(names = "barred adrift steered")
     record Grip(@Nullable String barred, boolean adrift, boolean steered) {}
 
     /**
@@ -118,17 +123,22 @@ public sealed interface FollowInput {
      * @param orders the one in which it can be led; null: it has none
      * @param home it is in one in which it comes home
      */
+    @Stored(names = "orders home")
     record Modes(@Nullable String orders, boolean home) {}
 
+    @Stored(as = "CommandEnded", names = "at drone command outcome")
     record CommandEnded(Instant at, DroneId drone, CommandId command, Outcome outcome) implements FollowInput {}
 
     /** The process was started again. */
+    @Stored(as = "Resumed", names = "at")
     record Resumed(Instant at) implements FollowInput {}
 
     /** That drone is sent to replace the one that leads. */
+    @Stored(as = "Relieve", names = "at chosen")
     record Relieve(Instant at, FollowOrder.Chosen chosen) implements FollowInput {}
 
     /** No drone can be sent for that; {@code why} as one or more sentences. */
+    @Stored(as = "Unrelieved", names = "at why")
     record Unrelieved(Instant at, String why) implements FollowInput {}
 
     /** What somebody wants of it. */
@@ -138,20 +148,26 @@ public sealed interface FollowInput {
     }
 
     /** The drone takes off and comes. */
+    @Stored(as = "Start", names = "at by")
     record Start(Instant at, String by) implements Wish {}
 
     /** It is called off before it follows. */
+    @Stored(as = "Cancel", names = "at by")
     record Cancel(Instant at, String by) implements Wish {}
 
     /** The drone stays where it is. */
+    @Stored(as = "Pause", names = "at by")
     record Pause(Instant at, String by) implements Wish {}
 
     /** The drone follows again; the only way back for one that somebody took. */
+    @Stored(as = "GoOn", names = "at by")
     record GoOn(Instant at, String by) implements Wish {}
 
     /** The drone flies home. */
+    @Stored(as = "Stop", names = "at by")
     record Stop(Instant at, String by) implements Wish {}
 
     /** The drone stays elsewhere beside the phone. */
+    @Stored(as = "Change", names = "at by place")
     record Change(Instant at, String by, FollowOrder.Place place) implements Wish {}
 }

@@ -3,6 +3,7 @@ package org.dronemap.cognitive.operation.follow;
 import org.dronemap.cognitive.follow.Side;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.stored.Stored;
 
 /**
  * What is asked for.
@@ -10,6 +11,7 @@ import org.dronemap.core.geo.Geodetic;
  * @param near where the phone was when it asked
  * @param patienceSeconds without positions, before it flies home
  */
+@Stored(names = "chosen near place speed patienceSeconds")
 public record FollowOrder(Chosen chosen, Geodetic near, Place place, double speed, int patienceSeconds) {
     /** Lower than this nobody is followed: metres above the drone's home. */
     public static final double LOWEST_METERS = 5;
@@ -23,6 +25,7 @@ public record FollowOrder(Chosen chosen, Geodetic near, Place place, double spee
      * @param home where it flies back to
      * @param why it was chosen, as one or more sentences
      */
+    @Stored(names = "drone name home homeAmslMeters why")
     public record Chosen(DroneId drone, String name, Geodetic home, double homeAmslMeters, String why) {}
 
     /**
@@ -30,6 +33,7 @@ public record FollowOrder(Chosen chosen, Geodetic near, Place place, double spee
      *
      * @param heightMeters above its home
      */
+    @Stored(names = "side distanceMeters heightMeters")
     public record Place(Side side, double distanceMeters, double heightMeters) {}
 
     FollowOrder by(Chosen other) {

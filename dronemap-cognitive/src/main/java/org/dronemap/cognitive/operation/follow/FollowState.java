@@ -6,6 +6,7 @@ import java.util.List;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * @param end how it ended, as a sentence; null: it goes on
  * @param relay the other drones; null: there were none yet
  */
+@Stored(names = "id order stage since waits errand tries missing note told end relay")
 public record FollowState(
         OperationId id,
         FollowOrder order,
@@ -41,11 +43,14 @@ public record FollowState(
     }
 
     /** What it said to people. */
+    @Stored(names = "at words")
     public record Told(Instant at, String words) {}
 
     /** A command that the drone was given. */
+    @Stored(names = "command kind")
     public record Errand(CommandId command, Kind kind) {
         /** What it is for. */
+        @Stored(names = "CLOUD_LOSS MODE ARM TAKE_OFF HOME DISARM")
         public enum Kind {
             CLOUD_LOSS,
             MODE,
@@ -63,6 +68,7 @@ public record FollowState(
      * @param failed in a row
      * @param notBefore nothing is tried before; null: it may be at once
      */
+    @Stored(names = "given failed notBefore")
     public record Tries(int given, int failed, @Nullable Instant notBefore) {
         static final Tries NONE = new Tries(0, 0, null);
     }

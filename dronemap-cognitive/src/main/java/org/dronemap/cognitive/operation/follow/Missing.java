@@ -1,9 +1,11 @@
 package org.dronemap.cognitive.operation.follow;
 
 import org.dronemap.core.operation.Reach;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** Why a phone's positions do not come. */
+@Stored(names = "BLIND VAGUE ASLEEP CUT GONE SILENT")
 public enum Missing {
     /** It is there, and finds no position. */
     BLIND("The phone does not know where it is: it lets its page find no position."),

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 
 /**
  * The drones of a follow besides the one that leads it.
@@ -15,6 +16,7 @@ import org.dronemap.core.drone.DroneId;
  * @param vacant the drone that leads had to leave, and another one may take over still
  * @param alone it was said that none can come
  */
+@Stored(names = "number sent others failed vacant alone")
 public record Relay(
         int number, int sent, List<FollowState> others, List<DroneId> failed, boolean vacant, boolean alone) {
     /** One drone, as most follows have. */

@@ -1,6 +1,9 @@
 package org.dronemap.cognitive.operation.follow;
 
+import org.dronemap.core.stored.Stored;
+
 /** How far a follow is. */
+@Stored(names = "ALLOCATED STARTING TRACKING PAUSED SUSPENDED RETURNING OVER")
 public enum Stage {
     /** A drone is kept for it, on the ground. */
     ALLOCATED,

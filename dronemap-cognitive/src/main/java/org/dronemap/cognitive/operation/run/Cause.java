@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param words a sentence
  * @param orphans the waypoints that the drone had until then
  */
+@Stored(names = "trigger drone words orphans")
 public record Cause(Trigger trigger, @Nullable DroneId drone, String words, List<String> orphans) {
     /** Nothing has to be changed: a better plan is looked for than the one at once. */
     static final Cause BETTER = new Cause(Trigger.BETTER_PLAN, null, "A better plan was looked for.", List.of());

@@ -1,6 +1,11 @@
 package org.dronemap.cognitive.operation.run;
 
+import org.dronemap.core.stored.Stored;
+
 /** How far one drone of a run is. */
+@Stored(
+        names = "LANDED UPLOADING READY ARMING STARTING FLYING HOLDING REPLACING CONTINUING RESUMING "
+                + "RETURNING SILENT SUSPENDED CRASHED GONE LEFT")
 public enum DroneStage {
     /** On the ground, with nothing to do, or nothing to do any more. */
     LANDED,

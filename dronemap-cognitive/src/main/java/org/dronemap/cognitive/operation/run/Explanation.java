@@ -5,6 +5,7 @@ import java.util.List;
 import org.dronemap.cognitive.replan.Figures;
 import org.dronemap.cognitive.replan.Moved;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -16,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param before what the plan came to, the waypoints without a drone left out; null: nothing was planned anew
  * @param words one or more sentences
  */
+@Stored(names = "number at trigger drone moved before after words")
 public record Explanation(
         int number,
         Instant at,

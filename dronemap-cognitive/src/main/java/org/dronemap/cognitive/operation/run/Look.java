@@ -7,6 +7,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.ReturnHeight;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,6 +27,10 @@ import org.jspecify.annotations.Nullable;
  * @param returnHeight null: the cloud has not set it
  * @param transfer of its mission, which is under way and may be somebody else's; null: none is
  */
+@Stored(
+        names = "drone takenBy link silence still ready mode ordersMode steering armed airborne place "
+                + "aboveHomeMeters climb speed tiltDegrees batteryPercent canGoTo canReturn returnHeight "
+                + "progress payload transfer")
 public record Look(
         DroneId drone,
         @Nullable String takenBy,
@@ -62,6 +67,7 @@ public record Look(
      * @param passed how many items of what it has on board are behind it
      * @param complete flown to the end
      */
+    @Stored(names = "carries carriesNext told passed complete")
     public record Progress(
             @Nullable Boolean carries, @Nullable Boolean carriesNext, boolean told, int passed, boolean complete) {}
 

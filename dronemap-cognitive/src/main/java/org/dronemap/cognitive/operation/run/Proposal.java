@@ -3,6 +3,7 @@ package org.dronemap.cognitive.operation.run;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.cognitive.replan.Replanned;
+import org.dronemap.core.stored.Stored;
 
 /**
  * A plan that waits for somebody's word.
@@ -11,6 +12,7 @@ import org.dronemap.cognitive.replan.Replanned;
  * @param at zero of the plan's clock
  * @param words what it would change and why
  */
+@Stored(names = "number at causes plan words")
 public record Proposal(int number, Instant at, List<Cause> causes, Replanned plan, String words) {
     public Proposal {
         causes = List.copyOf(causes);

@@ -8,6 +8,7 @@ import org.dronemap.cognitive.replan.Replanned;
 import org.dronemap.cognitive.replan.Replanning;
 import org.dronemap.cognitive.replan.Situation;
 import org.dronemap.core.operation.Computation;
+import org.dronemap.core.stored.Stored;
 import org.dronemap.core.time.Pool;
 import org.dronemap.core.time.Time;
 
@@ -17,6 +18,7 @@ import org.dronemap.core.time.Time;
  * @param request the number that its result comes back with
  * @param limit how long a better one is looked for; zero: the one at once
  */
+@Stored(as = "Replan", names = "request situation seed limit")
 public record Replan(int request, Situation situation, long seed, Duration limit) implements Computation<RunInput> {
     /** Drones hover meanwhile: what processors there are help, but never more than these. */
     private static final int MOST_SEARCHES = 4;

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import org.dronemap.cognitive.problem.Craft;
+import org.dronemap.core.stored.Stored;
 
 /**
  * A plan that was asked for.
@@ -15,6 +16,7 @@ import org.dronemap.cognitive.problem.Craft;
  * @param at when: zero of the plan's clock
  * @param crafts the drones that it is for, as they were
  */
+@Stored(names = "number better searched approved at causes crafts")
 public record Request(
         int number,
         boolean better,

@@ -8,6 +8,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param note why it is not flying its waypoints, as a sentence
  * @param signs what has been noticed of it and may pass
  */
+@Stored(names = "kin stage since orders sortie passed next errand tries note signs")
 public record RunDrone(
         Kin kin,
         DroneStage stage,
@@ -41,6 +43,7 @@ public record RunDrone(
      * @param craft as planned with first; where it is when something is planned anew is looked at then
      * @param returnMeters how high over its home it flies home, in a layer of its own; null: as the vehicle is set
      */
+    @Stored(names = "craft name kind returnMeters")
     public record Kin(
             Craft craft,
             String name,
@@ -60,8 +63,10 @@ public record RunDrone(
      *
      * @param sortie the number of the one that it brings; 0: none
      */
+    @Stored(names = "command kind sortie at")
     public record Errand(CommandId command, Kind kind, int sortie, Instant at) {
         /** What it is for. */
+        @Stored(names = "UPLOAD MODE ARM START HOLD HEIGHT DODGE HOME DISARM")
         public enum Kind {
             UPLOAD,
             MODE,
@@ -78,6 +83,7 @@ public record RunDrone(
     }
 
     /** How often in a row a command failed, and before when there is none again. */
+    @Stored(names = "failed notBefore")
     public record Tries(int failed, @Nullable Instant notBefore) {
         static final Tries NONE = new Tries(0, null);
     }
@@ -95,6 +101,7 @@ public record RunDrone(
      * @param joulesPerPercent what a hundredth of its battery holds; null: not known
      * @param homeward how high it flies home for the run, and what has to be put back; null: as it is set
      */
+    @Stored(names = "held begun falling astray silence yields told joulesPerPercent homeward")
     public record Signs(
             boolean held,
             boolean begun,
@@ -157,6 +164,7 @@ public record RunDrone(
      * @param reservedUntil till then its next waypoints stay its own
      * @param flyingUntil till then it may be in the air
      */
+    @Stored(names = "heard place flew reservedUntil flyingUntil")
     public record Silence(
             Instant heard, @Nullable Place place, boolean flew, Instant reservedUntil, Instant flyingUntil) {}
 

@@ -10,6 +10,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /** What befalls a run. */
@@ -17,12 +18,14 @@ public sealed interface RunInput {
     Instant at();
 
     /** All that are left of its drones, in the order of the state's. */
+    @Stored(as = "Looked", names = "at drones")
     record Looked(Instant at, List<Look> drones) implements RunInput {
         public Looked {
             drones = List.copyOf(drones);
         }
     }
 
+    @Stored(as = "CommandEnded", names = "at drone command outcome")
     record CommandEnded(Instant at, DroneId drone, CommandId command, Outcome outcome) implements RunInput {}
 
     /**
@@ -31,6 +34,7 @@ public sealed interface RunInput {
      * @param result null: it failed
      * @param why it failed, as a sentence
      */
+    @Stored(as = "Replanned", names = "at request result why")
     record Replanned(
             Instant at,
             int request,
@@ -38,6 +42,7 @@ public sealed interface RunInput {
             @Nullable String why) implements RunInput {}
 
     /** The process was started again. */
+    @Stored(as = "Resumed", names = "at")
     record Resumed(Instant at) implements RunInput {}
 
     /** What somebody wants of it. */
@@ -46,36 +51,47 @@ public sealed interface RunInput {
         String by();
     }
 
+    @Stored(as = "AddWaypoints", names = "at by waypoints")
     record AddWaypoints(Instant at, String by, List<Waypoint> waypoints) implements Wish {
         public AddWaypoints {
             waypoints = List.copyOf(waypoints);
         }
     }
 
+    @Stored(as = "MoveWaypoint", names = "at by waypoint to")
     record MoveWaypoint(Instant at, String by, String waypoint, Place to) implements Wish {}
 
+    @Stored(as = "CancelWaypoint", names = "at by waypoint")
     record CancelWaypoint(Instant at, String by, String waypoint) implements Wish {}
 
     /** A new zone that drones keep to from now on. */
+    @Stored(as = "AddBarrier", names = "at by barrier")
     record AddBarrier(Instant at, String by, Barrier barrier) implements Wish {}
 
     /** A further drone, on the ground where {@code craft} says. */
+    @Stored(as = "JoinDrone", names = "at by craft name kind")
     record JoinDrone(Instant at, String by, Craft craft, String name, VehicleKind kind) implements Wish {}
 
     /** The only way back for a drone that somebody took. */
+    @Stored(as = "ResumeDrone", names = "at by drone")
     record ResumeDrone(Instant at, String by, DroneId drone) implements Wish {}
 
     /** It is called home, and others do the rest. */
+    @Stored(as = "GiveUpDrone", names = "at by drone")
     record GiveUpDrone(Instant at, String by, DroneId drone) implements Wish {}
 
+    @Stored(as = "Answer", names = "at by proposal accepted")
     record Answer(Instant at, String by, int proposal, boolean accepted) implements Wish {}
 
     /** All wait where they are. */
+    @Stored(as = "Pause", names = "at by")
     record Pause(Instant at, String by) implements Wish {}
 
     /** All go on after a pause. */
+    @Stored(as = "GoOn", names = "at by")
     record GoOn(Instant at, String by) implements Wish {}
 
     /** All come home. */
+    @Stored(as = "Stop", names = "at by")
     record Stop(Instant at, String by) implements Wish {}
 }

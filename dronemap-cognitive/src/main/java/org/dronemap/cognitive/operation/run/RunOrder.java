@@ -9,6 +9,7 @@ import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.stored.Stored;
 
 /**
  * What a run begins with.
@@ -34,6 +35,7 @@ public record RunOrder(
     public record Member(DroneId drone, String name, VehicleKind kind) {}
 
     /** Who decides on a plan that changes. */
+    @Stored(names = "AUTOMATIC ASK_FIRST")
     public enum Mode {
         AUTOMATIC,
         /** Somebody is asked; what is unsafe for one drone is acted on all the same. */

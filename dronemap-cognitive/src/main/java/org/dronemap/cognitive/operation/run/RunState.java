@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * @param stopping all are called home
  * @param end how it ended, as a sentence; null: it goes on
  */
+@Stored(names = "id clock setting targets drones counts request causes proposal explanations stopping end")
 public record RunState(
         OperationId id,
         Clock clock,
@@ -42,6 +44,7 @@ public record RunState(
      * @param hearsAfter after a restart, no drone that has not told all since counts as lost before
      * @param pausedSince all wait where they are; null: they go on
      */
+    @Stored(names = "begun launched asksAfter hearsAfter pausedSince")
     public record Clock(
             Instant begun,
             boolean launched,
@@ -71,6 +74,7 @@ public record RunState(
      * @param misses plans in a row that could not be flown
      * @param doubles visits of waypoints that were visited already
      */
+    @Stored(names = "commands requests sorties replans misses proposals explanations doubles")
     public record Counts(
             int commands,
             int requests,

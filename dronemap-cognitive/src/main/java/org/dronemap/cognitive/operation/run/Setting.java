@@ -8,8 +8,10 @@ import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.Rules;
 import org.dronemap.cognitive.problem.Wind;
 import org.dronemap.core.command.CloudLoss;
+import org.dronemap.core.stored.Stored;
 
 /** What a run keeps to. */
+@Stored(names = "barriers wind objective rules mode onCloudLoss seed search")
 public record Setting(
         List<Barrier> barriers,
         Wind wind,

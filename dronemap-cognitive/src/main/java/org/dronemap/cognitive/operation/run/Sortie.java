@@ -16,6 +16,7 @@ import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.stored.Stored;
 
 /**
  * What one drone is given to fly.
@@ -25,6 +26,7 @@ import org.dronemap.core.mission.MissionItem;
  * @param arrivals for each stop of the tour the number of the mission's item that is behind the drone when it is done
  * @param tasks which items do what of the waypoints' tasks
  */
+@Stored(names = "number tour mission arrivals tasks zero")
 public record Sortie(
         int number, Tour tour, Mission mission, List<Integer> arrivals, List<TaskItem> tasks, Instant zero) {
     private static final double NANOS = 1e9;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * @param leftOut for that reason the newest plan has nobody for it; the next one tries again
  * @param reports what became of the parts of its task; of those that nobody was seen to begin there is none
  */
+@Stored(names = "waypoint state drone visits reason leftOut reports")
 public record Target(
         Waypoint waypoint,
         State state,
@@ -27,6 +29,7 @@ public record Target(
         boolean leftOut,
         List<Report> reports) {
     /** How it stands with a waypoint. */
+    @Stored(names = "WAITING ASSIGNED RESERVED VISITED UNSERVED CANCELLED")
     public enum State {
         /** Nobody's yet. */
         WAITING,
@@ -44,6 +47,7 @@ public record Target(
     }
 
     /** {@code at}: when that was learned. */
+    @Stored(names = "drone at")
     public record Visit(DroneId drone, Instant at) {}
 
     /**
@@ -53,6 +57,7 @@ public record Target(
      * @param photo the number of the picture that it came to
      * @param words a sentence
      */
+    @Stored(names = "part drone result at photo words")
     public record Report(
             int part,
             DroneId drone,
@@ -61,6 +66,7 @@ public record Target(
             @Nullable Integer photo,
             String words) {
         /** How it went. */
+        @Stored(names = "UNDER_WAY DONE NOT_KNOWN NOT_AVAILABLE")
         public enum Result {
             UNDER_WAY,
             DONE,

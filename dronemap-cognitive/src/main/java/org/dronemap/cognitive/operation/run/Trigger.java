@@ -1,6 +1,13 @@
 package org.dronemap.cognitive.operation.run;
 
+import org.dronemap.core.stored.Stored;
+
 /** Why something was decided. */
+@Stored(
+        names = "START TAKEN_OVER LOST HEARD_AGAIN GONE CRASHED LOW_BATTERY WENT_HOME CAME_DOWN "
+                + "REMOVED OFF_PATH LATE COMMAND_FAILED WAYPOINTS_ADDED WAYPOINT_MOVED "
+                + "WAYPOINT_CANCELLED FENCE_ADDED JOINED RESUMED GIVEN_UP TOO_NEAR BETTER_PLAN ANSWERED "
+                + "RESTARTED PAUSED WENT_ON STOPPED ENDED")
 public enum Trigger {
     START,
     /** Somebody who goes first steers a drone. */

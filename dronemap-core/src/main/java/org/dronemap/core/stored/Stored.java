@@ -1,0 +1,22 @@
+package org.dronemap.core.stored;
+
+import java.lang.annotation.Documented;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/**
+ * What a record or an enum is called where it is stored. The code may be renamed; these words stay for ever, or what earlier
+ * versions have stored cannot be read any more.
+ */
+@Documented
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.TYPE)
+public @interface Stored {
+    /** Of a record that is one of several: the word that tells it from the others. */
+    String as() default "";
+
+    /** Of the components of a record, or the constants of an enum, in the order of the code, apart by a space. */
+    String names() default "";
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.core.stored;
+
+import org.jspecify.annotations.NullMarked;

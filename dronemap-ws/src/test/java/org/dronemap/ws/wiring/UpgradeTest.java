@@ -1,0 +1,272 @@
+package org.dronemap.ws.wiring;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.Holdings;
+import org.dronemap.core.access.User;
+import org.dronemap.core.audit.SignedHead;
+import org.dronemap.core.history.FlightQuery;
+import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.operation.Replay;
+import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.recording.Recording;
+import org.dronemap.core.virtual.Run;
+import org.dronemap.core.virtual.Stage;
+import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.zone.Binding;
+import org.dronemap.core.zone.Zone;
+import org.dronemap.store.postgres.Database;
+import org.dronemap.store.secret.SecretBox;
+import org.dronemap.store.secret.ServerSecret;
+import org.dronemap.ws.security.Authentication;
+import org.dronemap.ws.security.SignedIn;
+import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.ReceiptView;
+import org.dronemap.ws.service.Secrets;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What each earlier version has stored while much was under way is read, taken up and decided on in the same way now. */
+class UpgradeTest {
+    private static final int MOST = 1_000;
+    private static final Duration LONG = Duration.ofHours(1);
+    private static final Map<String, Upgraded> VERSIONS = new LinkedHashMap<>();
+
+    @TempDir
+    private static Path folder;
+
+    @BeforeAll
+    static void start() {
+        Upgraded.versions().forEach(version -> {
+            String name = version.getFileName().toString();
+            VERSIONS.put(name, new Upgraded(version, folder.resolve(name)));
+        });
+    }
+
+    @AfterAll
+    static void stop() {
+        VERSIONS.values().forEach(Upgraded::close);
+    }
+
+    static Stream<String> versions() {
+        return VERSIONS.keySet().stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("versions")
+    void nothingIsLost(String version) {
+        Upgraded now = VERSIONS.get(version);
+        Database kept = now.database();
+        Holdings holdings = kept.grants().holdings();
+        List<User> users = kept.access().users();
+
+        assertThat(users).hasSize(rows(now, "account"));
+        assertThat(users.stream()
+                        .mapToInt(user -> kept.access().accessKeys(user.name()).size())
+                        .sum())
+                .isEqualTo(rows(now, "access_key"));
+        assertThat(kept.access().invitations(now.time().clock().instant())).hasSize(rows(now, "invitation"));
+        assertThat(holdings.organisations()).hasSize(rows(now, "organisation"));
+        assertThat(holdings.groups()).hasSize(rows(now, "user_group"));
+        assertThat(holdings.fleets()).hasSize(rows(now, "fleet"));
+        assertThat(holdings.grants()).hasSize(rows(now, "access_grant"));
+        assertThat(kept.drones().drones()).hasSize(rows(now, "drone"));
+        assertThat(kept.drones().drones().stream()
+                        .filter(drone -> kept.drones().knownMission(drone.id()).isPresent()))
+                .hasSize(rows(now, "known_mission"));
+        assertThat(kept.missions().missions()).hasSize(rows(now, "saved_mission"));
+        assertThat(kept.zones().zones()).hasSize(rows(now, "zone"));
+        assertThat(kept.virtualDrones().virtualDrones()).hasSize(rows(now, "virtual_drone"));
+        assertThat(kept.links().robotKeys()).hasSize(rows(now, "robot_key"));
+        assertThat(kept.flights().flights(FlightQuery.ALL, null, MOST)).hasSize(rows(now, "flight"));
+        assertThat(kept.recordings().recordings())
+                .hasSize(rows(now, "recording"))
+                .allMatch(recording ->
+                        Files.exists(now.data().resolve("recordings").resolve(recording.id() + ".tlog")));
+        assertThat(kept.recordings().recordings()).extracting(Recording::state).doesNotContain(Recording.State.RUNNING);
+        assertThat(operations(now)).hasSize(rows(now, "operation"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("versions")
+    void whatStandsInTextsIsRead(String version) {
+        Upgraded now = VERSIONS.get(version);
+        Database kept = now.database();
+
+        assertThat(kept.zones().zones())
+                .extracting(Zone::binding)
+                .hasAtLeastOneElementOfType(Binding.OfUser.class)
+                .hasAtLeastOneElementOfType(Binding.OfDrone.class)
+                .hasAtLeastOneElementOfType(Binding.Everybody.class);
+        assertThat(kept.zones().zones()).anyMatch(zone -> zone.validity().until() != null);
+        assertThat(keys(now))
+                .anyMatch(key -> key.rights().scope().bounds().stream().anyMatch(bounds -> bounds.area() != null));
+        assertThat(keys(now)).anyMatch(key -> key.rights().scope().drones() != null);
+        assertThat(kept.missions().missions())
+                .allMatch(one -> !one.mission().items().isEmpty());
+        assertThat(kept.flights().flights(FlightQuery.ALL, null, MOST))
+                .anyMatch(flight -> flight.users().contains(pilot(now)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("versions")
+    void usersSignInAsBefore(String version) {
+        Upgraded now = VERSIONS.get(version);
+        ServiceConfiguration services = new ServiceConfiguration();
+        Secrets secrets = services.secrets();
+        House house = now.house();
+        Settings settings = now.settings();
+        Authentication door = services.authentication(
+                house,
+                house.passwords(),
+                secrets,
+                services.firstPassword(house, house.passwords(), secrets, settings),
+                settings,
+                now.time().clock());
+        String password = now.facts().required("account").required("password").stringValue();
+
+        SignedIn byPassword = door.byPassword(pilot(now), password, "127.0.0.1");
+        SignedIn byKey = door.byKey(shown(now, "accessKey"));
+        SignedIn byLocalKey =
+                door.byKey(Upgraded.read(now.data().resolve("local-key")).strip());
+
+        assertThat(byPassword.principal().name()).isEqualTo(pilot(now));
+        assertThat(byKey.principal().name()).isEqualTo(pilot(now));
+        assertThat(byKey.principal().scope().bounds()).hasSize(1);
+        assertThat(byLocalKey.principal().key()).isNotEqualTo(byKey.principal().key());
+    }
+
+    @ParameterizedTest
+    @MethodSource("versions")
+    void whatWasSealedOpens(String version) {
+        Upgraded now = VERSIONS.get(version);
+        SecretBox box = ServerSecret.box(null, now.data().resolve("link-secret"));
+
+        assertThat(now.database().outlet(box).keys()).hasSize(rows(now, "outlet_key"));
+        assertThat(now.database().linkSecurity(box).all())
+                .hasSize(rows(now, "link_security"))
+                .anyMatch(security -> security.key() != null);
+        assertThat(now.house().links().keys().secret(shown(now, "dtlsKey"))).isPresent();
+    }
+
+    @ParameterizedTest
+    @MethodSource("versions")
+    void theRecordsOfWhatWasDoneAreAsTheyWereWritten(String version) {
+        Upgraded now = VERSIONS.get(version);
+        SignedHead receipt = new JsonReader()
+                .read(Upgraded.read(now.receipt()), ReceiptView.class)
+                .signedHead();
+
+        assertThat(now.house().audit().verify(receipt).sentence()).contains("records are as they were written");
+    }
+
+    @ParameterizedTest
+    @MethodSource("versions")
+    void whatWasUnderWayGoesOnOrEndsWithAReason(String version) {
+        Upgraded now = VERSIONS.get(version);
+        RunSide side = now.house().runs();
+        assertThat(now.underWay())
+                .extracting(one -> one.id().value())
+                .containsExactlyInAnyOrder(underWay(now, "run"), underWay(now, "follow"));
+        now.time().advance(LONG);
+
+        assertThat(now.time().failures()).isEmpty();
+        assertThat(side.operations().failedCount()).isZero();
+        assertThat(now.underWay()).allSatisfy(before -> {
+            SavedOperation after = now.database().operations().find(before.id()).orElseThrow();
+            assertThat(side.operations().journal(before.id(), before.last() + 1, 1))
+                    .allMatch(entry -> entry.input().startsWith("{\"type\":\"Resumed\""))
+                    .hasSize(1);
+            assertThat(after.endedAt() == null || after.state().contains("\"end\":\""))
+                    .isTrue();
+        });
+        for (SavedOperation one : operations(now)) {
+            assertThat(differenceIn(now, one)).isEmpty();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("versions")
+    void virtualDronesGoOn(String version) {
+        Upgraded now = VERSIONS.get(version);
+        Run flew = run(now.virtuals(), underWay(now, "virtualDrone"));
+        Run waited = run(now.virtuals(), underWay(now, "waitingVirtualDrone"));
+        assertThat(flew.stage()).isEqualTo(Stage.FLYING);
+        assertThat(flew.assignment()).isNotNull();
+        assertThat(waited.stage()).isEqualTo(Stage.QUEUED);
+        now.time().advance(LONG);
+
+        Run flies = run(now.house().virtuals().all(), underWay(now, "virtualDrone"));
+        assertThat(flies.flown()).isGreaterThanOrEqualTo(flew.flown());
+        assertThat(flies.stage()).isEqualTo(Stage.QUEUED);
+        assertThat(flies.note()).isNotEmpty();
+        assertThat(run(now.house().virtuals().all(), underWay(now, "waitingVirtualDrone"))
+                        .stage())
+                .isEqualTo(Stage.QUEUED);
+        assertThat(now.house().virtuals().failedCount()).isZero();
+    }
+
+    private static Run run(List<VirtualDrone> all, String id) {
+        return all.stream()
+                .filter(one -> one.id().equals(new VirtualDroneId(id)))
+                .flatMap(one -> Optional.ofNullable(one.run()).stream())
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static Optional<Replay.Difference> differenceIn(Upgraded now, SavedOperation operation) {
+        RunSide side = now.house().runs();
+        return operation.kind().equals(side.kind().name())
+                ? differenceIn(now, operation, side.kind())
+                : differenceIn(now, operation, side.follows());
+    }
+
+    private static <S, I> Optional<Replay.Difference> differenceIn(
+            Upgraded now, SavedOperation operation, OperationKind<S, I> kind) {
+        Replay<S, I> replay = new Replay<>(kind);
+        replay.take(now.database().operations().journal(operation.id(), 0, Integer.MAX_VALUE));
+        assertThat(replay.count()).isEqualTo(operation.last() + 1);
+        return replay.difference();
+    }
+
+    private static List<SavedOperation> operations(Upgraded now) {
+        RunSide side = now.house().runs();
+        return Stream.of(side.kind(), side.follows())
+                .flatMap(kind -> side.operations().latest(OrganisationId.HOME, kind, MOST).stream())
+                .toList();
+    }
+
+    private static List<AccessKey> keys(Upgraded now) {
+        return now.database().access().accessKeys(pilot(now));
+    }
+
+    private static String pilot(Upgraded now) {
+        return now.facts().required("account").required("name").stringValue();
+    }
+
+    private static String shown(Upgraded now, String what) {
+        return now.facts().required("shown").required(what).stringValue();
+    }
+
+    private static String underWay(Upgraded now, String what) {
+        return now.facts().required("underWay").required(what).stringValue();
+    }
+
+    private static int rows(Upgraded now, String table) {
+        return Math.toIntExact(now.rows(table));
+    }
+}
