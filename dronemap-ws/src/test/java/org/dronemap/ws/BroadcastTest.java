@@ -65,6 +65,18 @@ class BroadcastTest {
     }
 
     @Test
+    void anIdIsOfWhatWasSaidWithIt() {
+        arm("[\"" + willing.id() + "\"]");
+        Http.Answer other = operator.post(
+                "/api/v1/commands?wait=30",
+                "{\"id\":\"" + id + "\",\"drones\":\"all\",\"command\":{\"type\":\"disarm\"}}");
+
+        assertThat(other.status()).isEqualTo(409);
+        assertThat(other.text("detail")).contains("belongs to another command");
+        assertThat(unwilling.performed()).isEmpty();
+    }
+
+    @Test
     void onlyThoseAskedForAreAskedInThatOrder() {
         Http.Answer answer = arm("[\"" + unwilling.id() + "\",\"" + willing.id() + "\"]");
 

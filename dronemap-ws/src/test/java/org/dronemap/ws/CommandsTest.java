@@ -29,6 +29,8 @@ import org.dronemap.ws.soap.SoapWaypoint;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tools.jackson.databind.JsonNode;
 
 class CommandsTest {
@@ -73,6 +75,31 @@ class CommandsTest {
         Http.Answer otherUser = tenant.http(Role.SUPERVISOR)
                 .post(commands, "{\"type\":\"setMode\",\"mode\":\"AUTO\",\"id\":\"" + sameId + "\"}");
         assertThat(otherUser.status()).isEqualTo(409);
+    }
+
+    /** Commands of several values whose words for people are the same. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "uploadMission|'items':[{'type':'waypoint','latitude':47.1,'longitude':8.1,'altitude':20}]|8.1|8.2",
+                "setParameters|'parameters':[{'name':'A','value':1},{'name':'B','value':2}]|2}|3}",
+                "goTo|'latitude':47.1,'longitude':8.1,'altitude':20|20|20.2",
+                "setHome|'latitude':47.1,'longitude':8.1,'altitude':20|20|400",
+                "startMission|'onCloudLoss':'continue'|continue|rtl",
+                "turn|'degrees':20|20|20.2"
+            })
+    void anIdIsOfEachValueThatWasSaidWithIt(String type, String members, String value, String other) {
+        String body = ("{'type':'" + type + "','id':'" + sameId + "'," + members + "}").replace('\'', '"');
+        Http.Answer first = operator.post(commands + "?wait=10", body);
+        Http.Answer again = operator.post(commands + "?wait=10", body);
+        Http.Answer changed = operator.post(commands, body.replace(value, other));
+
+        assertThat(again.json().path("outcome")).isEqualTo(first.json().path("outcome"));
+        assertThat(again.text("detail")).doesNotContain("belongs to another command");
+        assertThat(changed.status()).isEqualTo(409);
+        assertThat(changed.text("detail")).contains("belongs to another command");
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandDigest;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
@@ -87,12 +88,17 @@ public final class CommandGate {
      * @throws UnknownDroneException when there is no such drone
      */
     public CommandRecord submit(Source source, DroneId drone, CommandId id, Command command) {
+        return submit(source, drone, id, command, command);
+    }
+
+    /** The same where {@code command} was made of what was {@code asked} and of what is known of the drone now. */
+    public CommandRecord submit(Source source, DroneId drone, CommandId id, Command command, Command asked) {
         ManagedDrone managed = registry.find(drone).orElseThrow(() -> new UnknownDroneException(drone));
         Optional<CommandRecord> same = given(id, command);
         if (same.isPresent()) {
             return same.get();
         }
-        CommandRecord record = intent(source, drone, id, command);
+        CommandRecord record = intent(source, drone, id, command, asked);
         Optional<String> why = whyNot(source.principal(), managed.drone().state(), command);
         if (why.isPresent()) {
             return refuse(record, why.get());
@@ -137,7 +143,7 @@ public final class CommandGate {
     void submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
         Principal rule = SAFETY.principal();
         managed.control().enterForSafety(rule, command, epoch).ifPresent(passage -> {
-            CommandRecord given = intent(SAFETY, managed.id(), new CommandId(time.newId()), command);
+            CommandRecord given = intent(SAFETY, managed.id(), new CommandId(time.newId()), command, command);
             Underway entry = underway(managed, command, given, passage, rule);
             underway.add(entry);
             // Neither the lane nor the drone waits for the disk.
@@ -186,7 +192,7 @@ public final class CommandGate {
                 .toList();
     }
 
-    private CommandRecord intent(Source source, DroneId drone, CommandId id, Command command) {
+    private CommandRecord intent(Source source, DroneId drone, CommandId id, Command command, Command asked) {
         return new CommandRecord(
                 id,
                 drone,
@@ -199,7 +205,8 @@ public final class CommandGate {
                 null,
                 null,
                 null,
-                null);
+                null,
+                CommandDigest.of(asked));
     }
 
     private CommandRecord refuse(CommandRecord record, String why) {

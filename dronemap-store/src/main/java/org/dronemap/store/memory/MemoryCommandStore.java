@@ -79,6 +79,7 @@ public final class MemoryCommandStore implements CommandStore {
                 command.progress(),
                 command.outcome(),
                 finishedAt == null ? null : StoredInstant.of(finishedAt),
-                command.epoch());
+                command.epoch(),
+                command.content());
     }
 }

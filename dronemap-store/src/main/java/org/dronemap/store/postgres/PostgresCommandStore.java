@@ -28,8 +28,8 @@ public final class PostgresCommandStore implements CommandStore {
         return sql.update(
                         """
                         INSERT INTO command (id, drone_id, asked_by, face, type, summary, asked_at, phase,
-                            progress_done, progress_total, outcome, outcome_by, outcome_reason, finished_at, epoch)
-                        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
+                            progress_done, progress_total, outcome, outcome_by, outcome_reason, finished_at, epoch, content)
+                        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
                         ON CONFLICT (id) DO NOTHING""",
                         command.id().value(),
                         command.drone().value(),
@@ -45,7 +45,8 @@ public final class PostgresCommandStore implements CommandStore {
                         outcome.by(),
                         outcome.reason(),
                         command.finishedAt(),
-                        command.epoch())
+                        command.epoch(),
+                        command.content())
                 == 1;
     }
 
@@ -114,7 +115,8 @@ public final class PostgresCommandStore implements CommandStore {
                 progress(row),
                 OutcomeRow.read(row),
                 row.timeOrNull("finished_at"),
-                row.longOrNull("epoch"));
+                row.longOrNull("epoch"),
+                row.textOrNull("content"));
     }
 
     private static CommandRecord.@Nullable Progress progress(Row row) throws SQLException {

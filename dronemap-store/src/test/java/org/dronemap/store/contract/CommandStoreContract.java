@@ -135,6 +135,18 @@ public abstract class CommandStoreContract {
 
     private static CommandRecord sent(String id, DroneId drone, Instant at) {
         return new CommandRecord(
-                new CommandId(id), drone, "alice", "rest", "arm", "arm", at, CommandPhase.SENT, null, null, null, 7L);
+                new CommandId(id),
+                drone,
+                "alice",
+                "rest",
+                "arm",
+                "arm",
+                at,
+                CommandPhase.SENT,
+                null,
+                null,
+                null,
+                7L,
+                "00ff");
     }
 }

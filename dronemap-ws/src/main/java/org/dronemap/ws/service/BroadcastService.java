@@ -1,11 +1,14 @@
 package org.dronemap.ws.service;
 
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
@@ -42,6 +45,11 @@ public final class BroadcastService {
         String id = id(request.id());
         List<String> targets = targets(principal, request.drones());
         checkForAll(principal, targets, command);
+        if (request.id() != null) {
+            known(principal, targets)
+                    .forEach(drone -> commands.checkId(
+                            principal, command.withId(idFor(id, drone.id().value())), drone));
+        }
         List<BroadcastView.Result> results = new ArrayList<>();
         for (String drone : targets) {
             results.add(one(principal, face, drone, command.withId(idFor(id, drone))));
@@ -63,17 +71,17 @@ public final class BroadcastService {
 
     /** A value that no drone can take is refused before anything is sent to any. */
     private void checkForAll(Principal principal, List<String> targets, CommandRequest command) {
-        targets.stream()
-                .flatMap(drone -> commands.known(principal, drone).stream())
-                .findFirst()
-                .ifPresent(drone -> {
-                    try {
-                        CommandReader.read(
-                                command, drone, cloud.onBoard(drone.id()).parameters());
-                    } catch (InvalidInput wrong) {
-                        throw new InvalidInput("command." + wrong.field(), wrong.allowed(), wrong.sentence());
-                    }
-                });
+        known(principal, targets).findFirst().ifPresent(drone -> {
+            try {
+                commands.check(command, drone);
+            } catch (InvalidInput wrong) {
+                throw new InvalidInput("command." + wrong.field(), wrong.allowed(), wrong.sentence());
+            }
+        });
+    }
+
+    private Stream<DroneState> known(Principal principal, List<String> targets) {
+        return targets.stream().flatMap(drone -> commands.known(principal, drone).stream());
     }
 
     private List<String> targets(Principal principal, @Nullable List<@Nullable String> asked) {
@@ -131,6 +139,11 @@ public final class BroadcastService {
     /** The same for the same drone whenever it is asked, so that repeating acts once. */
     private static String idFor(String id, String drone) {
         String whole = id + "-" + drone.replaceAll("[^A-Za-z0-9_-]", "_");
-        return whole.length() <= LONGEST_COMMAND_ID ? whole : whole.substring(0, LONGEST_COMMAND_ID);
+        if (whole.length() <= LONGEST_COMMAND_ID) {
+            return whole;
+        }
+        // Drones whose names begin alike keep ids of their own.
+        UUID rest = UUID.nameUUIDFromBytes(drone.getBytes(StandardCharsets.UTF_8));
+        return id + "-" + rest.toString().replace("-", "").substring(0, 27);
     }
 }

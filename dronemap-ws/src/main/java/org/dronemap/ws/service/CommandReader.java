@@ -29,7 +29,8 @@ final class CommandReader {
                 .findFirst();
     }
 
-    static Command read(CommandRequest request, DroneState drone, ParameterSet held) {
+    /** The same whenever it is asked, however the drone is by then. */
+    static Command asked(CommandRequest request, DroneState drone, ParameterSet held) {
         String type = request.type();
         if (type == null) {
             throw InvalidInput.missing("type", KINDS);
@@ -46,8 +47,7 @@ final class CommandReader {
             case GO_TO_LOCAL -> new GoToLocal(Ranges.onMap("x", request.x()), Ranges.onMap("y", request.y()), null);
             case EMERGENCY_STOP -> new EmergencyStop();
             case READ_MAP -> new ReadMap();
-            case UPLOAD_MISSION ->
-                new Command.UploadMission(TakeOffFirst.complete(MissionReader.read(request.items()), drone));
+            case UPLOAD_MISSION -> new Command.UploadMission(MissionReader.read(request.items()));
             case START_MISSION -> new Command.StartMission(cloudLoss(request.onCloudLoss()));
             case TURN -> new Command.Turn(Ranges.turn("degrees", request.degrees()));
             case TAKE_PICTURE -> new Command.TakePicture();
@@ -73,6 +73,13 @@ final class CommandReader {
 
     private static InvalidInput unknown(String type) {
         return InvalidInput.outside("type", KINDS, "\"" + type + "\"");
+    }
+
+    /** What the drone needs beside what was asked. */
+    static Command complete(Command asked, DroneState drone) {
+        return asked instanceof Command.UploadMission upload
+                ? new Command.UploadMission(TakeOffFirst.complete(upload.mission(), drone))
+                : asked;
     }
 
     private static Command.GoTo goTo(CommandRequest request) {

@@ -59,10 +59,27 @@ public final class CommandService {
     CommandView submitPaid(Principal principal, String face, String droneId, CommandRequest request) {
         // Which commands these are is the gate's to say, and written down.
         DroneState drone = drones.state(principal, droneId, Role.OPERATOR, Role.PLANNER);
-        Command command =
-                CommandReader.read(request, drone, cloud.onBoard(drone.id()).parameters());
-        return give(new CommandGate.Source(principal, face, request.epoch()), drone, request.id(), command)
-                .warned(warnings(command, drone));
+        Command asked = asked(request, drone);
+        CommandGate.Source source = new CommandGate.Source(principal, face, request.epoch());
+        return give(source, drone, request.id(), asked).warned(warnings(CommandReader.complete(asked, drone), drone));
+    }
+
+    private Command asked(CommandRequest request, DroneState drone) {
+        return CommandReader.asked(request, drone, cloud.onBoard(drone.id()).parameters());
+    }
+
+    /** Refuses what this drone cannot take; nothing is sent. */
+    void check(CommandRequest request, DroneState drone) {
+        CommandReader.complete(asked(request, drone), drone);
+    }
+
+    /** Refuses an id that another command has; nothing is sent. What is for safety waits for no store. */
+    void checkId(Principal principal, CommandRequest request, DroneState drone) {
+        if (!FOR_SAFETY.contains(String.valueOf(request.type()))) {
+            cloud.gate()
+                    .find(id(request.id()))
+                    .ifPresent(record -> requireSame(record, principal, drone, asked(request, drone)));
+        }
     }
 
     /** Nothing of it is refused: programs may mean what they say, and the page asks people before. */
@@ -81,14 +98,10 @@ public final class CommandService {
         return give(new CommandGate.Source(principal, face), drone, givenId, command);
     }
 
-    private CommandView give(CommandGate.Source source, DroneState drone, @Nullable String givenId, Command command) {
+    private CommandView give(CommandGate.Source source, DroneState drone, @Nullable String givenId, Command asked) {
         CommandId id = id(givenId);
-        CommandRecord record = ask(source, drone, id, command);
-        if (!isOf(record, source, drone, command)) {
-            String which = source.principal().sees(record.drone()) ? " (" + record.summary() + ")" : "";
-            throw Rejection.conflict(
-                    "The id " + id + " belongs to another command already" + which + "; take a new one.");
-        }
+        CommandRecord record = ask(source, drone, id, asked);
+        requireSame(record, source.principal(), drone, asked);
         if (record.outcome() instanceof Outcome.Refused refused && refused.by().equals("gate")) {
             Control control = cloud.controls().control(drone.id());
             throw refused.reason().contains(control.sentence())
@@ -99,16 +112,17 @@ public final class CommandService {
     }
 
     /** What was said of the same again is no new command; whatever else has its id is. */
-    private static boolean isOf(CommandRecord record, CommandGate.Source source, DroneState drone, Command command) {
-        return record.drone().equals(drone.id())
-                && record.by().equals(source.principal().name())
-                && record.type().equals(command.kind().word())
-                && record.summary().equals(command.summary());
+    private static void requireSame(CommandRecord record, Principal principal, DroneState drone, Command asked) {
+        if (!record.isOf(principal.name(), drone.id(), CommandReader.complete(asked, drone), asked)) {
+            String which = principal.sees(record.drone()) ? " (" + record.summary() + ")" : "";
+            throw Rejection.conflict(
+                    "The id " + record.id() + " belongs to another command already" + which + "; take a new one.");
+        }
     }
 
-    private CommandRecord ask(CommandGate.Source source, DroneState drone, CommandId id, Command command) {
+    private CommandRecord ask(CommandGate.Source source, DroneState drone, CommandId id, Command asked) {
         try {
-            return cloud.gate().submit(source, drone.id(), id, command);
+            return cloud.gate().submit(source, drone.id(), id, CommandReader.complete(asked, drone), asked);
         } catch (UnknownDroneException removedMeanwhile) {
             throw Rejection.unknown("drone", drone.id().value());
         }
