@@ -85,10 +85,10 @@ class CommandsTest {
             value = {
                 "uploadMission|'items':[{'type':'waypoint','latitude':47.1,'longitude':8.1,'altitude':20}]|8.1|8.2",
                 "setParameters|'parameters':[{'name':'A','value':1},{'name':'B','value':2}]|2}|3}",
-                "goTo|'latitude':47.1,'longitude':8.1,'altitude':20|20|20.2",
-                "setHome|'latitude':47.1,'longitude':8.1,'altitude':20|20|400",
+                "goTo|'latitude':47.1,'longitude':8.1,'altitude':20|:20|:20.2",
+                "setHome|'latitude':47.1,'longitude':8.1,'altitude':20|:20|:400",
                 "startMission|'onCloudLoss':'continue'|continue|rtl",
-                "turn|'degrees':20|20|20.2"
+                "turn|'degrees':20|:20|:20.2"
             })
     void anIdIsOfEachValueThatWasSaidWithIt(String type, String members, String value, String other) {
         String body = ("{'type':'" + type + "','id':'" + sameId + "'," + members + "}").replace('\'', '"');

@@ -172,6 +172,7 @@ class GateAcceptsTest {
                 MissionProgress.UNKNOWN,
                 List.of(),
                 NOW,
-                1);
+                1,
+                null);
     }
 }

@@ -195,7 +195,8 @@ public final class CloudManager {
                             waiting.transport(),
                             said,
                             waiting.isQuarantined() ? Standing.DISTINCT : Standing.UNPROVED,
-                            clock.instant()),
+                            clock.instant(),
+                            null),
                     false,
                     null);
             remember(drone);
@@ -273,13 +274,7 @@ public final class CloudManager {
         DroneId id = claim.proof() instanceof Proof.OfLink link && link.drone() != null ? link.drone() : newIds.get();
         registrar.accept(id, session);
         DroneRecord record = new DroneRecord(
-                id,
-                session.label(),
-                session.key(),
-                session.transport(),
-                claim.identification(),
-                Standing.UNPROVED,
-                clock.instant());
+                id, session.label(), session.key(), session.transport(), claim.identification(), clock.instant());
         ManagedDrone drone = manage(record, session.replay(), null);
         drone.madeForSession();
         return drone;
@@ -354,7 +349,7 @@ public final class CloudManager {
                 return;
             }
             drone.accept(event);
-            if (event instanceof DroneEvent.Identified) {
+            if (drone.drone().leftTheGround() || event instanceof DroneEvent.Identified) {
                 remember(drone);
             }
         }

@@ -72,6 +72,7 @@ final class Drone {
     private @Nullable Home home;
     private @Nullable ReturnHeight returnHeight;
     private Payload payload = Payload.UNKNOWN;
+    private final Ground ground;
     private long version;
     private volatile DroneState state;
     private volatile OnBoard onBoard = OnBoard.UNKNOWN;
@@ -86,6 +87,7 @@ final class Drone {
         this.identification = record.identification();
         this.standing = record.standing();
         this.lastHeard = record.lastHeard();
+        this.ground = new Ground(record.groundAmslMeters());
         this.replay = replay;
         this.mission = mission;
         this.progress = mission.progress();
@@ -116,7 +118,18 @@ final class Drone {
                 now.link().transport(),
                 now.identification(),
                 now.standing(),
-                heard == null ? now.lastUpdate() : heard);
+                heard == null ? now.lastUpdate() : heard,
+                now.groundAmslMeters());
+    }
+
+    /** On the ground for certain. */
+    private boolean stands() {
+        return phase == null ? Boolean.FALSE.equals(armed) : phase == FlightPhase.ON_GROUND;
+    }
+
+    /** True once when what it left the ground with is to be remembered. */
+    boolean leftTheGround() {
+        return ground.isToBeKept(stands());
     }
 
     MissionTracker mission() {
@@ -196,13 +209,13 @@ final class Drone {
             case MODE -> mode((DroneEvent.ModeHeard) event);
             case READINESS -> readyToArm = ((DroneEvent.ReadinessHeard) event).readyToArm();
             case PHASE -> phase = ((DroneEvent.PhaseHeard) event).phase();
-            case POSITION -> position = ((DroneEvent.PositionHeard) event).position();
+            case POSITION -> position((DroneEvent.PositionHeard) event);
             case LOCAL_POSITION -> local = ((DroneEvent.LocalPositionHeard) event).position();
             case MOTION -> motion = ((DroneEvent.MotionHeard) event).motion();
             case ATTITUDE -> attitude = ((DroneEvent.AttitudeHeard) event).attitude();
             case BATTERY -> battery = ((DroneEvent.BatteryHeard) event).battery();
             case GPS -> gps = ((DroneEvent.GpsHeard) event).gps();
-            case HOME -> home = ((DroneEvent.HomeHeard) event).home();
+            case HOME -> home((DroneEvent.HomeHeard) event);
             case RETURN_HEIGHT_SET -> returnHeight = ((DroneEvent.ReturnHeightSet) event).height();
             case MISSION_CURRENT -> mission(mission.apply((DroneEvent.MissionCurrentHeard) event));
             case MISSION_ITEM_REACHED -> reached((DroneEvent.MissionItemReached) event);
@@ -225,6 +238,16 @@ final class Drone {
             case TEXT -> addText(((DroneEvent.TextHeard) event).severity(), ((DroneEvent.TextHeard) event).text());
         }
         publish();
+    }
+
+    private void position(DroneEvent.PositionHeard event) {
+        position = event.position();
+        ground.at(event.position(), home, stands());
+    }
+
+    private void home(DroneEvent.HomeHeard event) {
+        home = event.home();
+        ground.at(event.home(), stands());
     }
 
     private void identified(DroneEvent.Identified event) {
@@ -303,6 +326,7 @@ final class Drone {
                 progress,
                 told,
                 clock.instant(),
-                version);
+                version,
+                ground.amslMeters());
     }
 }

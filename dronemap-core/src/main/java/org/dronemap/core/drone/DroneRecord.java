@@ -1,11 +1,13 @@
 package org.dronemap.core.drone;
 
 import java.time.Instant;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What is remembered of a drone while it is away.
  *
  * @param key the last link session it was heard on
+ * @param groundAmslMeters of the ground that it left last; null: not known
  */
 public record DroneRecord(
         DroneId id,
@@ -14,10 +16,11 @@ public record DroneRecord(
         String transport,
         Identification identification,
         Standing standing,
-        Instant lastHeard) {
+        Instant lastHeard,
+        @Nullable Double groundAmslMeters) {
     /** Of a drone that has shown nothing but its address yet. */
     public DroneRecord(
             DroneId id, String name, DroneKey key, String transport, Identification identification, Instant lastHeard) {
-        this(id, name, key, transport, identification, Standing.UNPROVED, lastHeard);
+        this(id, name, key, transport, identification, Standing.UNPROVED, lastHeard, null);
     }
 }

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param readyToArm what the vehicle's own pre-arm checks say
  * @param messages newest last, at most {@link #MAX_MESSAGES}
  * @param version rises with every change of this drone
+ * @param groundAmslMeters of the ground that it stands on, or left; what bounds above home are measured from
  */
 public record DroneState(
         DroneId id,
@@ -38,15 +39,22 @@ public record DroneState(
         MissionProgress mission,
         List<TextMessage> messages,
         Instant lastUpdate,
-        long version) {
+        long version,
+        @Nullable Double groundAmslMeters) {
     public static final int MAX_MESSAGES = 30;
 
-    /** In the air as far as anybody knows: said so, or clearly above its home. */
+    /** In the air as far as anybody knows: said so, or clearly above its home or the ground that it left. */
     public boolean airborne() {
         if (phase != null) {
             return phase != FlightPhase.ON_GROUND;
         }
-        Double above = position == null ? null : position.altitudeAboveHomeMeters();
-        return Boolean.TRUE.equals(armed) && above != null && above > 1;
+        return Boolean.TRUE.equals(armed) && position != null && isHigh(position);
+    }
+
+    private boolean isHigh(Position place) {
+        Double above = place.altitudeAboveHomeMeters();
+        Double amsl = place.altitudeAmslMeters();
+        return (above != null && above > 1)
+                || (amsl != null && groundAmslMeters != null && amsl - groundAmslMeters > 3);
     }
 }

@@ -2,7 +2,6 @@ package org.dronemap.core.zone;
 
 import java.util.List;
 import org.dronemap.core.mission.Altitude;
-import org.jspecify.annotations.Nullable;
 
 /**
  * All heights that a vehicle may be at on a stretch: between the lowest and the highest that are named, since vehicles
@@ -24,30 +23,21 @@ public record Heights(List<Altitude> named, boolean toTheGround) {
     }
 
     /** As seen from a reference; anything where that cannot be said. */
-    Range from(Altitude.Reference reference, @Nullable Double homeAmslMeters) {
+    Range from(Altitude.Reference reference, Levels levels) {
         if (named.isEmpty()) {
             return Range.ANY;
         }
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
         for (Altitude altitude : named) {
-            boolean same = altitude.reference() == reference;
-            if (!same && homeAmslMeters == null) {
+            Double meters = levels.bounded(altitude, reference);
+            if (meters == null) {
                 return Range.ANY;
             }
-            double doubt = same ? 0 : CONVERSION_METERS;
-            double meters =
-                    altitude.meters() + (homeAmslMeters == null ? 0 : shift(altitude, reference, homeAmslMeters));
+            double doubt = altitude.reference() == reference ? 0 : CONVERSION_METERS;
             low = Math.min(low, meters - doubt);
             high = Math.max(high, meters + doubt);
         }
         return new Range(toTheGround ? Double.NEGATIVE_INFINITY : low, high);
-    }
-
-    private static double shift(Altitude altitude, Altitude.Reference reference, double homeAmslMeters) {
-        if (altitude.reference() == reference) {
-            return 0;
-        }
-        return reference == Altitude.Reference.AMSL ? homeAmslMeters : -homeAmslMeters;
     }
 }

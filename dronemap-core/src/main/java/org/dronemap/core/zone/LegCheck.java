@@ -26,13 +26,13 @@ final class LegCheck {
     private static final double MEAN_EARTH_RADIUS_METERS = 6_371_008.8;
 
     private final Leg leg;
-    private final @Nullable Double homeAmslMeters;
+    private final Levels levels;
     private final LocalPlane plane;
     private final Stretch stretch;
 
-    LegCheck(Leg leg, @Nullable Double homeAmslMeters) {
+    LegCheck(Leg leg, Levels levels) {
         this.leg = leg;
-        this.homeAmslMeters = homeAmslMeters;
+        this.levels = levels;
         double middle = (leg.from().latitudeDegrees() + leg.to().latitudeDegrees()) / 2;
         this.plane = new LocalPlane(new Geodetic(middle, leg.from().longitudeDegrees()));
         this.stretch = new Stretch(plane.spot(leg.from()), plane.spot(leg.to()));
@@ -219,7 +219,7 @@ final class LegCheck {
     }
 
     private boolean sharesHeights(Zone zone) {
-        Heights.Range range = leg.heights().from(zone.band().reference(), homeAmslMeters);
+        Heights.Range range = leg.heights().from(zone.band().reference(), levels);
         return range.lowMeters() <= zone.band().highMeters()
                 && range.highMeters() >= zone.band().lowMeters();
     }
@@ -228,7 +228,7 @@ final class LegCheck {
         if (!band.isBounded()) {
             return Optional.empty();
         }
-        Heights.Range range = leg.heights().from(band.reference(), homeAmslMeters);
+        Heights.Range range = leg.heights().from(band.reference(), levels);
         if (range.equals(Heights.Range.ANY)) {
             return Optional.of("How high " + lowerFirst(leg.words()) + " leads cannot be compared with the heights of "
                     + words + " as long as the altitude of the home is not known.");

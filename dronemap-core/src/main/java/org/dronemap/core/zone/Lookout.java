@@ -60,13 +60,13 @@ public final class Lookout {
             return List.of();
         }
         course.add(nanos, point, position);
-        Double home = ZoneRules.homeAmslMeters(drone);
+        Levels levels = Levels.of(drone);
         List<Finding> findings = new ArrayList<>();
         for (Zone zone : zones) {
-            if (Presence.breaches(zone, point, position, home)) {
+            if (Presence.breaches(zone, point, position, levels)) {
                 breached(zone, nanos, findings);
             } else {
-                ahead(zone, position, point, home).ifPresent(seconds -> danger(zone, seconds, nanos, findings));
+                ahead(zone, position, point, levels).ifPresent(seconds -> danger(zone, seconds, nanos, findings));
             }
         }
         alerts.values().removeIf(alert -> nanos - alert.lastNanos() > CALM_NANOS);
@@ -100,18 +100,18 @@ public final class Lookout {
     }
 
     /** Seconds to the breach; empty: none as far as can be seen. */
-    private Optional<Double> ahead(Zone zone, Position position, Geodetic point, @Nullable Double home) {
-        if (!leads(zone, position, point, AHEAD_SECONDS, home)) {
+    private Optional<Double> ahead(Zone zone, Position position, Geodetic point, Levels levels) {
+        if (!leads(zone, position, point, AHEAD_SECONDS, levels)) {
             return Optional.empty();
         }
         double seconds = STEP_SECONDS;
-        while (seconds < AHEAD_SECONDS && !leads(zone, position, point, seconds, home)) {
+        while (seconds < AHEAD_SECONDS && !leads(zone, position, point, seconds, levels)) {
             seconds += STEP_SECONDS;
         }
         return Optional.of(seconds);
     }
 
-    private boolean leads(Zone zone, Position position, Geodetic point, double seconds, @Nullable Double home) {
+    private boolean leads(Zone zone, Position position, Geodetic point, double seconds, Levels levels) {
         Course.Ahead there = course.ahead(seconds);
         if (there == null) {
             return false;
@@ -125,6 +125,6 @@ public final class Lookout {
                 point,
                 there.point(),
                 new Heights(heights, zone.shape().inside()));
-        return new LegCheck(leg, home).whyNot(zone).isPresent();
+        return new LegCheck(leg, levels).whyNot(zone).isPresent();
     }
 }

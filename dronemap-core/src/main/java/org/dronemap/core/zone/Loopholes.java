@@ -5,6 +5,7 @@ import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.RallyPoint;
 import org.jspecify.annotations.Nullable;
@@ -87,8 +88,36 @@ record Loopholes(@Nullable String why, Route refuges) {
         return new Leg(words, point, point, new Heights(List.of(), true));
     }
 
+    /**
+     * The same of zones: a home that goes up or down takes along what the vehicle was told above it. What is told after that is
+     * judged from the ground that it left; what it was told before is not judged again.
+     */
+    static Optional<String> whyNot(List<Zone> zones, DroneState drone, Command command) {
+        if (!(command instanceof Command.SetHome home) || isLevel(home, drone)) {
+            return Optional.empty();
+        }
+        return zones.stream()
+                .filter(zone -> isMeasuredFromHome(zone.band()))
+                .findFirst()
+                .map(zone -> "The heights of " + zone.words()
+                        + " are measured from where it took off; so its home can be" + " moved at that height only.");
+    }
+
+    private static boolean isLevel(Command.SetHome home, DroneState drone) {
+        Levels levels = Levels.of(drone);
+        Position position = drone.position();
+        Altitude wanted = home.altitude();
+        Double amsl =
+                wanted == null ? position == null ? null : position.altitudeAmslMeters() : levels.amslMeters(wanted);
+        return amsl != null && levels.isZero(amsl);
+    }
+
     private static boolean isMeasuredFromHome(Bounds bounds) {
-        return bounds.band().isBounded() && bounds.band().reference() == Altitude.Reference.HOME;
+        return isMeasuredFromHome(bounds.band());
+    }
+
+    private static boolean isMeasuredFromHome(AltitudeBand band) {
+        return band.isBounded() && band.reference() == Altitude.Reference.HOME;
     }
 
     /** One that the vehicle does not have is refused for that. */

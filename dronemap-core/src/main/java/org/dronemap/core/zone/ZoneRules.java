@@ -7,9 +7,6 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.Home;
-import org.dronemap.core.drone.Position;
-import org.jspecify.annotations.Nullable;
 
 /** Which commands the zones forbid: those that would lead a drone where it must not be, or where nobody knows. */
 public final class ZoneRules {
@@ -25,7 +22,9 @@ public final class ZoneRules {
     /** A sentence that names the leg, the zone and a distance; empty when nothing speaks against it. */
     public Optional<String> whyNot(String user, DroneState drone, Command command, Instant now) {
         List<Zone> zones = book.binding(user, drone.id(), now, now.plus(AHEAD));
-        return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.of(drone, command));
+        return zones.isEmpty()
+                ? Optional.empty()
+                : Loopholes.whyNot(zones, drone, command).or(() -> whyNot(zones, drone, Routes.of(drone, command)));
     }
 
     /** The same for bounds that hold whoever commands this, all of them; {@code words} is what they are called. */
@@ -63,8 +62,8 @@ public final class ZoneRules {
 
     private static Optional<String> whyNot(
             Route route, DroneState drone, Function<LegCheck, Optional<String>> judge, String against) {
-        Double home = homeAmslMeters(drone);
-        Optional<String> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, home)));
+        Levels levels = Levels.of(drone);
+        Optional<String> why = firstOf(route.legs(), leg -> judge.apply(new LegCheck(leg, levels)));
         String doubt = route.doubt();
         return why.isPresent() || doubt == null
                 ? why
@@ -73,17 +72,5 @@ public final class ZoneRules {
 
     private static <T> Optional<String> firstOf(List<T> all, Function<T, Optional<String>> judge) {
         return all.stream().map(judge).flatMap(Optional::stream).findFirst();
-    }
-
-    /** The height of home above the sea, also when only what is measured from it tells it. */
-    static @Nullable Double homeAmslMeters(DroneState drone) {
-        Home home = drone.home();
-        if (home != null) {
-            return home.altitudeAmslMeters();
-        }
-        Position position = drone.position();
-        Double amsl = position == null ? null : position.altitudeAmslMeters();
-        Double above = position == null ? null : position.altitudeAboveHomeMeters();
-        return amsl == null || above == null ? null : Double.valueOf(amsl - above);
     }
 }

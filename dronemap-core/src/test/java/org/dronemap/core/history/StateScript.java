@@ -122,6 +122,7 @@ final class StateScript {
                 MissionProgress.UNKNOWN,
                 told,
                 now,
-                ++version);
+                ++version,
+                null);
     }
 }

@@ -65,7 +65,8 @@ final class VirtualFixtures {
                 drone.mission(),
                 drone.messages(),
                 drone.lastUpdate(),
-                drone.version());
+                drone.version(),
+                null);
     }
 
     /** What is said of a drone in a test; the rest is as it should be. */
@@ -147,7 +148,8 @@ final class VirtualFixtures {
                     mission,
                     List.of(),
                     NOW,
-                    1);
+                    1,
+                    null);
         }
     }
 

@@ -97,6 +97,7 @@ final class ZoneFixtures {
                 mission,
                 List.of(),
                 NOW,
-                1);
+                1,
+                null);
     }
 }

@@ -107,7 +107,8 @@ final class ZoneTrial {
                 some.mission(),
                 List.of(),
                 ZoneFixtures.NOW,
-                1);
+                1,
+                null);
     }
 
     private List<Zone> zones(Geodetic middle) {

@@ -33,7 +33,8 @@ public final class MemoryDroneStore implements DroneStore {
                 drone.transport(),
                 drone.identification(),
                 drone.standing(),
-                StoredInstant.of(drone.lastHeard()));
+                StoredInstant.of(drone.lastHeard()),
+                drone.groundAmslMeters());
         drones.put(kept.id(), kept);
     }
 

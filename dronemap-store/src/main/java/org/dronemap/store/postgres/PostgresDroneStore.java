@@ -32,14 +32,14 @@ public final class PostgresDroneStore implements DroneStore {
                 """
                 INSERT INTO drone (id, name, address, port, system_id, transport,
                     kind, autopilot, vehicle, firmware, hardware_uid, last_heard,
-                    evidence, link_identity, distinct_hardware)
-                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
+                    evidence, link_identity, distinct_hardware, ground_amsl)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
                 ON CONFLICT (id) DO UPDATE SET name = excluded.name, address = excluded.address, port = excluded.port,
                     system_id = excluded.system_id, transport = excluded.transport, kind = excluded.kind,
                     autopilot = excluded.autopilot, vehicle = excluded.vehicle, firmware = excluded.firmware,
                     hardware_uid = excluded.hardware_uid, last_heard = excluded.last_heard,
                     evidence = excluded.evidence, link_identity = excluded.link_identity,
-                    distinct_hardware = excluded.distinct_hardware""",
+                    distinct_hardware = excluded.distinct_hardware, ground_amsl = excluded.ground_amsl""",
                 drone.id().value(),
                 drone.name(),
                 drone.key().address(),
@@ -54,7 +54,8 @@ public final class PostgresDroneStore implements DroneStore {
                 drone.lastHeard(),
                 drone.standing().strongest(),
                 drone.standing().linkIdentity(),
-                drone.standing().distinct());
+                drone.standing().distinct(),
+                drone.groundAmslMeters());
     }
 
     @Override
@@ -97,6 +98,7 @@ public final class PostgresDroneStore implements DroneStore {
                         row.name("evidence", Evidence.class),
                         row.textOrNull("link_identity"),
                         row.bool("distinct_hardware")),
-                row.time("last_heard"));
+                row.time("last_heard"),
+                row.number("ground_amsl"));
     }
 }

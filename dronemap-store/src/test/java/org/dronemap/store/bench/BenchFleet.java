@@ -70,6 +70,7 @@ final class BenchFleet {
                 MissionProgress.UNKNOWN,
                 List.of(),
                 at,
-                number);
+                number,
+                null);
     }
 }

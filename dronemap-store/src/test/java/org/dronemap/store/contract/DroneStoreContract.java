@@ -66,7 +66,8 @@ public abstract class DroneStoreContract {
                     "tcp",
                     new Identification(kind, "PX4", "PX4", null, null),
                     Standing.UNPROVED,
-                    HEARD);
+                    HEARD,
+                    512.25);
             store.save(drone);
             assertThat(store.drones()).containsExactly(drone);
         }
@@ -84,7 +85,8 @@ public abstract class DroneStoreContract {
                         "dtls",
                         new Identification(VehicleKind.BOAT, "PX4", "PX4", null, null),
                         standing,
-                        HEARD);
+                        HEARD,
+                        null);
                 store.save(drone);
                 assertThat(store.drones()).containsExactly(drone);
             }
@@ -109,7 +111,8 @@ public abstract class DroneStoreContract {
                 drone.transport(),
                 drone.identification(),
                 drone.standing(),
-                HEARD.plusNanos(999)));
+                HEARD.plusNanos(999),
+                null));
         assertThat(store.drones()).containsExactly(drone);
     }
 
@@ -182,6 +185,7 @@ public abstract class DroneStoreContract {
                 "udp",
                 new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", firmware, hardwareUid),
                 Standing.UNPROVED,
-                HEARD);
+                HEARD,
+                null);
     }
 }

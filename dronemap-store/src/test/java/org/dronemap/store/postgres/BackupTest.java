@@ -69,7 +69,8 @@ class BackupTest {
             "udp",
             new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "", null),
             Standing.UNPROVED,
-            AT);
+            AT,
+            499.5);
     private static final KnownMission KNOWN =
             new KnownMission(List.of(new MissionItem.TakeOff(20), new MissionItem.Land()), 1);
     private static final SavedMission SAVED =

@@ -103,7 +103,8 @@ class FollowGuideTest {
                 MissionProgress.UNKNOWN,
                 List.of(),
                 at,
-                0);
+                0,
+                null);
     }
 
     private static Zone circle(Geodetic center, double meters) {

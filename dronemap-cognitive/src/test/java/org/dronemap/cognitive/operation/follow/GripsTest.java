@@ -167,6 +167,7 @@ class GripsTest extends FollowBench {
                 MissionProgress.UNKNOWN,
                 List.of(),
                 ZERO,
-                0);
+                0,
+                null);
     }
 }

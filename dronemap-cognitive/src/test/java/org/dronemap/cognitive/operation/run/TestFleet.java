@@ -240,7 +240,8 @@ final class TestFleet {
                 s.mission(),
                 s.messages(),
                 s.lastUpdate(),
-                s.version());
+                s.version(),
+                null);
     }
 
     /** The process dies, and is there again after that time. */

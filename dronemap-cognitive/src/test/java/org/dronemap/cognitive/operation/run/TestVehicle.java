@@ -379,7 +379,8 @@ final class TestVehicle {
                         : new MissionProgress(items, null, currentItem(), phase(), List.copyOf(reached), null),
                 List.of(),
                 now,
-                0);
+                0,
+                null);
     }
 
     /** It heads for nothing where it stands after its mission. */
