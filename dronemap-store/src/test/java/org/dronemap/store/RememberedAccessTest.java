@@ -62,7 +62,7 @@ class RememberedAccessTest extends AccessStoreContract {
         access.addUser(user);
         access.addSignIn(new SignIn(token, user.name(), NOW.plusSeconds(60)));
         assertThat(access.signIn(token, NOW)).isPresent();
-        assertThat(access.user(user.name())).contains(user);
+        assertThat(access.user(user.name())).map(User::name).contains(user.name());
     }
 
     @Test
@@ -70,7 +70,7 @@ class RememberedAccessTest extends AccessStoreContract {
         signedIn(ANN, "token");
         away = true;
         assertThat(access.signIn("token", NOW)).isPresent();
-        assertThat(access.user("ann")).contains(ANN);
+        assertThat(access.user("ann")).map(User::name).contains("ann");
         assertThatThrownBy(() -> access.user("bob")).isInstanceOf(StoreException.class);
     }
 
@@ -80,7 +80,7 @@ class RememberedAccessTest extends AccessStoreContract {
         answers = new CountDownLatch(1);
 
         CompletableFuture<Optional<User>> known = CompletableFuture.supplyAsync(() -> access.user("ann"));
-        assertThat(known).succeedsWithin(PATIENCE).isEqualTo(Optional.of(ANN));
+        assertThat(known).succeedsWithin(PATIENCE).isEqualTo(Optional.of(ANN.withId("#1")));
         CompletableFuture<Void> used = CompletableFuture.runAsync(() -> access.accessKeyUsed("key", NOW));
         assertThat(used).succeedsWithin(PATIENCE);
 
@@ -153,6 +153,6 @@ class RememberedAccessTest extends AccessStoreContract {
         behind.deleteUser("ann");
         assertThat(access.user("ann")).isEmpty();
         access.addUser(BOB);
-        assertThat(access.users()).containsExactly(BOB);
+        assertThat(access.users()).extracting(User::name).containsExactly("bob");
     }
 }

@@ -10,7 +10,7 @@ public interface AccessStore {
 
     Optional<User> user(String name);
 
-    /** False when the name is taken. */
+    /** Gives the user an id that nobody had before; false when the name is taken. */
     boolean addUser(User user);
 
     void updateUser(User user);

@@ -7,14 +7,25 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who asks, once it is proved.
+ * Who asks, once it is proved. The name is for people; what belongs to whom goes by the account.
  *
  * @param scope how far the proof reaches
  * @param key the id of the access key that was shown; null: none, or the machine owner's
  * @param reach how far the user's own rights go
+ * @param account of the user, which nobody else ever has
  */
 public record Principal(
-        String name, Role role, KeyScope scope, @Nullable String key, Reach reach) {
+        String name, Role role, KeyScope scope, @Nullable String key, Reach reach, String account) {
+    /** A user with whole rights of the role, or what a key leaves of them. */
+    public static Principal of(User user, Role role, KeyScope scope, @Nullable String key, Reach reach) {
+        return new Principal(user.name(), role, scope, key, reach, user.account());
+    }
+
+    /** One without an account of its own: a part of the server. */
+    public Principal(String name, Role role, KeyScope scope, @Nullable String key, Reach reach) {
+        this(name, role, scope, key, reach, name);
+    }
+
     /** A part of the server, which acts on all drones. */
     public Principal(String name, Role role) {
         this(name, role, KeyScope.ALL, null, Reach.EVERYWHERE);

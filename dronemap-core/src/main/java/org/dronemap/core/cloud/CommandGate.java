@@ -206,7 +206,7 @@ public final class CommandGate {
                 null,
                 null,
                 null,
-                CommandDigest.of(asked));
+                CommandDigest.of(source.principal().account(), asked));
     }
 
     private CommandRecord refuse(CommandRecord record, String why) {

@@ -10,14 +10,16 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A digest of all that a command says, by which the same one is told from another under the same id: SHA-256 of its components
+ * A digest of who asks for a command and all that it says, by which the same one is told from another under the same id: SHA-256 of its components
  * in their order. What it is made of is read from the records themselves, so that no component is forgotten.
  */
 public final class CommandDigest {
     private CommandDigest() {}
 
-    public static String of(Command command) {
+    /** {@code account}: whoever asks. */
+    public static String of(String account, Command command) {
         StringBuilder text = new StringBuilder(command.kind().word());
+        writeText(text, account);
         write(text, command);
         try {
             byte[] hash =

@@ -49,8 +49,9 @@ public record CommandRecord(
     }
 
     /** Whether that user asked just this; {@code command} is what was made of what was {@code asked}. */
-    public boolean isOf(String user, DroneId wanted, Command command, Command asked) {
-        boolean alike = content == null ? summary.equals(command.summary()) : content.equals(CommandDigest.of(asked));
+    public boolean isOf(String user, String account, DroneId wanted, Command command, Command asked) {
+        boolean alike =
+                content == null ? summary.equals(command.summary()) : content.equals(CommandDigest.of(account, asked));
         return by.equals(user)
                 && drone.equals(wanted)
                 && type.equals(command.getClass().getSimpleName())

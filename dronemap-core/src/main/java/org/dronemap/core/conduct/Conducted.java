@@ -174,9 +174,9 @@ final class Conducted<S, I> {
         S state = now.state();
         Set<DroneId> drones = new HashSet<>(kind.machine().drones(state));
         drones.addAll(kind.machine().watched(state));
-        String owner = now.saved().owner();
-        Scene scene = means.scenery().of(owner, reins, drones);
-        Scene seen = wheel == null ? scene : wheel.turn(state, means.scenery().around(owner, scene, drones));
+        SavedOperation saved = now.saved();
+        Scene scene = means.scenery().of(saved, reins, drones);
+        Scene seen = wheel == null ? scene : wheel.turn(state, means.scenery().around(saved, scene, drones));
         take(own(() -> kind.machine().looked(state, seen)));
     }
 

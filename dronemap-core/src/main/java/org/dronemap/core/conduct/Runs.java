@@ -178,7 +178,7 @@ final class Runs {
                 record.isPresent() && outcome == null,
                 drone == null ? Duration.ZERO : silence.of(drone),
                 drone == null ? Duration.ZERO : stillness.of(drone),
-                rights.mayFly(by.owner()),
+                rights.mayFly(by.account()),
                 clock.instant());
     }
 
@@ -195,7 +195,7 @@ final class Runs {
     }
 
     private void serve(VirtualDrone drone, Run run) {
-        if (!rights.mayFly(drone.owner())) {
+        if (!rights.mayFly(drone.account())) {
             book.put(drone.with(machine.stop(run, clock.instant())));
             return;
         }

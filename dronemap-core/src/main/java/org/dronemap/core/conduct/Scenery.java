@@ -12,6 +12,7 @@ import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.Scene;
 import org.dronemap.core.operation.Surroundings;
 import org.dronemap.core.zone.Zone;
@@ -45,21 +46,22 @@ final class Scenery {
     }
 
     /** In the order of their ids. */
-    Scene of(String owner, Reins reins, Set<DroneId> drones) {
+    Scene of(SavedOperation of, Reins reins, Set<DroneId> drones) {
         TreeMap<String, DroneState> states = new TreeMap<>();
         drones.forEach(id -> cloud.drone(id).ifPresent(state -> states.put(id.value(), state)));
         List<Scene.Seen> seen = new ArrayList<>();
         for (DroneState state : states.values()) {
-            seen.add(new Scene.Seen(state, sway(owner, reins, state.id()), silence.of(state), stillness.of(state)));
+            seen.add(new Scene.Seen(state, sway(of, reins, state.id()), silence.of(state), stillness.of(state)));
         }
         return new Scene(clock.instant(), seen);
     }
 
     /** The same with what is around these drones. */
-    Scene around(String owner, Scene scene, Set<DroneId> drones) {
+    Scene around(SavedOperation of, Scene scene, Set<DroneId> drones) {
         Map<DroneId, List<Zone>> zones = new HashMap<>();
         drones.forEach(id -> zones.put(
-                id, cloud.zones().binding(owner, id, scene.now(), scene.now().plus(SOON))));
+                id,
+                cloud.zones().binding(of.owner(), id, scene.now(), scene.now().plus(SOON))));
         List<DroneState> others =
                 aloft().stream().filter(drone -> !drones.contains(drone.id())).toList();
         return new Scene(scene.now(), scene.drones(), new Surroundings(zones, others, crew.led()));
@@ -75,10 +77,10 @@ final class Scenery {
         return aloft;
     }
 
-    private Scene.Sway sway(String owner, Reins reins, DroneId drone) {
+    private Scene.Sway sway(SavedOperation of, Reins reins, DroneId drone) {
         return new Scene.Sway(
                 reins.takenBy(drone),
-                rights.whyNot(owner, drone).orElse(null),
+                rights.whyNot(of, drone).orElse(null),
                 cloud.controls().control(drone).tenure() == null,
                 cloud.gate().transfer(drone).orElse(null));
     }

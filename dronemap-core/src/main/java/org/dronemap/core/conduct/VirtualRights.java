@@ -5,8 +5,8 @@ import org.dronemap.core.organisation.OrganisationId;
 
 /** What users may have flown for them, as things are whenever it is asked. Any thread. */
 public interface VirtualRights {
-    /** Whether that user's virtual drones may fly now. */
-    boolean mayFly(String owner);
+    /** Whether that account's virtual drones may fly now. */
+    boolean mayFly(String account);
 
     /** Whether that drone may serve virtual ones of that organisation. */
     boolean mayServe(OrganisationId organisation, DroneId drone);

@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
  * An operation as it outlives the process.
  *
  * @param kind names who knows what its state means
- * @param owner the user whom it is conducted for
+ * @param owner the name of the user whom it is conducted for, as it was then
+ * @param account of that user
  * @param endedAt null while it is under way
  * @param last the number of the newest entry of its journal
  * @param given commands whose ends it has not been told yet
@@ -21,6 +22,7 @@ public record SavedOperation(
         OperationId id,
         String kind,
         String owner,
+        String account,
         OrganisationId organisation,
         String name,
         Instant beganAt,
@@ -37,24 +39,25 @@ public record SavedOperation(
 
     /** As the next entry of its journal leaves it. */
     public SavedOperation next(String newer, List<Given> open, @Nullable Instant end) {
-        return new SavedOperation(id, kind, owner, organisation, name, beganAt, end, last + 1, open, newer);
+        return new SavedOperation(id, kind, owner, account, organisation, name, beganAt, end, last + 1, open, newer);
     }
 
     /** The same, told how the others ended. */
     public SavedOperation with(List<Given> open) {
-        return new SavedOperation(id, kind, owner, organisation, name, beganAt, endedAt, last, open, state);
+        return new SavedOperation(id, kind, owner, account, organisation, name, beganAt, endedAt, last, open, state);
     }
 
     /** A new one. */
     public static SavedOperation begun(OperationId id, String kind, Owner owner, String name, Instant at) {
-        return new SavedOperation(id, kind, owner.user(), owner.organisation(), name, at, null, 0, List.of(), "");
+        return new SavedOperation(
+                id, kind, owner.user(), owner.account(), owner.organisation(), name, at, null, 0, List.of(), "");
     }
 
     /** Whom one is conducted for. */
-    public record Owner(String user, OrganisationId organisation) {}
+    public record Owner(String user, String account, OrganisationId organisation) {}
 
     /** With the state that it begins with. */
     public SavedOperation beginning(String first) {
-        return new SavedOperation(id, kind, owner, organisation, name, beganAt, null, 0, List.of(), first);
+        return new SavedOperation(id, kind, owner, account, organisation, name, beganAt, null, 0, List.of(), first);
     }
 }

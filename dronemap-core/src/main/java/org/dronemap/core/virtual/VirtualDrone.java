@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * What a user holds instead of a drone; immutable, a newer one replaces it.
  *
- * @param owner the user it belongs to
+ * @param owner the name of the user it belongs to, as it was then
+ * @param account of that user
  * @param organisation the owner's; only its drones serve
  * @param mission as planned; null: none yet
  * @param run the last one; null: it was never started
@@ -21,6 +22,7 @@ public record VirtualDrone(
         VirtualDroneId id,
         String name,
         String owner,
+        String account,
         OrganisationId organisation,
         Needs needs,
         @Nullable Mission mission,
@@ -32,24 +34,24 @@ public record VirtualDrone(
     }
 
     public VirtualDrone with(@Nullable Run next) {
-        return new VirtualDrone(id, name, owner, organisation, needs, mission, next, recalled, createdAt);
+        return new VirtualDrone(id, name, owner, account, organisation, needs, mission, next, recalled, createdAt);
     }
 
     public VirtualDrone with(String newName, Needs newNeeds, @Nullable Mission planned) {
-        return new VirtualDrone(id, newName, owner, organisation, newNeeds, planned, run, recalled, createdAt);
+        return new VirtualDrone(id, newName, owner, account, organisation, newNeeds, planned, run, recalled, createdAt);
     }
 
     public VirtualDrone recalling(DroneId drone) {
         List<DroneId> all = new ArrayList<>(recalled);
         all.remove(drone);
         all.add(drone);
-        return new VirtualDrone(id, name, owner, organisation, needs, mission, run, all, createdAt);
+        return new VirtualDrone(id, name, owner, account, organisation, needs, mission, run, all, createdAt);
     }
 
     public VirtualDrone home(DroneId drone) {
         List<DroneId> rest =
                 recalled.stream().filter(other -> !other.equals(drone)).toList();
-        return new VirtualDrone(id, name, owner, organisation, needs, mission, run, rest, createdAt);
+        return new VirtualDrone(id, name, owner, account, organisation, needs, mission, run, rest, createdAt);
     }
 
     /** The drone that serves it; null: none. */

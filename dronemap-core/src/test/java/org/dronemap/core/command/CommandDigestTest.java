@@ -43,21 +43,22 @@ class CommandDigestTest {
     @MethodSource("commands")
     void oneChangedComponentIsAnotherCommand(Class<?> type) throws ReflectiveOperationException {
         Command command = (Command) values(type, 0).get(0);
-        assertThat(CommandDigest.of(command))
-                .isEqualTo(CommandDigest.of((Command) values(type, 0).get(0)));
+        assertThat(CommandDigest.of("ann", command))
+                .isEqualTo(CommandDigest.of("ann", (Command) values(type, 0).get(0)));
         List<Object> others = changed((Record) command);
         assertThat(others)
-                .allSatisfy(other -> assertThat(CommandDigest.of((Command) other))
+                .allSatisfy(other -> assertThat(CommandDigest.of("ann", (Command) other))
                         .as("%s and %s", command, other)
-                        .isNotEqualTo(CommandDigest.of(command)));
+                        .isNotEqualTo(CommandDigest.of("ann", command)));
     }
 
     @ParameterizedTest
     @MethodSource("commands")
     void eachTypeIsAnotherOne(Class<?> type) throws ReflectiveOperationException {
-        String digest = CommandDigest.of((Command) values(type, 0).get(0));
+        String digest = CommandDigest.of("ann", (Command) values(type, 0).get(0));
         for (Class<?> other : commands().filter(one -> one != type).toList()) {
-            assertThat(CommandDigest.of((Command) values(other, 0).get(0))).isNotEqualTo(digest);
+            assertThat(CommandDigest.of("ann", (Command) values(other, 0).get(0)))
+                    .isNotEqualTo(digest);
         }
     }
 

@@ -235,7 +235,7 @@ class OperationsTest extends WatchHouse {
         SavedOperation broken = SavedOperation.begun(
                 new OperationId("w0"),
                 Watch.KIND.name(),
-                new SavedOperation.Owner("bob", OrganisationId.HOME),
+                new SavedOperation.Owner("bob", "bob", OrganisationId.HOME),
                 "broken",
                 Instant.now().minusSeconds(60));
         store.operations.put(broken.id(), broken);

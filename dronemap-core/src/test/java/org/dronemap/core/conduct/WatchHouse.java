@@ -107,7 +107,11 @@ abstract class WatchHouse {
 
     Watch.State begin() {
         SavedOperation begun = SavedOperation.begun(
-                ID, Watch.KIND.name(), new SavedOperation.Owner("ann", OrganisationId.HOME), "a watch", Instant.now());
+                ID,
+                Watch.KIND.name(),
+                new SavedOperation.Owner("ann", "ann", OrganisationId.HOME),
+                "a watch",
+                Instant.now());
         return operations.begin(Watch.KIND, begun, Watch.of(link.id())).state();
     }
 

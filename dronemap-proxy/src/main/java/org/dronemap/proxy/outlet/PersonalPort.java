@@ -81,7 +81,7 @@ final class PersonalPort implements Pass, PeerHandler.Factory {
             return user;
         }
         KeyScope looking = new KeyScope(user.scope().drones(), Set.of(Permission.VIEW));
-        return new Principal(user.name(), Role.VIEWER, looking, user.key(), user.reach());
+        return new Principal(user.name(), Role.VIEWER, looking, user.key(), user.reach(), user.account());
     }
 
     /** The first that speaks from the range has it. */

@@ -26,6 +26,7 @@ public final class MemoryAccessStore implements AccessStore {
     private final Map<String, SignIn> signIns = new HashMap<>();
     private final Map<String, AccessKey> keys = new HashMap<>();
     private final Map<String, Invitation> invitations = new HashMap<>();
+    private long lastId;
 
     @Override
     public synchronized List<User> users() {
@@ -39,7 +40,7 @@ public final class MemoryAccessStore implements AccessStore {
 
     @Override
     public synchronized boolean addUser(User user) {
-        return users.putIfAbsent(user.name(), user) == null;
+        return users.putIfAbsent(user.name(), user.withId("#" + ++lastId)) == null;
     }
 
     @Override

@@ -101,6 +101,7 @@ public final class MemoryOperationStore implements OperationStore {
                 operation.id(),
                 operation.kind(),
                 operation.owner(),
+                operation.account(),
                 operation.organisation(),
                 operation.name(),
                 StoredInstant.of(operation.beganAt()),

@@ -66,7 +66,9 @@ public final class Database implements Stores {
         PromptPool pool = pool(settings);
         try {
             new Migration(pool).toLatest(SCHEMA);
-            return new Database(pool, null);
+            Database database = new Database(pool, null);
+            ReusedNames.tell(database.sql);
+            return database;
         } catch (RuntimeException e) {
             pool.close();
             throw e;

@@ -235,7 +235,8 @@ public final class PostgresAccessStore implements AccessStore {
                 row.name("state", AccountState.class),
                 row.text("password_hash"),
                 row.bool("must_change_password"),
-                OrganisationColumn.read(row));
+                OrganisationColumn.read(row),
+                row.text("id"));
     }
 
     private static AccessKey accessKey(Row row) throws SQLException {

@@ -45,13 +45,14 @@ public final class PostgresOperationStore implements OperationStore {
         sql.update(
                 """
                 WITH begun AS (
-                    INSERT INTO operation (id, kind, owner, organisation, name, began_at, ended_at, last_entry, given, state)
-                    VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id)
+                    INSERT INTO operation (id, kind, owner, account, organisation, name, began_at, ended_at, last_entry, given, state)
+                    VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id)
                 INSERT INTO operation_journal (operation_id, number, at, input, decision)
                 SELECT id, ?, ?, ?, ? FROM begun""",
                 operation.id().value(),
                 operation.kind(),
                 operation.owner(),
+                operation.account(),
                 OrganisationColumn.stored(operation.organisation()),
                 operation.name(),
                 operation.beganAt(),
@@ -131,6 +132,7 @@ public final class PostgresOperationStore implements OperationStore {
                 new OperationId(row.text("id")),
                 row.text("kind"),
                 row.text("owner"),
+                row.text("account"),
                 OrganisationColumn.read(row),
                 row.text("name"),
                 row.time("began_at"),

@@ -44,6 +44,7 @@ final class VirtualDroneJson {
         to.put("id", drone.id().value());
         to.put("name", drone.name());
         to.put("owner", drone.owner());
+        to.put("account", drone.account());
         to.put("organisation", drone.organisation().value());
         needs(drone.needs(), to.putObject("needs"));
         mission(drone.mission(), to);
@@ -64,6 +65,8 @@ final class VirtualDroneJson {
                     new VirtualDroneId(text(from, "id")),
                     text(from, "name"),
                     text(from, "owner"),
+                    // Of before there were ids, when names were what accounts were known by.
+                    text(from, from.has("account") ? "account" : "owner"),
                     new OrganisationId(text(from, "organisation")),
                     needs(from.required("needs")),
                     from.has("mission") ? mission(from) : null,

@@ -39,7 +39,8 @@ public abstract class OperationStoreContract {
     }
 
     private static SavedOperation operation(String id, String kind, OrganisationId organisation, Instant at) {
-        return SavedOperation.begun(new OperationId(id), kind, new Owner("ann", organisation), "roofs, \"all\" 🚁", at)
+        return SavedOperation.begun(
+                        new OperationId(id), kind, new Owner("ann", "#1", organisation), "roofs, \"all\" 🚁", at)
                 .beginning("{\"a\": 1,  \"text is\":\"kept as it is\"}");
     }
 

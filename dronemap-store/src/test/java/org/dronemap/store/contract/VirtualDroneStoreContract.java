@@ -134,6 +134,7 @@ public abstract class VirtualDroneStoreContract {
                 new VirtualDroneId(id),
                 "Survey",
                 "ann",
+                "#1",
                 OrganisationId.HOME,
                 needs,
                 run == null ? null : MISSION,

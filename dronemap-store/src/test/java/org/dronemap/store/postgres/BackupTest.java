@@ -291,7 +291,9 @@ class BackupTest {
         assertThat(database.drones().knownMission(DRONE.id())).contains(KNOWN);
         assertThat(database.missions().missions()).containsExactly(SAVED);
         assertThat(database.commands().command(COMMAND.id())).contains(COMMAND);
-        assertThat(database.access().users()).containsExactly(ALICE);
+        assertThat(database.access().users())
+                .usingRecursiveFieldByFieldElementComparatorIgnoringFields("id")
+                .containsExactly(ALICE);
         assertThat(database.access().accessKeys("alice")).containsExactly(KEY);
     }
 

@@ -48,7 +48,7 @@ class DatabaseTest {
                     .matches("1(,\\d+)*");
         }
         try (Database second = open(password)) {
-            assertThat(second.access().users()).containsExactly(alice);
+            assertThat(second.access().users()).extracting(User::name).containsExactly("alice");
             assertThat(second.health().isUp()).isTrue();
         }
     }

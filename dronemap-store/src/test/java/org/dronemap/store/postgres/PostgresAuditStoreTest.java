@@ -111,7 +111,7 @@ class PostgresAuditStoreTest extends AuditStoreContract {
             return ANN;
         });
         assertThat(store.head()).isEqualTo(AuditHead.EMPTY);
-        assertThat(database().access().user("ann")).contains(ANN);
+        assertThat(database().access().user("ann")).isPresent();
     }
 
     @Test

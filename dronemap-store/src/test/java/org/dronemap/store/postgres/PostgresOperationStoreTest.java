@@ -34,7 +34,7 @@ class PostgresOperationStoreTest extends OperationStoreContract {
         SavedOperation begun = SavedOperation.begun(
                         new OperationId("r1"),
                         "mission",
-                        new SavedOperation.Owner("ann", OrganisationId.HOME),
+                        new SavedOperation.Owner("ann", "#1", OrganisationId.HOME),
                         "roofs",
                         at)
                 .beginning("{\"text\":\"tab\\there, \\\\N\"}");

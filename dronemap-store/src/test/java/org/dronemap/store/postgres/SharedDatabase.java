@@ -35,7 +35,8 @@ final class SharedDatabase {
                         'access_key', 'link_security', 'recording', 'link', 'link_key', 'control_lease', 'organisation',
                         'drone_owner', 'user_group', 'user_group_member', 'fleet', 'access_grant', 'only_granted',
                         'invitation', 'virtual_drone', 'warehouse_drone', 'audit', 'telemetry', 'drone_event', 'flight',
-                        'operation', 'operation_journal', 'outlet_key', 'outlet_number', 'robot_key'] LOOP
+                        'operation', 'operation_journal', 'outlet_key', 'outlet_number', 'robot_key',
+                        'reused_name'] LOOP
                     EXECUTE 'SELECT EXISTS (SELECT FROM ' || name || ')' INTO filled;
                     IF filled THEN
                         all_filled := all_filled || name;

@@ -161,8 +161,7 @@ public final class Authentication implements OwnPassword {
 
     private Optional<SignedIn> byKeyHash(String hash) {
         if (hash.equals(localKeyHash)) {
-            Principal owner = new Principal(
-                    administrator(), Role.ADMINISTRATOR, KeyScope.ALL, null, grants.reach(OrganisationId.HOME));
+            Principal owner = administrator();
             return Optional.of(new SignedIn(owner, SignedIn.Proof.KEY, hash, null, false));
         }
         return store.accessKey(hash)
@@ -173,12 +172,12 @@ public final class Authentication implements OwnPassword {
     private SignedIn byKey(AccessKey key, User owner) {
         KeyRights rights = key.rights();
         Role role = owner.role().includes(rights.role()) ? rights.role() : owner.role();
-        Principal principal = new Principal(owner.name(), role, rights.scope(), key.id(), reach(owner));
+        Principal principal = Principal.of(owner, role, rights.scope(), key.id(), reach(owner));
         return new SignedIn(principal, SignedIn.Proof.KEY, key.secretHash(), rights.expiresAt(), false);
     }
 
     private SignedIn signedIn(User user, SignedIn.Proof proof, @Nullable String hash, @Nullable Instant until) {
-        Principal principal = new Principal(user.name(), user.role(), KeyScope.ALL, null, reach(user));
+        Principal principal = Principal.of(user, user.role(), KeyScope.ALL, null, reach(user));
         return new SignedIn(principal, proof, hash, until, user.mustChangePassword());
     }
 
@@ -187,14 +186,15 @@ public final class Authentication implements OwnPassword {
     }
 
     /** Whoever owns the machine acts as its first administrator. */
-    private String administrator() {
+    private Principal administrator() {
+        Reach everywhere = grants.reach(OrganisationId.HOME);
         return store.users().stream()
                 .filter(user -> user.role() == Role.ADMINISTRATOR
                         && user.isActive()
                         && user.organisation().isHome())
-                .map(User::name)
-                .min(Comparator.comparing(name -> name.equals(FirstStart.ADMIN) ? "" : name))
-                .orElse(FirstStart.ADMIN);
+                .min(Comparator.comparing(user -> user.name().equals(FirstStart.ADMIN) ? "" : user.name()))
+                .map(user -> Principal.of(user, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere))
+                .orElseGet(() -> new Principal(FirstStart.ADMIN, Role.ADMINISTRATOR, KeyScope.ALL, null, everywhere));
     }
 
     public SignedIn byPassword(String name, String password, String address) {

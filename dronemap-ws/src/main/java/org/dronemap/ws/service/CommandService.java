@@ -113,7 +113,8 @@ public final class CommandService {
 
     /** What was said of the same again is no new command; whatever else has its id is. */
     private static void requireSame(CommandRecord record, Principal principal, DroneState drone, Command asked) {
-        if (!record.isOf(principal.name(), drone.id(), CommandReader.complete(asked, drone), asked)) {
+        if (!record.isOf(
+                principal.name(), principal.account(), drone.id(), CommandReader.complete(asked, drone), asked)) {
             String which = principal.sees(record.drone()) ? " (" + record.summary() + ")" : "";
             throw Rejection.conflict(
                     "The id " + record.id() + " belongs to another command already" + which + "; take a new one.");

@@ -124,7 +124,7 @@ public final class ControlService {
         return access.user(user)
                 .filter(User::isActive)
                 .map(known ->
-                        new Principal(user, known.role(), KeyScope.ALL, null, grants.reach(known.organisation(), user)))
+                        Principal.of(known, known.role(), KeyScope.ALL, null, grants.reach(known.organisation(), user)))
                 .filter(known -> known.may(Role.OPERATOR, drone))
                 .isPresent();
     }

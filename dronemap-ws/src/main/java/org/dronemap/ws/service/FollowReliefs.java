@@ -68,7 +68,7 @@ public final class FollowReliefs implements AutoCloseable {
     @FunctionalInterface
     public interface Owners {
         /** Empty: nothing. */
-        Optional<Principal> find(String owner);
+        Optional<Principal> find(String account);
     }
 
     public FollowReliefs(FollowService.Conduct conduct, FollowService.Warehouse warehouse, Owners owners, Time time) {
@@ -118,7 +118,7 @@ public final class FollowReliefs implements AutoCloseable {
         if (left > EARLIEST_SECONDS) {
             return;
         }
-        Optional<Principal> owner = owners.find(follow.saved().owner());
+        Optional<Principal> owner = owners.find(follow.saved().account());
         if (owner.isEmpty()) {
             // The follow itself ends for that.
             return;

@@ -144,7 +144,7 @@ public final class FollowService {
     public FollowReceipt positions(Principal principal, String id, FollowRequest.PositionsRequest request) {
         Roles.require(principal, Role.OPERATOR);
         Picture<FollowState> follow = desk.find(principal, id);
-        if (!follow.saved().owner().equals(principal.name())) {
+        if (!follow.saved().account().equals(principal.account())) {
             throw Rejection.forbidden("Only " + follow.saved().owner() + " says where the phone is.");
         }
         // Where the phone is said to be, there the drone flies.

@@ -151,7 +151,11 @@ final class OperationDesk<S, I> {
     Picture<S> begin(Principal principal, OperationId id, String name, S state, Instant at) {
         kind.machine().drones(state).forEach(drone -> giveBack(principal, drone));
         SavedOperation begun = SavedOperation.begun(
-                id, kind.name(), new SavedOperation.Owner(principal.name(), principal.organisation()), name, at);
+                id,
+                kind.name(),
+                new SavedOperation.Owner(principal.name(), principal.account(), principal.organisation()),
+                name,
+                at);
         return conducted(() -> operations.begin(kind, begun, state));
     }
 

@@ -75,7 +75,7 @@ public final class PlanDesk implements AutoCloseable {
         tidy();
         Optional<PlanJob> oldest;
         synchronized (this) {
-            requireFewUnderWay(job.owner());
+            requireFewUnderWay(job.account());
             oldest = toMakeRoom(job.organisation());
             Kept kept = new Kept(job, () -> work(job));
             try {
@@ -92,9 +92,10 @@ public final class PlanDesk implements AutoCloseable {
         tell(job);
     }
 
-    private void requireFewUnderWay(String owner) {
+    private void requireFewUnderWay(String account) {
         long underWay = all().stream()
-                .filter(one -> one.owner().equals(owner) && one.status().state().isUnderWay())
+                .filter(one ->
+                        one.account().equals(account) && one.status().state().isUnderWay())
                 .count();
         if (underWay >= bounds.underWay()) {
             throw Rejection.conflict(

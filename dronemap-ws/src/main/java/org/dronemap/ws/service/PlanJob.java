@@ -19,6 +19,7 @@ public final class PlanJob {
 
     private final String id;
     private final String owner;
+    private final String account;
     private final OrganisationId organisation;
     private final Instant askedAt;
     private final PlanOrder order;
@@ -70,11 +71,12 @@ public final class PlanJob {
     }
 
     /** Whose it is, and when it was asked for. */
-    record Origin(String owner, OrganisationId organisation, Instant askedAt) {}
+    record Origin(String owner, String account, OrganisationId organisation, Instant askedAt) {}
 
     PlanJob(String id, Origin origin, PlanOrder order) {
         this.id = id;
         this.owner = origin.owner();
+        this.account = origin.account();
         this.organisation = origin.organisation();
         this.askedAt = origin.askedAt();
         this.order = order;
@@ -86,6 +88,11 @@ public final class PlanJob {
 
     String owner() {
         return owner;
+    }
+
+    /** Whose it is; the name of the owner is for people. */
+    String account() {
+        return account;
     }
 
     OrganisationId organisation() {

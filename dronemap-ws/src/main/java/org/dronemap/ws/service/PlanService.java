@@ -43,7 +43,7 @@ public final class PlanService {
 
     /** Others do not exist for this one. */
     public static boolean isShownTo(Principal principal, PlanJob job) {
-        return job.owner().equals(principal.name())
+        return job.account().equals(principal.account())
                 && job.organisation().equals(principal.organisation())
                 && job.order().drones().stream().allMatch(drone -> principal.sees(drone.id()));
     }
@@ -52,7 +52,9 @@ public final class PlanService {
         Roles.require(principal, Role.PLANNER);
         PlanOrder order = reader.read(principal, request);
         PlanJob job = new PlanJob(
-                newId(), new PlanJob.Origin(principal.name(), principal.organisation(), clock.instant()), order);
+                newId(),
+                new PlanJob.Origin(principal.name(), principal.account(), principal.organisation(), clock.instant()),
+                order);
         desk.submit(job);
         return PlanViews.whole(job);
     }

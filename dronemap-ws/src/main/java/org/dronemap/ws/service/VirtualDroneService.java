@@ -43,7 +43,8 @@ public final class VirtualDroneService {
     public static boolean isShownTo(Principal principal, VirtualDrone drone) {
         return principal.organisation().equals(drone.organisation())
                 && principal.mayVirtually(Role.VIEWER)
-                && (drone.owner().equals(principal.name()) || (principal.may(Role.SUPERVISOR) && principal.isWhole()));
+                && (drone.account().equals(principal.account())
+                        || (principal.may(Role.SUPERVISOR) && principal.isWhole()));
     }
 
     public List<VirtualDroneView> all(Principal principal) {
@@ -62,7 +63,7 @@ public final class VirtualDroneService {
     public VirtualDroneView add(Principal principal, VirtualDroneRequest request) {
         requireVirtually(principal, Role.PLANNER);
         long own = virtuals.all().stream()
-                .filter(drone -> drone.owner().equals(principal.name()))
+                .filter(drone -> drone.account().equals(principal.account()))
                 .count();
         if (own >= MOST_OF_ONE_USER) {
             throw Rejection.conflict("You have " + MOST_OF_ONE_USER + " virtual drones already; remove one first.");
@@ -71,6 +72,7 @@ public final class VirtualDroneService {
                 newId(),
                 name(request),
                 principal.name(),
+                principal.account(),
                 principal.organisation(),
                 NeedsReader.read(request.needs()),
                 mission(request.items()),

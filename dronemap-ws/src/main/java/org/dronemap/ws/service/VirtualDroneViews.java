@@ -148,7 +148,7 @@ public final class VirtualDroneViews {
 
         /** Whatever state it is in. */
         Optional<String> notAllowed(VirtualDrone drone, Principal principal) {
-            boolean own = drone.owner().equals(principal.name());
+            boolean own = drone.account().equals(principal.account());
             if (!own && this != STOP) {
                 return Optional.of("It belongs to " + drone.owner() + ".");
             }

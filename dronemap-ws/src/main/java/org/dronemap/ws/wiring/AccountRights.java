@@ -12,6 +12,7 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.VirtualRights;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.service.FollowReliefs;
@@ -39,34 +40,35 @@ public final class AccountRights implements VirtualRights, OperationRights, Foll
     }
 
     @Override
-    public boolean mayFly(String owner) {
-        Principal principal = principal(owner);
+    public boolean mayFly(String account) {
+        Principal principal = principal(account);
         return principal != null && principal.mayVirtually(Role.OPERATOR);
     }
 
     @Override
-    public Optional<String> whyNot(String owner, DroneId drone) {
-        Principal principal = principal(owner);
+    public Optional<String> whyNot(SavedOperation operation, DroneId drone) {
+        Principal principal = principal(operation.account());
         return principal != null && principal.may(Role.OPERATOR, drone)
                 ? Optional.empty()
-                : Optional.of(owner + " may not command it any more.");
+                : Optional.of(operation.owner() + " may not command it any more.");
     }
 
     @Override
-    public Optional<Principal> find(String owner) {
-        return Optional.ofNullable(principal(owner));
+    public Optional<Principal> find(String account) {
+        return Optional.ofNullable(principal(account));
     }
 
-    private @Nullable Principal principal(String owner) {
+    private @Nullable Principal principal(String account) {
         long now = time.nanos();
-        Known last = known.get(owner);
+        Known last = known.get(account);
         if (last == null || now - last.nanos() > FRESH_NANOS) {
-            Principal principal = store.user(owner)
-                    .filter(User::isActive)
+            Principal principal = store.users().stream()
+                    .filter(user -> user.account().equals(account) && user.isActive())
+                    .findFirst()
                     .map(this::principal)
                     .orElse(null);
             last = new Known(principal, now);
-            known.put(owner, last);
+            known.put(account, last);
         }
         return last.principal();
     }
@@ -78,6 +80,6 @@ public final class AccountRights implements VirtualRights, OperationRights, Foll
 
     private Principal principal(User user) {
         Reach reach = grants.reach(user.organisation(), user.name());
-        return new Principal(user.name(), user.role(), KeyScope.ALL, null, reach);
+        return Principal.of(user, user.role(), KeyScope.ALL, null, reach);
     }
 }

@@ -77,8 +77,8 @@ final class OutletBuilder {
         public Optional<Principal> principal(String user) {
             return store.user(user)
                     .filter(User::isActive)
-                    .map(active -> new Principal(
-                            active.name(),
+                    .map(active -> Principal.of(
+                            active,
                             active.role(),
                             KeyScope.ALL,
                             null,

@@ -50,7 +50,7 @@ class PlanDeskTest {
         asked++;
         return new PlanJob(
                 "plan" + asked,
-                new PlanJob.Origin("ann", OrganisationId.HOME, Instant.EPOCH),
+                new PlanJob.Origin("ann", "#1", OrganisationId.HOME, Instant.EPOCH),
                 new PlanOrder(problem, List.of(), search, 1));
     }
 
