@@ -1,9 +1,10 @@
 package org.dronemap.store;
 
+import org.dronemap.core.time.Outage;
 import org.jspecify.annotations.Nullable;
 
 /** Something could not be kept or found; the message is a sentence for the person who runs the server. */
-public final class StoreException extends RuntimeException {
+public final class StoreException extends RuntimeException implements Outage {
     private static final long serialVersionUID = 1L;
 
     private final boolean passing;
@@ -26,7 +27,7 @@ public final class StoreException extends RuntimeException {
         return new StoreException(sentence, cause, true);
     }
 
-    /** Nothing is wrong with what was asked, only with the moment. */
+    @Override
     public boolean isPassing() {
         return passing;
     }

@@ -48,6 +48,7 @@ public final class Database implements Stores {
 
     private final PromptPool pool;
     private final @Nullable OwnPostgres own;
+    private final Writability writability = new Writability();
     private final Ledger ledger;
     private final Sql sql;
     private final AccessStore access;
@@ -55,7 +56,7 @@ public final class Database implements Stores {
     private Database(PromptPool pool, @Nullable OwnPostgres own) {
         this.pool = pool;
         this.own = own;
-        this.ledger = new Ledger(pool);
+        this.ledger = new Ledger(pool, writability);
         this.sql = new Sql(pool, ledger);
         this.access = new RememberedAccess(new PostgresAccessStore(sql), System::nanoTime);
     }
@@ -192,8 +193,12 @@ public final class Database implements Stores {
         LOG.info("A backup was written: {}", summary);
     }
 
-    /** Whether the database answers now. Blocks up to some seconds. */
+    /** Whether the database answers now, and took the last change. Blocks up to some seconds. */
     public DatabaseHealth health() {
+        String trouble = writability.trouble();
+        if (trouble != null) {
+            return new DatabaseHealth.Down(trouble);
+        }
         try (Connection connection = pool.getConnection()) {
             return connection.isValid(3)
                     ? new DatabaseHealth.Up()

@@ -32,6 +32,7 @@ final class Ledger implements AutoCloseable {
     private static final String TAKEN = "23505";
 
     private final DataSource dataSource;
+    private final Writability writability;
     private final BlockingQueue<Work> queue = new ArrayBlockingQueue<>(CAPACITY);
     private final BlockingQueue<AuditEntry> late = new ArrayBlockingQueue<>(CAPACITY);
     private volatile @Nullable AuditChain chain;
@@ -50,8 +51,9 @@ final class Ledger implements AutoCloseable {
     /** Null for a record without a change. */
     private record Work(@Nullable Change change, AuditEntry entry, CompletableFuture<Written> done) {}
 
-    Ledger(DataSource dataSource) {
+    Ledger(DataSource dataSource, Writability writability) {
         this.dataSource = dataSource;
+        this.writability = writability;
         thread.setDaemon(true);
     }
 
@@ -85,6 +87,17 @@ final class Ledger implements AutoCloseable {
         }
     }
 
+    /** A change without a record was written. */
+    void alone(int rows) {
+        if (rows > 0) {
+            writability.wrote();
+        }
+    }
+
+    void failed(SQLException alone) {
+        writability.failed(alone);
+    }
+
     AuditHead head() {
         AuditHead known = head;
         return known != null ? known : AuditRows.head(new Sql(dataSource, this));
@@ -98,11 +111,9 @@ final class Ledger implements AutoCloseable {
             return work.done().join();
         } catch (CompletionException e) {
             Throwable why = e.getCause() == null ? e : e.getCause();
-            throw new StoreException(
-                    why instanceof SQLException sql
-                            ? SqlSentence.of(sql)
-                            : "It could not be written: " + why.getMessage(),
-                    why);
+            throw why instanceof SQLException sql
+                    ? SqlSentence.exception(sql)
+                    : new StoreException("It could not be written: " + why.getMessage(), why);
         }
     }
 
@@ -143,7 +154,7 @@ final class Ledger implements AutoCloseable {
     private CompletableFuture<Written> keptAgain(AuditEntry entry) {
         CompletableFuture<Written> done = new CompletableFuture<>();
         CompletableFuture<Written> unused = done.whenComplete((written, failure) -> {
-            if (failure instanceof SQLException e && SqlSentence.isOutOfReach(e)) {
+            if (failure instanceof SQLException e && (SqlSentence.isOutOfReach(e) || SqlSentence.isFull(e))) {
                 later(entry);
             } else if (failure != null) {
                 LOG.error("This could not be written down: {}", entry, failure);
@@ -155,12 +166,14 @@ final class Ledger implements AutoCloseable {
     private void write(List<Work> batch) {
         try {
             List<Written> written = commit(batch);
+            writability.wrote();
             for (int i = 0; i < batch.size(); i++) {
                 batch.get(i).done().complete(written.get(i));
             }
         } catch (SQLException e) {
             boolean outdated = TAKEN.equals(e.getSQLState()) && head != null;
             head = null;
+            writability.failed(e);
             failed(batch, e, outdated);
         } catch (RuntimeException e) {
             head = null;
@@ -170,7 +183,7 @@ final class Ledger implements AutoCloseable {
     }
 
     private void failed(List<Work> batch, SQLException e, boolean outdated) {
-        if (SqlSentence.isOutOfReach(e)) {
+        if (SqlSentence.isOutOfReach(e) || SqlSentence.isFull(e)) {
             // Nobody waits for a second try in vain.
             List<Work> all = new ArrayList<>(batch);
             queue.drainTo(all);

@@ -82,8 +82,11 @@ final class Sql {
 
     private int alone(String sql, @Nullable Object... arguments) {
         try (Connection connection = dataSource.getConnection()) {
-            return update(connection, sql, arguments);
+            int rows = update(connection, sql, arguments);
+            ledger.alone(rows);
+            return rows;
         } catch (SQLException e) {
+            ledger.failed(e);
             throw SqlSentence.exception(e);
         }
     }

@@ -19,7 +19,9 @@ final class SqlSentence {
         String state = state(error);
         String said = Objects.requireNonNullElse(error.getMessage(), state);
         if (isFull(error)) {
-            return "The disk of the database is full; free some space, nothing was lost: " + said;
+            return state.equals("53100")
+                    ? "The disk of the database is full; free some space, nothing was lost: " + said
+                    : "The database has run out of memory or another resource: " + said;
         }
         if (state.startsWith("28")) {
             return "The database does not accept the user or password that it was given: " + said;
@@ -36,8 +38,9 @@ final class SqlSentence {
         return "The database refused: " + said;
     }
 
-    private static boolean isFull(SQLException error) {
-        return state(error).equals("53100");
+    /** No room on the disk, or another resource of the server has run out (class 53). */
+    static boolean isFull(SQLException error) {
+        return state(error).startsWith("53") && !state(error).equals("53300");
     }
 
     /** True for errors that may pass by waiting: not reachable, starting, stopping, too many connections. */

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 /** What every store of audit records does. */
 public abstract class AuditStoreContract {
     private static final Instant AT = Instant.parse("2026-03-04T05:06:07.123456Z");
-    protected static final AuditChain CHAIN = new AuditChain(new HmacSeal(new byte[] {1, 2, 3}));
+    public static final AuditChain CHAIN = new AuditChain(new HmacSeal(new byte[] {1, 2, 3}));
 
     protected AuditStore store;
 
@@ -164,7 +164,7 @@ public abstract class AuditStoreContract {
                 .toList();
     }
 
-    protected static AuditEntry entry(String by, String operation, @Nullable String command, AuditOutcome outcome) {
+    public static AuditEntry entry(String by, String operation, @Nullable String command, AuditOutcome outcome) {
         return new AuditEntry(
                 AT,
                 by,

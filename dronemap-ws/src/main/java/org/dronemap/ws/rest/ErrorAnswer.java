@@ -20,12 +20,6 @@ import org.springframework.web.bind.annotation.RestController;
 @Hidden
 @RestController
 public class ErrorAnswer implements ErrorController {
-    private final Outages outages;
-
-    public ErrorAnswer(Outages outages) {
-        this.outages = outages;
-    }
-
     /** Null when an answer is on its way already, of which nothing can be taken back. */
     @RequestMapping("/error")
     public @Nullable ResponseEntity<Problem> error(HttpServletRequest request, HttpServletResponse response) {
@@ -35,7 +29,7 @@ public class ErrorAnswer implements ErrorController {
         Object code = request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE);
         int status = code instanceof Integer number ? number : RejectionKind.UNKNOWN.status();
         Object thrown = request.getAttribute(RequestDispatcher.ERROR_EXCEPTION);
-        Problem problem = (thrown instanceof Throwable cause ? outages.of(cause) : Optional.<Rejection>empty())
+        Problem problem = (thrown instanceof Throwable cause ? Outages.of(cause) : Optional.<Rejection>empty())
                 .map(Problem::of)
                 .orElseGet(() -> Problem.ofStatus(status));
         return ResponseEntity.status(problem.status())

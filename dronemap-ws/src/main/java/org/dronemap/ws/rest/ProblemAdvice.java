@@ -37,12 +37,6 @@ import tools.jackson.core.JacksonException;
 public class ProblemAdvice {
     private static final Logger LOG = LoggerFactory.getLogger(ProblemAdvice.class);
 
-    private final Outages outages;
-
-    public ProblemAdvice(Outages outages) {
-        this.outages = outages;
-    }
-
     @ExceptionHandler(Rejection.class)
     public ResponseEntity<Problem> rejected(Rejection rejection) {
         return answer(rejection);
@@ -142,7 +136,7 @@ public class ProblemAdvice {
         if (cause instanceof Rejection rejection) {
             return answer(rejection);
         }
-        Rejection outage = outages.of(e).orElse(null);
+        Rejection outage = Outages.of(e).orElse(null);
         if (outage != null) {
             LOG.warn(
                     "{} {} came while the store was away: {}",

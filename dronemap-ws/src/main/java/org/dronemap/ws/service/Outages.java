@@ -1,10 +1,40 @@
 package org.dronemap.ws.service;
 
+import java.io.IOException;
+import java.util.Locale;
 import java.util.Optional;
+import org.dronemap.core.time.Outage;
 
-/** Tells what will pass by itself, such as a store that is away, from what is broken. Any thread. */
-@FunctionalInterface
-public interface Outages {
+/**
+ * Tells what will pass by itself, such as a store that is away or a disk that is full, from what is broken: it is nobody's
+ * mistake, and what the store says itself is for those who run the server.
+ */
+public final class Outages {
+    private Outages() {}
+
     /** Empty: it is broken. */
-    Optional<Rejection> of(Throwable thrown);
+    public static Optional<Rejection> of(Throwable thrown) {
+        for (Throwable cause = thrown; cause != null; cause = cause.getCause()) {
+            if (cause instanceof Outage outage && outage.isPassing()) {
+                return Optional.of(new Rejection(
+                        RejectionKind.UNAVAILABLE,
+                        "What the server keeps cannot be reached or written at the moment; drones fly on. Try again"
+                                + " later."));
+            }
+            if (cause instanceof IOException file && isFull(file)) {
+                return Optional.of(new Rejection(
+                        RejectionKind.UNAVAILABLE,
+                        "There is no room on the server's disk at the moment; drones fly on. Try again later."));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** What systems say; there is no type of its own for it. */
+    private static boolean isFull(IOException error) {
+        String said = String.valueOf(error.getMessage()).toLowerCase(Locale.ROOT);
+        return said.contains("no space left")
+                || said.contains("disk quota exceeded")
+                || said.contains("not enough space on the disk");
+    }
 }

@@ -1,7 +1,7 @@
 package org.dronemap.ws.soap;
 
 import java.util.concurrent.Callable;
-import java.util.concurrent.CompletionException;
+import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.slf4j.Logger;
@@ -18,12 +18,19 @@ final class Answering {
             return work.call();
         } catch (Rejection rejection) {
             throw DronemapFault.of(Problem.of(rejection));
-        } catch (CompletionException e) {
-            LOG.error("A SOAP call failed while it waited", e);
-            throw DronemapFault.of(Problem.internal());
         } catch (Exception e) {
-            LOG.error("A SOAP call failed", e);
-            throw DronemapFault.of(Problem.internal());
+            throw DronemapFault.of(problem(e));
         }
+    }
+
+    /** What went wrong without anybody's mistake. */
+    static Problem problem(Throwable thrown) {
+        Rejection outage = Outages.of(thrown).orElse(null);
+        if (outage != null) {
+            LOG.warn("A SOAP call came while the store was away: {}", String.valueOf(thrown.getMessage()));
+            return Problem.of(outage);
+        }
+        LOG.error("A SOAP call failed", thrown);
+        return Problem.internal();
     }
 }

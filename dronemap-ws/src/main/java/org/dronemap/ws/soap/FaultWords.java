@@ -13,12 +13,9 @@ import org.dronemap.ws.service.AuditNotes;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /** Says in each fault whose mistake it was, and what is wrong with XML that cannot be read, as the other faces say it. */
 final class FaultWords extends AbstractPhaseInterceptor<Message> {
-    private static final Logger LOG = LoggerFactory.getLogger(FaultWords.class);
 
     FaultWords() {
         super(Phase.PRE_LOGICAL);
@@ -80,8 +77,7 @@ final class FaultWords extends AbstractPhaseInterceptor<Message> {
             }
         }
         if (fault.getCause() instanceof RuntimeException && Fault.FAULT_CODE_SERVER.equals(fault.getFaultCode())) {
-            LOG.error("A call could not be carried out", fault);
-            return fault(Problem.internal());
+            return fault(Answering.problem(fault));
         }
         fault.setMessage(Problem.shortened(String.valueOf(fault.getMessage())));
         return fault;

@@ -21,6 +21,7 @@ import org.dronemap.ws.service.FollowRequest;
 import org.dronemap.ws.service.FollowService;
 import org.dronemap.ws.service.InvalidInput;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.Problem;
 import org.dronemap.ws.service.Rejection;
 import org.dronemap.ws.service.RejectionKind;
@@ -154,10 +155,20 @@ final class StreamRequests {
                 say(client, new StreamMessage.Failure(Problem.of(rejection), requestId));
             }
         } catch (RuntimeException e) {
-            LOG.error("A message of the stream failed", e);
-            AuditNotes.turnedAway(Problem.internal());
-            say(client, new StreamMessage.Failure(Problem.internal(), requestId));
+            Problem problem = problem(e);
+            AuditNotes.turnedAway(problem);
+            say(client, new StreamMessage.Failure(problem, requestId));
         }
+    }
+
+    private static Problem problem(RuntimeException failure) {
+        Rejection outage = Outages.of(failure).orElse(null);
+        if (outage != null) {
+            LOG.warn("A message came while the store was away: {}", String.valueOf(failure.getMessage()));
+            return Problem.of(outage);
+        }
+        LOG.error("A message of the stream failed", failure);
+        return Problem.internal();
     }
 
     private void answer(StreamClient client, StreamMessage.FromClient message) {

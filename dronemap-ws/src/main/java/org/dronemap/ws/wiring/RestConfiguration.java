@@ -57,7 +57,6 @@ import org.dronemap.ws.security.ProblemWriter;
 import org.dronemap.ws.security.RefusedByTomcat;
 import org.dronemap.ws.service.Budgets;
 import org.dronemap.ws.service.JsonReader;
-import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.stream.StreamCrowd;
 import org.springframework.beans.factory.ObjectProvider;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
@@ -122,11 +121,6 @@ public class RestConfiguration {
         return builder -> builder.enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
                 .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
                 .changeDefaultNullHandling(usual -> usual.withContentNulls(Nulls.FAIL));
-    }
-
-    @Bean
-    Outages outages() {
-        return new StoreOutages();
     }
 
     @Bean

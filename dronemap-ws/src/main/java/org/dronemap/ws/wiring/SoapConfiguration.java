@@ -12,7 +12,6 @@ import org.dronemap.ws.service.ControlService;
 import org.dronemap.ws.service.DroneService;
 import org.dronemap.ws.service.FlightService;
 import org.dronemap.ws.service.FollowService;
-import org.dronemap.ws.service.Outages;
 import org.dronemap.ws.service.ParameterService;
 import org.dronemap.ws.service.PlanService;
 import org.dronemap.ws.service.RobotKeyService;
@@ -77,8 +76,8 @@ public class SoapConfiguration {
     }
 
     @Bean
-    SoapFlights soapFlights(SoapCaller caller, FlightService flights, Outages outages) {
-        return new SoapFlights(caller, flights, outages);
+    SoapFlights soapFlights(SoapCaller caller, FlightService flights) {
+        return new SoapFlights(caller, flights);
     }
 
     @Bean

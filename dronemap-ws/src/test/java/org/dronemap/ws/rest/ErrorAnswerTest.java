@@ -3,7 +3,6 @@ package org.dronemap.ws.rest;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import jakarta.servlet.RequestDispatcher;
-import java.util.Optional;
 import org.dronemap.ws.service.Problem;
 import org.junit.jupiter.api.Test;
 import org.springframework.http.ResponseEntity;
@@ -11,7 +10,7 @@ import org.springframework.mock.web.MockHttpServletRequest;
 import org.springframework.mock.web.MockHttpServletResponse;
 
 class ErrorAnswerTest {
-    private final ErrorAnswer answers = new ErrorAnswer(thrown -> Optional.empty());
+    private final ErrorAnswer answers = new ErrorAnswer();
     private final MockHttpServletRequest request = new MockHttpServletRequest();
     private final MockHttpServletResponse response = new MockHttpServletResponse();
 
