@@ -1,11 +1,12 @@
 package org.dronemap.core.zone;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.RallyPoint;
 import org.jspecify.annotations.Nullable;

@@ -59,7 +59,11 @@ class OperationsTest extends WatchHouse {
         OperationKind<Watch.State, String> forgotten =
                 new OperationKind<>("forgotten", Watch.KIND.machine(), Watch.KIND.codec());
         SavedOperation begun = SavedOperation.begun(
-                ID, forgotten.name(), new SavedOperation.Owner("ann", OrganisationId.HOME), "a watch", Instant.now());
+                ID,
+                forgotten.name(),
+                new SavedOperation.Owner("ann", "ann", OrganisationId.HOME),
+                "a watch",
+                Instant.now());
 
         assertThatThrownBy(() -> operations.begin(forgotten, begun, Watch.of(link.id())))
                 .isInstanceOf(Operations.Refused.class)

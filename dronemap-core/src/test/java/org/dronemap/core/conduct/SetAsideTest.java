@@ -124,7 +124,11 @@ class SetAsideTest extends WatchHouse {
         operations.begin(
                 Watch.KIND,
                 SavedOperation.begun(
-                        other, "watch", new SavedOperation.Owner("bob", OrganisationId.HOME), "other", Instant.now()),
+                        other,
+                        "watch",
+                        new SavedOperation.Owner("bob", "bob", OrganisationId.HOME),
+                        "other",
+                        Instant.now()),
                 Watch.of());
 
         Watch.poisonous = true;

@@ -49,8 +49,7 @@ public final class CommandService {
 
     /** What is for safety costs nothing, however much somebody asked for before. */
     void pay(Principal principal, @Nullable String type) {
-        Optional<CommandKind> kind = type == null ? Optional.empty() : CommandReader.kind(type);
-        if (kind.filter(one -> one.purpose().interrupts()).isEmpty()) {
+        if (!isForSafety(type)) {
             budgets.take(Work.COMMAND, principal.name());
         }
     }
@@ -75,11 +74,16 @@ public final class CommandService {
 
     /** Refuses an id that another command has; nothing is sent. What is for safety waits for no store. */
     void checkId(Principal principal, CommandRequest request, DroneState drone) {
-        if (!FOR_SAFETY.contains(String.valueOf(request.type()))) {
+        if (!isForSafety(request.type())) {
             cloud.gate()
                     .find(id(request.id()))
                     .ifPresent(record -> requireSame(record, principal, drone, asked(request, drone)));
         }
+    }
+
+    private static boolean isForSafety(@Nullable String type) {
+        Optional<CommandKind> kind = type == null ? Optional.empty() : CommandReader.kind(type);
+        return kind.filter(one -> one.purpose().interrupts()).isPresent();
     }
 
     /** Nothing of it is refused: programs may mean what they say, and the page asks people before. */

@@ -72,7 +72,8 @@ class CommandKindsTest {
             MissionProgress.UNKNOWN,
             List.of(),
             Instant.EPOCH,
-            1);
+            1,
+            null);
     private static final Set<String> TYPES = Set.of(CommandRequest.TYPES.split(", "));
 
     /** The operation of SOAP that gives it; empty where clients of SOAP are not to. */
@@ -133,7 +134,7 @@ class CommandKindsTest {
         String wrong = "";
         Optional<Command> read = Optional.empty();
         try {
-            read = Optional.of(CommandReader.read(CommandRequest.simple(type), UNKNOWN, held));
+            read = Optional.of(CommandReader.asked(CommandRequest.simple(type), UNKNOWN, held));
         } catch (InvalidInput input) {
             wrong = input.field();
         }
