@@ -91,6 +91,8 @@ def test_a_cut_line_is_told_within_three_seconds_and_forgotten_at_once(
     station = Station(page, Pointer())
     station.sign_in(killable.address, *supervisor(api), secrets.token_hex(10))
     station.choose(drone["name"])
+    # Who flew it up has control for 30 s after that.
+    expect(station.button("Take control")).to_be_visible(timeout=60_000)
     station.press("Take control")
     expect(station.button("Give back")).to_be_visible()
     expect(page.get_by_text("Connected")).to_be_visible()
