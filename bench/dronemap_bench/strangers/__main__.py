@@ -22,6 +22,9 @@ def main(words: list[str]) -> int:
     parser.add_argument("--most-seconds", type=float, default=usual.most_seconds, help="of one attack")
     parser.add_argument("--strangers", type=int, default=usual.strangers)
     parser.add_argument("--niceness", type=int, default=usual.niceness, help="of the strangers' process")
+    parser.add_argument(
+        "--many-addresses", action="store_true", help="each connection of a stranger from another one"
+    )
     parser.add_argument("--out", type=Path, default=ROOT / "bench" / "results" / "strangers.json")
     options = vars(parser.parse_args(words))
     out: Path = options.pop("out")
@@ -31,7 +34,7 @@ def main(words: list[str]) -> int:
     out.parent.mkdir(parents=True, exist_ok=True)
     out.write_text(json.dumps({"machine": machine, "summary": told, **result}, indent=1) + "\n")
     print(report.table(told, machine))
-    missed = report.missed(told, result["liveVehiclesAtTheEnd"], VEHICLES)
+    missed = report.missed(told, result, VEHICLES)
     for sentence in missed:
         print(f"Missed: {sentence}.")
     return 1 if missed else 0

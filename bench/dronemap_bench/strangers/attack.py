@@ -8,6 +8,7 @@ with JSON.
 import argparse
 import contextlib
 import json
+import random
 import socket
 import sys
 import threading
@@ -17,15 +18,17 @@ from . import wire
 
 PIECE = 1_024
 BLOCK_PIECES = 64
-PATIENCE_SECONDS = 5
+PATIENCE_SECONDS = 10
 
 
 class Strangers:
     """All at one port; what they sent counts when the kernel took it."""
 
-    def __init__(self, port: int, path: str, opcode: int) -> None:
+    def __init__(self, port: int, path: str, opcode: int, many_addresses: bool) -> None:
+        """`many_addresses`: each connection comes from another one, so that no address has a history."""
         self._port = port
         self._path = path
+        self._many_addresses = many_addresses
         self._first = wire.frame(opcode, b"x" * PIECE, last=False)
         self._block = wire.frame(0, b"x" * PIECE, last=False) * BLOCK_PIECES
         self._over = threading.Event()
@@ -33,22 +36,19 @@ class Strangers:
         self.sent = 0
         self.connections = 0
         self.turned_away = 0
-        self._threads: list[threading.Thread] = []
 
     def begin(self, count: int) -> None:
-        self._threads = [threading.Thread(target=self._attack, daemon=True) for _ in range(count)]
-        for thread in self._threads:
-            thread.start()
+        for _ in range(count):
+            threading.Thread(target=self._attack, daemon=True).start()
 
     def end(self) -> None:
+        """They are daemons: who waits for an answer just now goes with this process."""
         self._over.set()
-        for thread in self._threads:
-            thread.join(PATIENCE_SECONDS * 2)
 
     def _attack(self) -> None:
         while not self._over.is_set():
             try:
-                line = wire.connect(self._port, self._path, seconds=PATIENCE_SECONDS)
+                line = wire.connect(self._port, self._path, seconds=PATIENCE_SECONDS, here=self._address())
             except OSError:
                 with self._lock:
                     self.turned_away += 1
@@ -59,6 +59,12 @@ class Strangers:
                 self._send(line, self._first)
                 while not self._over.is_set():
                     self._send(line, self._block)
+
+    def _address(self) -> str:
+        """The whole of 127.0.0.0/8 is this machine."""
+        if not self._many_addresses:
+            return wire.LOOPBACK
+        return f"127.{random.randrange(1, 255)}.{random.randrange(256)}.{random.randrange(1, 255)}"
 
     def _send(self, line: socket.socket, data: bytes) -> None:
         left = memoryview(data)
@@ -78,8 +84,9 @@ def main(words: list[str]) -> None:
     parser.add_argument("--megabytes", type=int, default=2_000)
     parser.add_argument("--least-seconds", type=float, default=0)
     parser.add_argument("--most-seconds", type=float, default=60)
+    parser.add_argument("--many-addresses", action="store_true")
     options = parser.parse_args(words)
-    strangers = Strangers(options.port, options.path, options.opcode)
+    strangers = Strangers(options.port, options.path, options.opcode, options.many_addresses)
     print("ready", flush=True)
     sys.stdin.readline()
     began = time.monotonic()

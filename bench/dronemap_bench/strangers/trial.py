@@ -1,4 +1,4 @@
-"""One run: rounds of calm and of attacks on each WebSocket port, with the others going on all the time."""
+"""One run: rounds of attacks on each WebSocket port, each after a calm, and the others going on meanwhile."""
 
 import json
 import os
@@ -27,12 +27,13 @@ class Options:
 
     rounds: int = 5
     warm_up_seconds: float = 20
-    calm_seconds: float = 8
+    calm_seconds: float = 5
     megabytes: int = 2_000
-    least_seconds: float = 8
-    most_seconds: float = 12
+    least_seconds: float = 5
+    most_seconds: float = 10
     strangers: int = 20
     niceness: int = 10
+    many_addresses: bool = False
 
 
 class Program:
@@ -126,8 +127,9 @@ def _run(options: Options, server: Server, programs: list[Program]) -> Json:
     windows = []
     for number in range(1, options.rounds + 1):
         print(f"round {number} of {options.rounds}", file=sys.stderr, flush=True)
-        windows.append(_calm(options, server, others) | {"round": number})
         for target in targets:
+            # Right before each, as what else the machine does changes from one minute to the next.
+            windows.append(_calm(options, server, others) | {"round": number, "before": target.name})
             windows.append(_attack(target, options, server, programs, others) | {"round": number})
     live = sum(drone["link"]["state"] == "live" for drone in server.get("/drones")["drones"])
     samples = {who: program.result()["samples"] for who, program in others.items()}
@@ -169,6 +171,7 @@ def _attack(
         *("attack", "--port", str(target.port), "--path", target.path, "--opcode", str(target.opcode)),
         *("--strangers", str(options.strangers), "--megabytes", str(options.megabytes)),
         *("--least-seconds", str(options.least_seconds), "--most-seconds", str(options.most_seconds)),
+        *(["--many-addresses"] if options.many_addresses else []),
         niceness=options.niceness,
     )
     programs.append(attack)

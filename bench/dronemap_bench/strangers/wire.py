@@ -11,9 +11,9 @@ LOOPBACK = "127.0.0.1"
 LARGEST_READ = 1 << 18
 
 
-def connect(port: int, path: str, *headers: str, seconds: float = 10) -> socket.socket:
-    """A connection that has shaken hands; ConnectionError when it was turned away."""
-    line = socket.create_connection((LOOPBACK, port), timeout=seconds)
+def connect(port: int, path: str, *headers: str, seconds: float = 10, here: str = LOOPBACK) -> socket.socket:
+    """A connection from `here` that has shaken hands; ConnectionError when it was turned away."""
+    line = socket.create_connection((LOOPBACK, port), timeout=seconds, source_address=(here, 0))
     try:
         line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         line.sendall(_request(port, path, headers))
