@@ -145,8 +145,7 @@ export type CommandKind =
 export interface Action {
   allowed: boolean;
   why: string | null;
-  /** The vehicle refuses it in its mode of now: this one lets it. */
-  mode?: string | null;
+  mode?: string | null; // in which it works, where the one of now refuses it
 }
 
 export interface Drone {

@@ -27,6 +27,7 @@ public final class BoundedDraft extends Draft_6455 {
     private final int longestMessage;
     private final FrameMeter meter = new FrameMeter();
     private volatile int most;
+    private volatile boolean exceeded;
 
     /** Its messages may have {@code longestMessage} bytes; those of a stranger {@link #STRANGERS_BYTES} at most. */
     public BoundedDraft(int longestMessage) {
@@ -51,6 +52,11 @@ public final class BoundedDraft extends Draft_6455 {
         }
     }
 
+    /** Whether more was announced than a message may have, for which the connection ends. Any thread. */
+    boolean isExceeded() {
+        return exceeded;
+    }
+
     @Override
     public Draft copyInstance() {
         return new BoundedDraft(longestMessage, most);
@@ -60,6 +66,7 @@ public final class BoundedDraft extends Draft_6455 {
     public List<Framedata> translateFrame(ByteBuffer bytes) throws InvalidDataException {
         int bound = most;
         if (!meter.fits(bytes.duplicate(), bound)) {
+            exceeded = true;
             throw new LimitExceededException("a message may have " + bound + " bytes", bound);
         }
         return super.translateFrame(bytes);

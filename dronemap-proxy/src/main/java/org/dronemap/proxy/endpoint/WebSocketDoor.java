@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.ByteChannel;
+import java.nio.channels.CancelledKeyException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.time.Duration;
@@ -32,7 +33,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Makes the connections of a WebSocket server, with or without TLS, and bounds what the library does not: how many one
  * host may have, how many may be there without having shaken hands, how long that may take and how much may be said in it,
- * and how much after a farewell.
+ * and how much after a farewell. Who comes from a host of which some were cut for saying too much is not listened to for a
+ * while.
  * Any thread.
  */
 public final class WebSocketDoor implements WebSocketServerFactory {
@@ -56,6 +58,9 @@ public final class WebSocketDoor implements WebSocketServerFactory {
     /** Guarded by this: who is there, by host. Closed ones go at the next sweep, or when a host has too many. */
     private final Map<Host, List<Guarded>> hosts = new HashMap<>();
 
+    /** Guarded by this. */
+    private final Cuts cuts;
+
     /**
      * What is allowed.
      *
@@ -64,13 +69,27 @@ public final class WebSocketDoor implements WebSocketServerFactory {
      * @param strangers such ones of all hosts
      * @param handshakeBytes that may be said before
      * @param patience how long the handshake may take, that of TLS included
+     * @param longestPause of those who come from a host of which some were cut
      */
-    public record Limits(int perHost, int strangersPerHost, int strangers, int handshakeBytes, Duration patience) {
+    public record Limits(
+            int perHost,
+            int strangersPerHost,
+            int strangers,
+            int handshakeBytes,
+            Duration patience,
+            Duration longestPause) {
+        private static final Duration LONGEST_PAUSE = Duration.ofSeconds(4);
+
         /** For vehicles and other programs. */
         public static final Limits DEFAULT = new Limits(1_000, 100, 400, 16_384, Duration.ofSeconds(10));
 
+        public Limits(int perHost, int strangersPerHost, int strangers, int handshakeBytes, Duration patience) {
+            this(perHost, strangersPerHost, strangers, handshakeBytes, patience, LONGEST_PAUSE);
+        }
+
         public Limits with(int connectionsPerHost, Duration longestHandshake) {
-            return new Limits(connectionsPerHost, strangersPerHost, strangers, handshakeBytes, longestHandshake);
+            return new Limits(
+                    connectionsPerHost, strangersPerHost, strangers, handshakeBytes, longestHandshake, longestPause);
         }
     }
 
@@ -85,6 +104,7 @@ public final class WebSocketDoor implements WebSocketServerFactory {
         this.tls = tls;
         this.onRefusal = onRefusal;
         this.time = time;
+        this.cuts = new Cuts(limits.longestPause());
         this.sweeps = time.worker("websocket-door", 1);
         Repetition unused = sweeps.every(BETWEEN_SWEEPS, BETWEEN_SWEEPS, this::sweep);
     }
@@ -108,16 +128,19 @@ public final class WebSocketDoor implements WebSocketServerFactory {
             return channel;
         }
         SSLContext context = tls.get();
-        return context == null
+        ByteChannel made = context == null
                 ? channel
                 : new DefaultSSLWebSocketServerFactory(context, handshakes).wrapChannel(channel, key);
+        guarded.pause(key);
+        return made;
     }
 
     private synchronized boolean enter(Guarded guarded, SocketChannel channel) throws IOException {
         if (!(channel.getRemoteAddress() instanceof InetSocketAddress remote)) {
             return false;
         }
-        List<Guarded> its = hosts.computeIfAbsent(Host.of(remote.getAddress().getAddress()), host -> new ArrayList<>());
+        guarded.host = Host.of(remote.getAddress().getAddress());
+        List<Guarded> its = hosts.computeIfAbsent(guarded.host, host -> new ArrayList<>());
         if (its.size() >= Math.min(limits.perHost(), limits.strangersPerHost())) {
             its.removeIf(Guarded::isGone);
         }
@@ -137,11 +160,21 @@ public final class WebSocketDoor implements WebSocketServerFactory {
                 .count();
     }
 
-    /** Turns away who takes too long, and forgets who is gone. */
+    private synchronized long pauseNanos(Host host, long now) {
+        return cuts.pauseNanos(host, now);
+    }
+
+    private synchronized void wasCut(Host host) {
+        cuts.add(host, time.nanos());
+    }
+
+    /** Turns away who takes too long, listens to who has waited, and forgets who is gone. */
     private void sweep() {
         long now = time.nanos();
         List<Guarded> late = new ArrayList<>();
         synchronized (this) {
+            cuts.forget(now);
+            hosts.values().stream().flatMap(List::stream).forEach(one -> one.resume(now));
             hosts.values().forEach(its -> its.removeIf(Guarded::isGone));
             hosts.values().removeIf(List::isEmpty);
             hosts.values().stream()
@@ -174,10 +207,15 @@ public final class WebSocketDoor implements WebSocketServerFactory {
 
     /** A connection whose handshake has a bound. */
     private final class Guarded extends WebSocketImpl {
-        private final long sinceNanos = time.nanos();
+        /** When it was listened to first, or will be. */
+        private volatile long sinceNanos = time.nanos();
+
+        private @Nullable Host host;
+        private volatile @Nullable Runnable listening;
         // owned by the worker that decodes
         private int said;
         private int saidAfterFarewell;
+        private boolean cut;
 
         Guarded(WebSocketAdapter server, List<Draft> drafts) {
             super(server, drafts);
@@ -191,12 +229,47 @@ public final class WebSocketDoor implements WebSocketServerFactory {
             return isClosed() || (getChannel() != null && !getChannel().isOpen());
         }
 
+        /** What it says stays with the network until its pause is over. */
+        void pause(SelectionKey key) {
+            long now = time.nanos();
+            long pause = host == null ? 0 : pauseNanos(host, now);
+            if (pause > 0) {
+                int events = key.interestOps();
+                key.interestOps(0);
+                sinceNanos = now + pause;
+                listening = () -> {
+                    key.interestOps(events);
+                    key.selector().wakeup();
+                };
+            }
+        }
+
+        void resume(long now) {
+            Runnable listen = listening;
+            if (listen != null && now - sinceNanos >= 0) {
+                listening = null;
+                try {
+                    listen.run();
+                } catch (CancelledKeyException e) {
+                    // It was closed meanwhile, and goes with the others that are gone.
+                }
+            }
+        }
+
+        private void cutOnce() {
+            if (!cut && host != null) {
+                cut = true;
+                wasCut(host);
+            }
+        }
+
         @Override
         public void decode(ByteBuffer bytes) {
             if (isStranger()) {
                 said += bytes.remaining();
                 if (said > limits.handshakeBytes()) {
                     refuse();
+                    cutOnce();
                     bytes.position(bytes.limit());
                     closeConnection(CloseFrame.POLICY_VALIDATION, "the handshake is too long");
                     return;
@@ -209,6 +282,9 @@ public final class WebSocketDoor implements WebSocketServerFactory {
                 }
             }
             super.decode(bytes);
+            if (getDraft() instanceof BoundedDraft draft && draft.isExceeded()) {
+                cutOnce();
+            }
         }
     }
 }

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.net.URI;
@@ -116,6 +118,81 @@ class WebSocketDoorTest {
                         }
                     })
                     .isInstanceOf(IOException.class);
+        }
+    }
+
+    @Test
+    void listensOnlyAfterAPauseToWhoComesFromWhereManyWereCutAndToOthersAtOnce() throws Exception {
+        Duration longest = Duration.ofDays(1);
+        try (Endpoint endpoint = open(new WebSocketDoor.Limits(100, 50, 50, 16_384, PATIENCE, longest))) {
+            int port = endpoint.url().port();
+            // The pauses double: after some of them it is longer than any test.
+            TestCloud.await(PATIENCE, () -> !cameInAndWasCut(port), () -> "who was cut is heard again at once");
+            try (Socket other = new Socket()) {
+                other.bind(new InetSocketAddress("127.0.0.2", 0));
+                other.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+                assertThat(isAnswered(other, PATIENCE)).isTrue();
+            }
+        }
+    }
+
+    @Test
+    void turnsNobodyAwayWhoCameFromWhereManyWereCut() throws Exception {
+        try (Endpoint endpoint =
+                open(new WebSocketDoor.Limits(100, 50, 50, 16_384, PATIENCE, Duration.ofMillis(200)))) {
+            for (int cut = 0; cut < 10; cut++) {
+                exceed(endpoint.url().port());
+            }
+            assertThat(comesIn(endpoint)).isTrue();
+        }
+    }
+
+    /** One more who is cut, if it is listened to within a second. */
+    private static boolean cameInAndWasCut(int port) {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+            boolean answered = isAnswered(socket, Duration.ofSeconds(1));
+            if (answered) {
+                exceed(socket);
+            }
+            return answered;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static void exceed(int port) throws IOException {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+            assertThat(isAnswered(socket, PATIENCE)).isTrue();
+            exceed(socket);
+        }
+    }
+
+    /** Announces more than anybody may say, and waits for the farewell. */
+    private static void exceed(Socket socket) throws IOException {
+        ByteBuffer frame = ByteBuffer.allocate(14);
+        frame.put((byte) 0x82).put((byte) (0x80 | 127)).putLong(1L << 40);
+        socket.getOutputStream().write(frame.array());
+        socket.setSoTimeout((int) PATIENCE.toMillis());
+        assertThat(socket.getInputStream().read()).isPositive();
+    }
+
+    private static boolean isAnswered(Socket socket, Duration patience) throws IOException {
+        socket.getOutputStream()
+                .write(("GET / HTTP/1.1\r\nHost: x\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                                + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Version: 13\r\n\r\n")
+                        .getBytes(StandardCharsets.US_ASCII));
+        socket.setSoTimeout((int) patience.toMillis());
+        try {
+            for (StringBuilder head = new StringBuilder(); head.indexOf("\r\n\r\n") < 0; ) {
+                int next = socket.getInputStream().read();
+                if (next < 0) {
+                    return false;
+                }
+                head.append((char) next);
+            }
+            return true;
+        } catch (SocketTimeoutException nothing) {
+            return false;
         }
     }
 
