@@ -260,7 +260,8 @@ final class HouseRules {
                         boolean named = !type.isEnum()
                                 || type.isEquivalentTo(TelemetryColumn.Kind.class)
                                 || !type.getPackageName().startsWith("org.dronemap.core.")
-                                || type.isAnnotatedWith(Stored.class);
+                                || type.isAnnotatedWith(Stored.class)
+                                || type.tryGetMethod("word").isPresent();
                         events.add(new SimpleConditionEvent(dependency, named, dependency.getDescription()));
                     }
                 }

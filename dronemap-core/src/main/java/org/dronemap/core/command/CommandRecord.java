@@ -54,7 +54,7 @@ public record CommandRecord(
                 content == null ? summary.equals(command.summary()) : content.equals(CommandDigest.of(account, asked));
         return by.equals(user)
                 && drone.equals(wanted)
-                && type.equals(command.getClass().getSimpleName())
+                && type.equals(command.kind().word())
                 && alike;
     }
 

@@ -19,4 +19,10 @@ public @interface Stored {
 
     /** Of the components of a record, or the constants of an enum, in the order of the code, apart by a space. */
     String names() default "";
+
+    /**
+     * Those of its components that earlier versions had not, as {@link #names} has them: left out while they are null or empty,
+     * so that what was written without them is written as it was.
+     */
+    String later() default "";
 }

@@ -30,6 +30,15 @@ public final class StoredNames {
         return NAMES.get(type);
     }
 
+    /** Of the components that came later. */
+    public static Set<String> ofLater(Class<?> type) {
+        Set<String> later = Set.copyOf(split(stored(type).later()));
+        if (!ofParts(type).containsAll(later)) {
+            throw new IllegalStateException("@Stored of " + type.getName() + " names not all of the later " + later);
+        }
+        return later;
+    }
+
     // Names stand in the order of the constants.
     @SuppressWarnings("EnumOrdinal")
     public static String of(Enum<?> constant) {

@@ -1,9 +1,11 @@
 package org.dronemap.ws.journal;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowInput.Look;
 import org.dronemap.cognitive.operation.follow.FollowInput.Looked;
+import org.dronemap.cognitive.operation.follow.FollowInput.Modes;
 import org.dronemap.cognitive.operation.follow.FollowInput.Other;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.jspecify.annotations.Nullable;
@@ -21,26 +23,44 @@ public final class FollowCodec extends RecordCodec<FollowState, FollowInput> {
 
     @Override
     public FollowInput input(String text) {
-        FollowInput input = super.input(text);
-        if (!(input instanceof Looked looked)) {
-            return input;
-        }
-        return new Looked(
-                looked.at(),
-                withModes(looked.drone()),
-                looked.sighted(),
-                looked.reach(),
-                looked.unsteered(),
-                looked.others().stream()
-                        .map(other -> new Other(other.drone(), withModes(other.look()), other.apartMeters()))
-                        .toList());
+        return looking(super.input(text), FollowCodec::withModes);
     }
 
-    private static @Nullable Look withModes(@Nullable Look look) {
-        if (look == null || look.modes() != null) {
-            return look;
-        }
+    /** What can be told of a look without its modes is left out of it, as it was before it told of them. */
+    @Override
+    public String input(FollowInput input) {
+        return super.input(looking(input, FollowCodec::withoutUsualModes));
+    }
+
+    private static FollowInput looking(FollowInput input, UnaryOperator<Look> change) {
+        return input instanceof Looked looked
+                ? new Looked(
+                        looked.at(),
+                        changed(looked.drone(), change),
+                        looked.sighted(),
+                        looked.reach(),
+                        looked.unsteered(),
+                        looked.others().stream()
+                                .map(other ->
+                                        new Other(other.drone(), changed(other.look(), change), other.apartMeters()))
+                                .toList())
+                : input;
+    }
+
+    private static @Nullable Look changed(@Nullable Look look, UnaryOperator<Look> change) {
+        return look == null ? null : change.apply(look);
+    }
+
+    private static Look withModes(Look look) {
+        return look.modes() == null ? look.with(usual(look)) : look;
+    }
+
+    private static Look withoutUsualModes(Look look) {
+        return usual(look).equals(look.modes()) ? look.with(null) : look;
+    }
+
+    private static Modes usual(Look look) {
         boolean home = look.homing() && look.mode() != null && look.mode().endsWith(HOMEWARD);
-        return look.with(new FollowInput.Modes(LED, home));
+        return new Modes(LED, home);
     }
 }

@@ -48,7 +48,7 @@ public class RecordCodec<S, I> implements OperationCodec<S, I> {
     }
 
     @Override
-    public final String input(I value) {
+    public String input(I value) {
         return write(input, value);
     }
 

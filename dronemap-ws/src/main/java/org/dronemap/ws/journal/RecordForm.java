@@ -6,7 +6,9 @@ import java.lang.reflect.Method;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.List;
+import java.util.Set;
 import org.dronemap.core.stored.StoredNames;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
@@ -15,14 +17,15 @@ import tools.jackson.databind.node.ObjectNode;
 
 /**
  * A record: each component under its stored name, in their order; no more and no less. Only lists and what may be null may be
- * missing, and are empty or null then: so what was written before a record had them can be read still.
+ * missing, and are empty or null then: so what was written before a record had them can be read still. Those that came later
+ * are left out while they are empty or null, so that it is also written as it was.
  */
 final class RecordForm implements Form {
     private final Class<?> type;
     private final Constructor<?> constructor;
     private final List<Member> members = new ArrayList<>();
 
-    private record Member(String name, Method accessor, Form form, boolean nullable) {}
+    private record Member(String name, Method accessor, Form form, boolean nullable, boolean later) {}
 
     RecordForm(Class<?> type, Forms forms) {
         this.type = type;
@@ -35,6 +38,7 @@ final class RecordForm implements Form {
         }
         constructor.setAccessible(true);
         List<String> names = StoredNames.ofParts(type);
+        Set<String> later = StoredNames.ofLater(type);
         for (int i = 0; i < components.length; i++) {
             RecordComponent component = components[i];
             Method accessor = component.getAccessor();
@@ -43,7 +47,8 @@ final class RecordForm implements Form {
                     names.get(i),
                     accessor,
                     forms.of(component.getGenericType()),
-                    component.getAnnotatedType().isAnnotationPresent(Nullable.class)));
+                    component.getAnnotatedType().isAnnotationPresent(Nullable.class),
+                    later.contains(names.get(i))));
         }
     }
 
@@ -63,6 +68,9 @@ final class RecordForm implements Form {
             Object part = part(member, value);
             if (part == null && !member.nullable()) {
                 throw new IllegalArgumentException(at(member) + " is null");
+            }
+            if (member.later() && (part == null || (part instanceof Collection<?> all && all.isEmpty()))) {
+                continue;
             }
             node.set(
                     member.name(),

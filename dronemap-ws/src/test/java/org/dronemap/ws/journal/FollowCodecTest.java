@@ -8,21 +8,32 @@ import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.junit.jupiter.api.Test;
 
 class FollowCodecTest {
-    private static final FollowInput.Modes HOMEWARD = new FollowInput.Modes("GUIDED", true);
-
     private final FollowCodec codec = new FollowCodec();
 
-    @Test
-    void readsWhatWasSeenBeforeLooksToldWhatModesAreFor() {
+    private static FollowInput seen(FollowInput.Modes modes) {
         FollowInput.Look look =
-                new FollowInput.Look(null, 0, true, true, false, true, "SMART_RTL", 90, 300.0, null, HOMEWARD);
-        FollowInput seen = new FollowInput.Looked(Instant.EPOCH, look, null, null, null, List.of());
-        String told = ",\"modes\":{\"orders\":\"GUIDED\",\"home\":true}";
+                new FollowInput.Look(null, 0, true, true, false, true, "SMART_RTL", 90, 300.0, null, modes);
+        return new FollowInput.Looked(Instant.EPOCH, look, null, null, null, List.of());
+    }
 
-        String text = codec.input(seen);
+    /** So that an entry of then is written again as it was. */
+    @Test
+    void writesModesOnlyWhereTheyCannotBeToldWithoutThem() {
+        FollowInput usual = seen(new FollowInput.Modes("GUIDED", true));
 
-        assertThat(text).contains(told);
-        assertThat(codec.input(text)).isEqualTo(seen);
-        assertThat(codec.input(text.replace(told, ""))).isEqualTo(seen);
+        String text = codec.input(usual);
+
+        assertThat(text).doesNotContain("modes");
+        assertThat(codec.input(text)).isEqualTo(usual);
+    }
+
+    @Test
+    void writesOtherModesAsTheyAre() {
+        FollowInput other = seen(new FollowInput.Modes("OFFBOARD", true));
+        FollowInput none = seen(new FollowInput.Modes(null, false));
+
+        assertThat(codec.input(other)).contains(",\"modes\":{\"orders\":\"OFFBOARD\",\"home\":true}");
+        assertThat(codec.input(codec.input(other))).isEqualTo(other);
+        assertThat(codec.input(codec.input(none))).isEqualTo(none);
     }
 }

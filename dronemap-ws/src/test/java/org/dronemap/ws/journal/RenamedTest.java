@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.stored.Stored;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** The same things before and after all of them were renamed in the code. */
@@ -46,6 +47,12 @@ class RenamedTest {
         }
     }
 
+    @Stored(names = "at")
+    private record Sooner(Instant at) {}
+
+    @Stored(names = "at why told", later = "why told")
+    private record Later(Instant at, @Nullable String why, List<String> told) {}
+
     private record Nameless(Instant at) {}
 
     private sealed interface Kinds {
@@ -64,6 +71,20 @@ class RenamedTest {
     @Test
     void readsWhatWasWrittenBeforeARename() {
         assertThat(after.state(before.state(BEFORE))).isEqualTo(AFTER);
+    }
+
+    @Test
+    void writesWhatLacksALaterComponentAsItWas() {
+        RecordCodec<Later, Later> later = new RecordCodec<>(Later.class, Later.class, List.of()) {};
+        RecordCodec<Sooner, Sooner> sooner = new RecordCodec<>(Sooner.class, Sooner.class, List.of()) {};
+        Later nothing = new Later(Instant.EPOCH, null, List.of());
+
+        String text = sooner.state(new Sooner(Instant.EPOCH));
+
+        assertThat(later.state(text)).isEqualTo(nothing);
+        assertThat(later.state(nothing)).isEqualTo(text);
+        assertThat(later.state(new Later(Instant.EPOCH, "why", List.of("x"))))
+                .isEqualTo("{\"at\":\"1970-01-01T00:00:00Z\",\"why\":\"why\",\"told\":[\"x\"]}");
     }
 
     @Test

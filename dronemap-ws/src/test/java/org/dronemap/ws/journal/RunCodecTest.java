@@ -16,11 +16,13 @@ import org.dronemap.cognitive.operation.run.Target;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.Action;
 import org.dronemap.core.operation.Decision;
+import org.dronemap.core.stored.StoredNames;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
@@ -108,6 +110,18 @@ class RunCodecTest {
                 .startsWith("{\"actions\":[],\"why\":\"Because.\",\"next\":\"")
                 .isEqualTo(codec.decision(new Decision<>(codec.state(codec.state(state)), List.of(), "Because.")))
                 .isNotEqualTo(codec.decision(new Decision<>(other, List.of(), "Because.")));
+    }
+
+    /** The log of commands has the same names; the sink of a log that is downloaded is no value. */
+    @Test
+    void callsCommandsAsTheLogOfCommandsDoes() {
+        Set<Class<?>> kinds = records(Command.class);
+        assertThat(kinds).hasSize(CommandKind.values().length);
+        kinds.remove(Command.DownloadLog.class);
+
+        assertThat(kinds)
+                .allSatisfy(kind -> assertThat(StoredNames.of(kind))
+                        .isEqualTo(((Command) made.of(kind)).kind().word()));
     }
 
     @Test

@@ -13,6 +13,7 @@ import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Reach;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.geo.Geodetic;
@@ -270,8 +271,7 @@ public final class Laboratory implements AutoCloseable {
     }
 
     Principal principal(String name, Role role) {
-        return new Principal(
-                name, role, KeyScope.ALL, null, server().house().grantBook().reach(OrganisationId.HOME, name));
+        return principal(name, role, KeyScope.ALL, null);
     }
 
     /** By an access key, as the door of each face would let it in. */
@@ -280,12 +280,12 @@ public final class Laboratory implements AutoCloseable {
                 .filter(one -> one.id().equals(key) && !one.rights().isOver(now()))
                 .findFirst()
                 .orElseThrow(() -> new AssertionError(name + " has no such key"));
-        return new Principal(
-                name,
-                shown.rights().role(),
-                shown.rights().scope(),
-                key,
-                server().house().grantBook().reach(OrganisationId.HOME, name));
+        return principal(name, shown.rights().role(), shown.rights().scope(), key);
+    }
+
+    private Principal principal(String name, Role role, KeyScope scope, @Nullable String key) {
+        Reach reach = server().house().grantBook().reach(OrganisationId.HOME, name);
+        return Principal.of(stores.access().user(name).orElseThrow(), role, scope, key, reach);
     }
 
     /** Lets so much time go by. */

@@ -239,7 +239,8 @@ class UpgradeTest {
             Upgraded now, SavedOperation operation, OperationKind<S, I> kind) {
         Replay<S, I> replay = new Replay<>(kind);
         replay.take(now.database().operations().journal(operation.id(), 0, Integer.MAX_VALUE));
-        assertThat(replay.count()).isEqualTo(operation.last() + 1);
+        assertThat(replay.difference().isPresent() || replay.count() == operation.last() + 1)
+                .isTrue();
         return replay.difference();
     }
 

@@ -42,9 +42,14 @@ final class Upgraded implements AutoCloseable {
                 Instant.parse(facts().required("moment").stringValue()).plus(LATER));
         ownerTask("--restore", backup().toString());
         database = Database.openOwn(data.resolve("postgres"));
-        underWay = database.operations().underWay();
-        virtuals = database.virtualDrones().virtualDrones();
-        server = new SteppedServer(settings(), time, database);
+        try {
+            underWay = database.operations().underWay();
+            virtuals = database.virtualDrones().virtualDrones();
+            server = new SteppedServer(settings(), time, database);
+        } catch (RuntimeException unreadable) {
+            database.close();
+            throw unreadable;
+        }
         time.settle();
     }
 

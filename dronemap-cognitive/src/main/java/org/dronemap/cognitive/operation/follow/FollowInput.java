@@ -77,7 +77,9 @@ public sealed interface FollowInput {
      * @param grip null: nothing of that
      * @param modes null: written before anybody asked for them
      */
-    @Stored(names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes")
+    @Stored(
+            names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes",
+            later = "modes")
     record Look(
             @Nullable String takenBy,
             int silentSeconds,
@@ -91,7 +93,7 @@ public sealed interface FollowInput {
             @Nullable Grip grip,
             @Nullable Modes modes) {
         /** The same, with what its modes are for. */
-        public Look with(Modes told) {
+        public Look with(@Nullable Modes told) {
             return new Look(
                     takenBy,
                     silentSeconds,
