@@ -27,10 +27,10 @@ class Options:
 
     rounds: int = 5
     warm_up_seconds: float = 20
-    calm_seconds: float = 5
+    calm_seconds: float = 4
     megabytes: int = 2_000
     least_seconds: float = 5
-    most_seconds: float = 10
+    most_seconds: float = 7
     strangers: int = 20
     niceness: int = 10
     many_addresses: bool = False
