@@ -14,6 +14,7 @@ SMALL = trial.Options(
 )
 
 
+@pytest.mark.soak
 def test_strangers_at_each_port_are_cut_and_the_others_go_on() -> None:
     result = trial.run(SMALL)
     told = report.summary(result)
