@@ -61,7 +61,12 @@ class FloorsTest {
             .resideInAPackage(ROOM + "follow..")
             .should()
             .onlyDependOnClassesThat()
-            .resideInAnyPackage(ROOM + "follow..", "org.dronemap.core.geo..", "java..", "org.jspecify..");
+            .resideInAnyPackage(
+                    ROOM + "follow..",
+                    "org.dronemap.core.geo..",
+                    "org.dronemap.core.stored..",
+                    "java..",
+                    "org.jspecify..");
 
     @Test
     void usesOnlyTheRoomsBelow() {

@@ -70,7 +70,7 @@ final class Runs {
     List<Prospect> prospects(DroneState drone) {
         return book.waiting().stream()
                 .filter(waiting ->
-                        rights.mayFly(waiting.owner()) && rights.mayServe(waiting.organisation(), drone.id()))
+                        rights.mayFly(waiting.account()) && rights.mayServe(waiting.organisation(), drone.id()))
                 .flatMap(waiting ->
                         Optional.ofNullable(waiting.run())
                                 .map(run -> new Prospect(waiting, whyNot(waiting, run, drone)))
