@@ -111,7 +111,8 @@ public final class Faults {
                 return null;
             }
             ClassReader reader = new ClassReader(bytes);
-            ClassWriter writer = new ClassWriter(reader, ClassWriter.COMPUTE_MAXS);
+            // Not made from the reader, which would copy methods past the visitor.
+            ClassWriter writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
             reader.accept(new Rewriter(writer), 0);
             return writer.toByteArray();
         }
