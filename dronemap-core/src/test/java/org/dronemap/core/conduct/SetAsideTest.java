@@ -52,8 +52,7 @@ class SetAsideTest extends WatchHouse {
         assertThat(operations.troubles()).containsExactly("The operation w1 is set aside. " + WHY);
         assertThat(isHeldByIt(link.id())).isTrue();
 
-        callIn();
-        flies();
+        callIn(FlightPhase.IN_AIR);
         await().until(this::isCalledHome);
         assertThat(stored().endedAt()).isNull();
 
@@ -74,8 +73,7 @@ class SetAsideTest extends WatchHouse {
         restart();
 
         assertThat(operations.underWay(Watch.KIND)).isEmpty();
-        callIn();
-        flies();
+        callIn(FlightPhase.IN_AIR);
         await().until(this::isCalledHome);
     }
 
@@ -86,8 +84,7 @@ class SetAsideTest extends WatchHouse {
         flies();
 
         restartWithout(WHY);
-        callIn();
-        flies();
+        callIn(FlightPhase.IN_AIR);
 
         await().until(() -> stored().endedAt() != null);
         assertThat(isCalledHome()).isFalse();
@@ -102,8 +99,7 @@ class SetAsideTest extends WatchHouse {
         store.journal.add(new JournalEntry(1, Instant.now(), "note odd", ""));
 
         restart();
-        callIn();
-        flies();
+        callIn(FlightPhase.IN_AIR);
 
         await().until(this::isCalledHome);
         assertThat(operations.troubles())

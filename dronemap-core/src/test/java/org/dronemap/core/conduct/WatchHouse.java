@@ -23,6 +23,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.operation.OperationId;
@@ -54,21 +55,22 @@ abstract class WatchHouse {
 
     @BeforeEach
     void connect() {
-        callIn();
+        callIn(FlightPhase.ON_GROUND);
         operations.takeUp();
         operations.goOn();
     }
 
-    /** The drone's vehicle is heard. */
-    void callIn() {
+    /** The drone's vehicle is heard: what it is comes last, as from then on it is cared for. */
+    void callIn(FlightPhase phase) {
         link = Fixtures.bound(cloud.admit(new Claim(
                 new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle),
                 Fixtures.copter(null),
                 null,
                 true,
                 0)));
+        hear(new DroneEvent.ModeHeard("GUIDED", phase != FlightPhase.ON_GROUND));
+        hear(new DroneEvent.PhaseHeard(phase));
         hear(new DroneEvent.Identified(Fixtures.copter(null), Fixtures.ALL));
-        hear(new DroneEvent.ModeHeard("GUIDED", false));
     }
 
     @AfterEach
