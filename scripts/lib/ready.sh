@@ -3,6 +3,7 @@
 
 readonly UP_SECONDS=120
 readonly FLYABLE_SECONDS=60
+readonly LOOKS_THAT_IT_SERVES=10
 
 # Only this machine's own server is asked, over loopback; its certificate names the machine, not 127.0.0.1.
 ask() { # PATH [CURL-OPTIONS]…
@@ -36,12 +37,22 @@ require_running() {
     adopt_running_settings
 }
 
+serves() { # HEALTH
+    [[ $(json_value database "$1")$(json_value links "$1")$(json_value history "$1") == upupup ]]
+}
+
 wait_until_up() {
-    local deadline=$((SECONDS + UP_SECONDS)) answer
+    local deadline=$((SECONDS + UP_SECONDS)) served=0 answer
     LAST_PROGRESS=""
     while :; do
         answer=$(health)
         if [[ $(json_value status "$answer") == up ]]; then break; fi
+        # What users conduct may wait for silent drones for long; the server serves all the same.
+        serves "$answer" && served=$((served + 1)) || served=0
+        if ((served >= LOOKS_THAT_IT_SERVES)); then
+            warn "The server serves, but not all of it is well. See ./dronemap status"
+            break
+        fi
         is_supervised || fail_from_server_log "The server ended while it started."
         if ((SECONDS >= deadline)); then
             fail_from_server_log "The server was not up after $UP_SECONDS s${answer:+; it says: $answer}."
@@ -129,12 +140,20 @@ command_status() {
     printf '%-9s %s\n' Server "$(json_value status "$answer" | grep . || echo 'not answering') (process $(pid_of server), $(resident_megabytes) MB)" \
         Page "$(page_address)" Stream "port $STREAM_PORT" Vehicles "${ENDPOINTS//,/ }" \
         Drones "$(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value armed "$answer") armed, $(json_value lost "$answer") lost" \
-        Database "$(json_value database "$answer")" History "$(json_value history "$answer")"
+        Database "$(json_value database "$answer")" History "$(json_value history "$answer")" \
+        Parts "$(what_is_down "$answer")"
     if is_running sim; then printf '%-9s %s\n' Demo "$FLEET_COUNT simulated drones (process $(pid_of sim))"; else printf '%-9s none\n' Demo; fi
     free=$(free_megabytes "$DATA")
     printf '%-9s %s\n' Data "$DATA ($free MB free)" Build "$(is_built && echo 'up to date' || echo 'older than the sources: ./dronemap up builds anew')"
     if ((free < 100)); then warn "The disk that holds $DATA is nearly full. Make room, or the server can store nothing more."; fi
     [[ $(json_value status "$answer") == up ]] || exit "$EXIT_FAILED"
+}
+
+# Names of all that a health tells to be down.
+what_is_down() { # HEALTH
+    local down
+    down=$(grep -oE '"[a-zA-Z0-9-]+"[[:space:]]*:[[:space:]]*"down"' <<<"$1" | cut -d '"' -f 2 | paste -sd ' ') || true
+    printf '%s' "${down:+not well: }${down:-all well}"
 }
 
 # What was said last of an end that nobody wanted.
