@@ -9,8 +9,16 @@ from dronemap_bench.programs import Json
 from dronemap_bench.strangers import mavlink, report, trial, wire
 from dronemap_bench.strangers.others import VEHICLES
 
+# From many addresses: one that was cut a few times has to wait.
 SMALL = trial.Options(
-    rounds=1, warm_up_seconds=3, calm_seconds=2, megabytes=1, least_seconds=1, most_seconds=20, strangers=3
+    rounds=1,
+    warm_up_seconds=3,
+    calm_seconds=2,
+    megabytes=20,
+    least_seconds=1,
+    most_seconds=20,
+    strangers=3,
+    many_addresses=True,
 )
 
 
