@@ -11,6 +11,7 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.LogSink;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.ReadLogs;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
@@ -48,7 +49,7 @@ class OnBoardFacesTest {
             vehicle.says(new DroneEvent.FenceRead(set.zones()));
         } else if (command instanceof Command.SetRallyPoints set) {
             vehicle.says(new DroneEvent.RallyPointsRead(set.points()));
-        } else if (command instanceof Command.ReadLogs) {
+        } else if (command instanceof ReadLogs) {
             vehicle.says(new DroneEvent.LogsRead(List.of(new VehicleLog(2, null, LOG.length()))));
         } else if (command instanceof Command.DownloadLog download) {
             LogSink sink = download.sink();

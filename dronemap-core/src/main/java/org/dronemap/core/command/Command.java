@@ -235,20 +235,6 @@ public sealed interface Command {
         }
     }
 
-    /** Ask the vehicle where its home is. */
-    @Stored(as = "ReadHome")
-    record ReadHome() implements Command {
-        @Override
-        public CommandKind kind() {
-            return CommandKind.READ_HOME;
-        }
-
-        @Override
-        public String summary() {
-            return "read its home";
-        }
-    }
-
     @Stored(as = "TakePicture")
     record TakePicture() implements Command {
         @Override
@@ -319,20 +305,6 @@ public sealed interface Command {
         }
     }
 
-    /** List the logs that the vehicle keeps. */
-    @Stored(as = "ReadLogs")
-    record ReadLogs() implements Command {
-        @Override
-        public CommandKind kind() {
-            return CommandKind.READ_LOGS;
-        }
-
-        @Override
-        public String summary() {
-            return "list the logs on board";
-        }
-    }
-
     /** Fetch one log, going on where an earlier attempt ended. */
     @Stored(as = "DownloadLog", names = "log sink")
     record DownloadLog(VehicleLog log, LogSink sink) implements Command {
@@ -344,20 +316,6 @@ public sealed interface Command {
         @Override
         public String summary() {
             return "download log " + log.number();
-        }
-    }
-
-    /** Read the fence that the vehicle keeps. */
-    @Stored(as = "ReadFence")
-    record ReadFence() implements Command {
-        @Override
-        public CommandKind kind() {
-            return CommandKind.READ_FENCE;
-        }
-
-        @Override
-        public String summary() {
-            return "read the fence";
         }
     }
 
@@ -379,19 +337,6 @@ public sealed interface Command {
         @Override
         public String summary() {
             return zones.isEmpty() ? "take the fence away" : "set a fence of " + Counted.of(zones.size(), "part");
-        }
-    }
-
-    @Stored(as = "ReadRallyPoints")
-    record ReadRallyPoints() implements Command {
-        @Override
-        public CommandKind kind() {
-            return CommandKind.READ_RALLY_POINTS;
-        }
-
-        @Override
-        public String summary() {
-            return "read the rally points";
         }
     }
 
@@ -417,7 +362,16 @@ public sealed interface Command {
     }
 
     /** What has a file of its own. */
-    sealed interface Apart extends Command permits GoToLocal, EmergencyStop, ReadMap, ReturnOnLoss, SetReturnHeight {}
+    sealed interface Apart extends Command
+            permits GoToLocal,
+                    EmergencyStop,
+                    ReadMap,
+                    ReadHome,
+                    ReadLogs,
+                    ReadFence,
+                    ReadRallyPoints,
+                    ReturnOnLoss,
+                    SetReturnHeight {}
 
     /** What the vehicle must be able to do for it. */
     default Capability needs() {

@@ -7,6 +7,8 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.ReadFence;
+import org.dronemap.core.command.ReadRallyPoints;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
@@ -98,7 +100,7 @@ final class MissionCounter {
         if (principal == null || !asked.client().mayOrder()) {
             return;
         }
-        Command command = kind == MissionKind.FENCE.number() ? new Command.ReadFence() : new Command.ReadRallyPoints();
+        Command command = kind == MissionKind.FENCE.number() ? new ReadFence() : new ReadRallyPoints();
         orders.give(principal, asked.drone(), command, new Orders.Answer() {
             @Override
             public void accepted() {

@@ -9,7 +9,11 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.LogSink;
+import org.dronemap.core.command.ReadFence;
+import org.dronemap.core.command.ReadHome;
+import org.dronemap.core.command.ReadLogs;
 import org.dronemap.core.command.ReadMap;
+import org.dronemap.core.command.ReadRallyPoints;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.command.ReturnOnLoss;
 import org.dronemap.core.command.SetReturnHeight;
@@ -54,18 +58,18 @@ public final class CommandSamples {
                 Stream.of(
                         new Command.SetHome(null, null),
                         new Command.SetHome(HERE, new Altitude(500, Altitude.Reference.AMSL)));
-            case READ_HOME -> Stream.of(new Command.ReadHome());
+            case READ_HOME -> Stream.of(new ReadHome());
             case TAKE_PICTURE -> Stream.of(new Command.TakePicture());
             case SET_RELAY -> Stream.of(new Command.SetRelay(0, RelaySetting.TOGGLE));
             case READ_PARAMETERS -> Stream.of(new Command.ReadParameters());
             case SET_PARAMETERS -> Stream.of(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1_500))));
             case SET_RETURN_HEIGHT -> Stream.of(new SetReturnHeight(30, true));
             case RETURN_ON_LOSS -> Stream.of(new ReturnOnLoss());
-            case READ_LOGS -> Stream.of(new Command.ReadLogs());
+            case READ_LOGS -> Stream.of(new ReadLogs());
             case DOWNLOAD_LOG -> Stream.of(new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()));
-            case READ_FENCE -> Stream.of(new Command.ReadFence());
+            case READ_FENCE -> Stream.of(new ReadFence());
             case SET_FENCE -> Stream.of(new Command.SetFence(List.of(FENCE)));
-            case READ_RALLY_POINTS -> Stream.of(new Command.ReadRallyPoints());
+            case READ_RALLY_POINTS -> Stream.of(new ReadRallyPoints());
             case SET_RALLY_POINTS -> Stream.of(new Command.SetRallyPoints(List.of(new RallyPoint(HERE, 30))));
             case READ_MAP -> Stream.of(new ReadMap());
         };

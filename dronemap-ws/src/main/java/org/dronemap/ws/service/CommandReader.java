@@ -7,6 +7,8 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
+import org.dronemap.core.command.ReadHome;
+import org.dronemap.core.command.ReadLogs;
 import org.dronemap.core.command.ReadMap;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.DroneState;
@@ -54,8 +56,8 @@ final class CommandReader {
             case SET_RELAY ->
                 new Command.SetRelay(Ranges.relay("relay", request.relay()), relaySetting(request.setting()));
             case SET_HOME -> setHome(request);
-            case READ_HOME -> new Command.ReadHome();
-            case READ_LOGS -> new Command.ReadLogs();
+            case READ_HOME -> new ReadHome();
+            case READ_LOGS -> new ReadLogs();
             case READ_PARAMETERS -> new Command.ReadParameters();
             case SET_PARAMETERS -> new Command.SetParameters(ParameterReader.read(request.parameters(), held));
             case PAUSE_MISSION -> new Command.PauseMission();

@@ -6,6 +6,8 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.ReadFence;
+import org.dronemap.core.command.ReadRallyPoints;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.zone.VehicleFence;
 
@@ -35,11 +37,11 @@ public final class FenceService {
     }
 
     public CommandView readFence(Caller caller, String droneId) {
-        return give(caller, droneId, new Command.ReadFence());
+        return give(caller, droneId, new ReadFence());
     }
 
     public CommandView readRallyPoints(Caller caller, String droneId) {
-        return give(caller, droneId, new Command.ReadRallyPoints());
+        return give(caller, droneId, new ReadRallyPoints());
     }
 
     public CommandView setFence(Caller caller, String droneId, FenceView fence) {

@@ -7,6 +7,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.ReadLogs;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.VehicleLog;
 
@@ -46,7 +47,7 @@ public final class LogService {
                 caller.face(),
                 drones.state(caller.principal(), droneId, Role.OPERATOR),
                 null,
-                new Command.ReadLogs());
+                new ReadLogs());
     }
 
     /** Goes on where an earlier attempt ended. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.ReadHome;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -129,6 +130,6 @@ class HomePlansTest {
     void asksForTheHome() {
         bench.wire.peer(this::vehicle);
 
-        assertThat(bench.perform(new Command.ReadHome())).isEqualTo(DONE);
+        assertThat(bench.perform(new ReadHome())).isEqualTo(DONE);
     }
 }

@@ -1,0 +1,17 @@
+package org.dronemap.core.command;
+
+import org.dronemap.core.stored.Stored;
+
+/** Read the fence that the vehicle keeps. */
+@Stored(as = "ReadFence")
+public record ReadFence() implements Command.Apart {
+    @Override
+    public CommandKind kind() {
+        return CommandKind.READ_FENCE;
+    }
+
+    @Override
+    public String summary() {
+        return "read the fence";
+    }
+}

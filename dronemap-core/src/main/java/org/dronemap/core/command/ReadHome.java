@@ -1,0 +1,17 @@
+package org.dronemap.core.command;
+
+import org.dronemap.core.stored.Stored;
+
+/** Ask the vehicle where its home is. */
+@Stored(as = "ReadHome")
+public record ReadHome() implements Command.Apart {
+    @Override
+    public CommandKind kind() {
+        return CommandKind.READ_HOME;
+    }
+
+    @Override
+    public String summary() {
+        return "read its home";
+    }
+}

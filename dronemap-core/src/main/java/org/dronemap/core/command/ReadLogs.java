@@ -1,0 +1,17 @@
+package org.dronemap.core.command;
+
+import org.dronemap.core.stored.Stored;
+
+/** List the logs that the vehicle keeps. */
+@Stored(as = "ReadLogs")
+public record ReadLogs() implements Command.Apart {
+    @Override
+    public CommandKind kind() {
+        return CommandKind.READ_LOGS;
+    }
+
+    @Override
+    public String summary() {
+        return "list the logs on board";
+    }
+}
