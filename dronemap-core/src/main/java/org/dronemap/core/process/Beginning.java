@@ -3,7 +3,7 @@ package org.dronemap.core.process;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How this process began.
+ * The beginning of this process.
  *
  * @param before how the one before it ended; null: it was stopped, or there was none
  * @param watch for whoever takes bytes of peers

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * How an earlier process of this server ended without being stopped.
+ * The end of an earlier process of this server that nobody had stopped.
  *
  * @param at its last sign of life
  * @param part what could not go on, such as the name of a thread

@@ -1,7 +1,7 @@
 package org.dronemap.core.process;
 
 /**
- * What is to be known of peers by whoever takes their bytes.
+ * Goes with whoever takes bytes of peers.
  *
  * @param atWork is told whose bytes are worked on
  * @param precautions says from whom nothing is taken

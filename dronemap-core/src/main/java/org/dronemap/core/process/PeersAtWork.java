@@ -1,6 +1,6 @@
 package org.dronemap.core.process;
 
-/** Whose bytes each thread works on now: told by whoever works on them, so that it is known when the process ends there. */
+/** Knows whose bytes each thread works on now, so that it can be said when the process ends there. */
 public interface PeersAtWork {
     /** Nobody wants to know. */
     PeersAtWork UNKNOWN = new PeersAtWork() {

@@ -1,4 +1,4 @@
-/** What is known of processes of this server that ended without being stopped, and how carefully the next one starts. */
+/** Ends of processes of this server that nobody had stopped, and how carefully the next one starts. */
 @NullMarked
 package org.dronemap.core.process;
 

@@ -7,7 +7,7 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * What a record or an enum is called where it is stored. The code may be renamed; these words stay for ever, or what earlier
+ * The words that a record or an enum is called by where it is stored. The code may be renamed; these words stay for ever, or what earlier
  * versions have stored cannot be read any more.
  */
 @Documented

@@ -17,7 +17,7 @@ import org.dronemap.core.process.PastEnd;
 import org.dronemap.core.process.PeersAtWork;
 
 /**
- * What a process leaves behind however it ends, also when it is killed: a mapped file with its last sign of life, whose
+ * A mapped file that is left behind however the process ends, also when it is killed: its last sign of life, whose
  * bytes each thread works on, and why it ended if it could still say so. Any thread; a thread has one place, which only it
  * writes. It is read by the next process of the same data directory.
  */

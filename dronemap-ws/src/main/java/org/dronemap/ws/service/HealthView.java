@@ -6,7 +6,7 @@ import org.dronemap.core.process.PastEnd;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How the server is, for everybody.
+ * The health of the server, for everybody.
  *
  * @param status up, or degraded when any part is down
  * @param parts up or down, by name
