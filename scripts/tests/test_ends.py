@@ -203,7 +203,7 @@ def test_operations_that_end_the_server_are_set_aside_and_their_drones_go_home(
 
     def follows() -> bool:
         say(built, follow, order)
-        return bool(json.loads(ask(built, f"/follows/{follow}"))["stage"] == "tracking")
+        return bool(json.loads(ask(built, f"/follows/{follow}"))["state"] == "tracking")
 
     until("it follows", follows)
     # The demo fleet flies on while the server is replaced by one that fails at every stored state.

@@ -58,6 +58,17 @@ export interface Organisation {
   madeAt: string | null;
 }
 
+/** A drone that was given to an organisation. */
+export interface Gift {
+  drone: string;
+  droneName: string;
+  at: string;
+  /** Whether what it did before went along. */
+  histories: boolean;
+  /** What goes along and what does not, sentences. */
+  notice: string;
+}
+
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
 /** The calls about organisations, groups, fleets and grants. */
@@ -124,13 +135,22 @@ export class GrantCalls {
   }
 
   removeOrganisation(id: string): Promise<void> {
-    return this.#call('DELETE', `/organisations/${encodeURIComponent(id)}`);
+    return this.#call('DELETE', of(id));
   }
 
-  giveDrone(organisation: string, drone: string): Promise<void> {
-    return this.#call(
-      'PUT',
-      `/organisations/${encodeURIComponent(organisation)}/drones/${encodeURIComponent(drone)}`,
-    );
+  async givenTo(organisation: string): Promise<Gift[]> {
+    return (await this.#call<{ gifts: Gift[] }>('GET', `${of(organisation)}/drones`)).gifts;
   }
+
+  giveDrone(organisation: string, drone: string, histories: boolean): Promise<Gift> {
+    return this.#call('PUT', `${of(organisation)}/drones/${encodeURIComponent(drone)}`, { histories });
+  }
+
+  takeBack(organisation: string, drone: string): Promise<Gift> {
+    return this.#call('DELETE', `${of(organisation)}/drones/${encodeURIComponent(drone)}`);
+  }
+}
+
+function of(organisation: string): string {
+  return `/organisations/${encodeURIComponent(organisation)}`;
 }

@@ -2,11 +2,12 @@ package org.dronemap.store;
 
 import java.util.Comparator;
 import org.dronemap.core.access.Fleet;
+import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.UserGroup;
 import org.dronemap.core.organisation.Organisation;
 
-/** How organisations, groups, fleets and grants are listed, in every adapter alike. */
+/** How organisations, groups, fleets, grants and gifts are listed, in every adapter alike. */
 public final class GrantOrder {
     public static final Comparator<Organisation> ORGANISATIONS = Comparator.comparing(
                     Organisation::name, String.CASE_INSENSITIVE_ORDER)
@@ -17,6 +18,8 @@ public final class GrantOrder {
             Comparator.comparing(Fleet::name, String.CASE_INSENSITIVE_ORDER).thenComparing(Fleet::id);
     public static final Comparator<Grant> GRANTS =
             Comparator.comparing(Grant::madeAt).thenComparing(Grant::id);
+    public static final Comparator<Gift> GIFTS =
+            Comparator.comparing(Gift::at).thenComparing(gift -> gift.drone().value());
 
     private GrantOrder() {}
 }

@@ -22,6 +22,7 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.Invitation;
 import org.dronemap.core.access.SignIn;
 import org.dronemap.core.access.User;
+import org.dronemap.core.time.FatalErrors;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -66,7 +67,7 @@ public final class RememberedAccess implements AccessStore {
     private static ExecutorService questions() {
         ThreadPoolExecutor threads = new ThreadPoolExecutor(
                 MOST_QUESTIONS, MOST_QUESTIONS, 10, TimeUnit.SECONDS, new ArrayBlockingQueue<>(MOST), work -> {
-                    Thread thread = new Thread(work, "access");
+                    Thread thread = FatalErrors.onDuty(new Thread(work, "access"));
                     thread.setDaemon(true);
                     return thread;
                 });

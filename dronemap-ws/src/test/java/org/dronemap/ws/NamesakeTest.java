@@ -24,7 +24,8 @@ class NamesakeTest {
     private static final String OWN = "a word of my own";
     private static final String VIRTUALS = "/api/v1/virtual-drones";
     /** What people own is not theirs by name. */
-    private static final Pattern BY_NAME = Pattern.compile("\\.owner\\(\\)\\s*\\.equals\\(\\s*\\w*[pP]rincipal");
+    private static final Pattern BY_NAME =
+            Pattern.compile("\\.(?:owner|invitedBy|madeBy)\\(\\)\\s*\\.equals\\(\\s*\\w*[pP]rincipal");
 
     @AutoClose
     private final Tenant tenant = new Tenant();

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.dronemap.core.drone.DroneId;
@@ -63,6 +64,11 @@ public final class GrantBook {
     /** To whom a drone belongs, also one that is gone. */
     public OrganisationId owner(DroneId drone) {
         return picture.owner(drone);
+    }
+
+    /** The last time that it was given away; empty: never, as far as is known. */
+    public Optional<Gift> lastGift(DroneId drone) {
+        return picture.lastGift(drone);
     }
 
     /** The rights of a user of that organisation. */
@@ -127,6 +133,16 @@ public final class GrantBook {
         public Set<Permission> virtually() {
             List<GrantPicture.Held> held = user == null ? null : book.picture.held(user);
             return held == null ? ALL : GrantPicture.virtually(held, book.clock.instant());
+        }
+
+        @Override
+        public Insight insight(DroneId drone) {
+            GrantPicture now = book.picture;
+            List<GrantPicture.Held> held = user == null ? null : now.held(user);
+            boolean granted = held == null
+                    || !GrantPicture.permissions(held, drone, book.clock.instant())
+                            .isEmpty();
+            return granted ? now.insight(organisation, drone) : Insight.NONE;
         }
 
         @Override

@@ -3,10 +3,12 @@ package org.dronemap.core.access;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -23,6 +25,10 @@ final class GrantPicture {
     private final long number;
     /** Of those only who see nothing but what was granted. */
     private final Map<String, List<Held>> held;
+    /** Of each drone that was ever given away, in the order of time. */
+    private final Map<DroneId, List<Gift>> gifts;
+
+    private final Map<DroneId, Map<OrganisationId, Insight>> insights = new HashMap<>();
     /** When grants begin and end, in order. */
     private final Instant[] turns;
 
@@ -38,6 +44,10 @@ final class GrantPicture {
         this.lent = lent;
         this.number = number;
         this.held = held(holdings);
+        this.gifts = holdings.gifts().stream()
+                .sorted(Comparator.comparing(Gift::at))
+                .collect(Collectors.groupingBy(Gift::drone));
+        gifts.forEach((drone, its) -> insights.put(drone, Insight.after(its)));
         this.turns = holdings.grants().stream()
                 .flatMap(grant -> Stream.concat(Stream.of(grant.from()), Stream.ofNullable(grant.until())))
                 .sorted()
@@ -66,6 +76,20 @@ final class GrantPicture {
     OrganisationId owner(DroneId drone) {
         OrganisationId owner = lent.get(drone);
         return owner == null ? holdings.owners().getOrDefault(drone, OrganisationId.HOME) : owner;
+    }
+
+    /** What is shown of a drone's past to an organisation. */
+    Insight insight(OrganisationId organisation, DroneId drone) {
+        Map<OrganisationId, Insight> known = insights.get(drone);
+        if (known == null || lent.containsKey(drone)) {
+            return owner(drone).equals(organisation) ? Insight.WHOLE : Insight.NONE;
+        }
+        return known.getOrDefault(organisation, Insight.NONE);
+    }
+
+    Optional<Gift> lastGift(DroneId drone) {
+        List<Gift> known = gifts.get(drone);
+        return known == null ? Optional.empty() : Optional.of(known.get(known.size() - 1));
     }
 
     boolean isOnlyGranted(String user) {

@@ -21,6 +21,9 @@ public interface GrantStore {
     /** From now on, and after it is gone. */
     void assign(DroneId drone, OrganisationId owner);
 
+    /** Assigns it, and remembers that it was given. */
+    void give(Gift gift);
+
     /** Inserts or replaces. */
     void save(UserGroup group);
 

@@ -11,6 +11,7 @@ import org.dronemap.core.organisation.OrganisationId;
  * All that is kept of organisations and grants.
  *
  * @param owners to whom drones belong, also those that are gone; one that is not named belongs to the default organisation
+ * @param gifts of drones from one organisation to another
  * @param onlyGranted those who see nothing but what they were granted; all others see by their role
  */
 public record Holdings(
@@ -19,9 +20,11 @@ public record Holdings(
         List<UserGroup> groups,
         List<Fleet> fleets,
         List<Grant> grants,
+        List<Gift> gifts,
         Set<Subject> onlyGranted) {
     /** Nobody but the default organisation, and nothing granted. */
-    public static final Holdings NONE = new Holdings(List.of(), Map.of(), List.of(), List.of(), List.of(), Set.of());
+    public static final Holdings NONE =
+            new Holdings(List.of(), Map.of(), List.of(), List.of(), List.of(), List.of(), Set.of());
 
     public Holdings {
         organisations = List.copyOf(organisations);
@@ -29,6 +32,7 @@ public record Holdings(
         groups = List.copyOf(groups);
         fleets = List.copyOf(fleets);
         grants = List.copyOf(grants);
+        gifts = List.copyOf(gifts);
         onlyGranted = Set.copyOf(onlyGranted);
     }
 }

@@ -8,6 +8,8 @@ import org.dronemap.core.organisation.OrganisationId;
  * 256 random bits.
  *
  * @param label for whom, in the inviting administrator's words
+ * @param invitedBy the name that its maker had then
+ * @param account of its maker
  * @param organisation where whoever comes by it belongs
  */
 public record Invitation(
@@ -16,10 +18,6 @@ public record Invitation(
         Role role,
         String codeHash,
         String invitedBy,
+        String account,
         Instant expiresAt,
-        OrganisationId organisation) {
-    /** Into the default organisation. */
-    public Invitation(String id, String label, Role role, String codeHash, String invitedBy, Instant expiresAt) {
-        this(id, label, role, codeHash, invitedBy, expiresAt, OrganisationId.HOME);
-    }
-}
+        OrganisationId organisation) {}

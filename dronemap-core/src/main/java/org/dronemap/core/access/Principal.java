@@ -1,5 +1,6 @@
 package org.dronemap.core.access;
 
+import java.time.Instant;
 import java.util.EnumSet;
 import java.util.Set;
 import org.dronemap.core.drone.DroneId;
@@ -65,6 +66,16 @@ public record Principal(
     /** Other drones do not exist for this one. */
     public boolean sees(DroneId drone) {
         return scope.covers(drone) && !reach.of(drone).isEmpty();
+    }
+
+    /** What is shown of what that drone did; of one that was given away since, what was before. */
+    public Insight insight(DroneId drone) {
+        return scope.covers(drone) ? reach.insight(drone) : Insight.NONE;
+    }
+
+    /** How much is shown of what that drone did then. */
+    public Sight sight(DroneId drone, Instant at) {
+        return insight(drone).at(at);
     }
 
     /** What proof and grants leave of what the role allows with that drone; empty: it does not exist. */

@@ -34,6 +34,11 @@ public interface Reach {
         }
 
         @Override
+        public Insight insight(DroneId drone) {
+            return Insight.WHOLE;
+        }
+
+        @Override
         public boolean isWhole() {
             return true;
         }
@@ -49,6 +54,9 @@ public interface Reach {
 
     /** What may be done with one's own virtual drones, if the role allows it; empty: there are none. */
     Set<Permission> virtually();
+
+    /** What is shown of what a drone did, also of one that was given away since. */
+    Insight insight(DroneId drone);
 
     /** All drones of the organisation, with all that the role allows. */
     boolean isWhole();

@@ -218,30 +218,23 @@ public final class CloudManager {
     public boolean rename(DroneId id, String name) {
         Optional<ManagedDrone> found = registry.find(id);
         found.ifPresent(drone -> {
-            CompletableFuture<Void> kept = new CompletableFuture<>();
+            CompletableFuture<CompletableFuture<Void>> kept = new CompletableFuture<>();
             // On the lane, so that no older record of this drone can be written after it.
             drone.lane().execute(Activity.carried(() -> {
                 drone.rename(name);
-                keepName(drone, kept);
+                kept.complete(keepName(drone));
             }));
-            Void unused = time.join(kept, LONGEST_WRITE);
+            Void unused = time.join(kept.thenCompose(written -> written), LONGEST_WRITE);
         });
         return found.isPresent();
     }
 
-    private void keepName(ManagedDrone drone, CompletableFuture<Void> kept) {
+    private CompletableFuture<Void> keepName(ManagedDrone drone) {
         if (drone.drone().state().replay()) {
-            kept.complete(null);
-            return;
+            return CompletableFuture.completedFuture(null);
         }
         DroneRecord record = drone.drone().record();
-        journal.write(
-                "the name of " + record.name(),
-                () -> {
-                    store.save(record);
-                    kept.complete(null);
-                },
-                () -> kept.completeExceptionally(new IllegalStateException("The new name could not be written.")));
+        return journal.written("the name of " + record.name(), () -> store.save(record));
     }
 
     /** Forgets a drone; refused with a sentence while it is in contact. */

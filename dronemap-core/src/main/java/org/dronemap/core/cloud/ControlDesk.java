@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.BiPredicate;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.Control;
@@ -35,6 +36,24 @@ public final class ControlDesk {
         DroneControl.Decision decision = managed.control().apply(event);
         Void unused = time.join(decision.durable(), LONGEST_WRITE);
         return decision.step();
+    }
+
+    /**
+     * Everybody's control of that drone and wishes for it end, and what was said about it is not shown any more; returns once
+     * that holds. Operations keep what they have.
+     */
+    public void clear(DroneId drone) {
+        for (String user : control(drone).people()) {
+            LeaseStep unused = apply(drone, new LeaseEvent.Expel(user));
+        }
+        registry.find(drone).ifPresent(managed -> {
+            CompletableFuture<Void> forgotten = new CompletableFuture<>();
+            managed.lane().execute(() -> {
+                managed.forgetMessages();
+                forgotten.complete(null);
+            });
+            Void unused = time.join(forgotten, LONGEST_WRITE);
+        });
     }
 
     /** Takes control, or the wish for it, from those who may no longer command: every drone is asked about. Does not wait. */

@@ -62,7 +62,10 @@ final class ControlWatch implements Lane.Ticker {
             String sentence = ControlWords.of(change);
             boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || isLeftAlone();
             if (sentence != null && concerns) {
-                drone.say(change.kind() == ControlChange.Kind.LOST ? Severity.WARNING : Severity.NOTICE, sentence);
+                drone.say(
+                        change.kind() == ControlChange.Kind.LOST ? Severity.WARNING : Severity.NOTICE,
+                        sentence,
+                        ControlWords.user(change));
             }
             act(change.kind());
         }

@@ -198,7 +198,19 @@ final class Drone {
 
     /** Adds a sentence of the cloud's own about this drone. */
     void say(Severity severity, String text) {
-        addText(severity, text);
+        say(severity, text, null);
+    }
+
+    /** The same, of one that names a user. */
+    void say(Severity severity, String text, @Nullable String about) {
+        addText(severity, text, about);
+        publish();
+    }
+
+    /** What was said is not for those who look at it from now on. */
+    void forgetMessages() {
+        messages.clear();
+        told = List.of();
         publish();
     }
 
@@ -235,7 +247,8 @@ final class Drone {
             case SCAN -> sensed = sensed.with(((DroneEvent.ScanHeard) event).scan(), at);
             case PICTURE -> sensed = sensed.with(((DroneEvent.PictureHeard) event).picture(), at);
             case MAP -> sensed = sensed.with(((DroneEvent.MapHeard) event).map(), at);
-            case TEXT -> addText(((DroneEvent.TextHeard) event).severity(), ((DroneEvent.TextHeard) event).text());
+            case TEXT ->
+                addText(((DroneEvent.TextHeard) event).severity(), ((DroneEvent.TextHeard) event).text(), null);
         }
         publish();
     }
@@ -266,7 +279,7 @@ final class Drone {
     }
 
     private void mission(Optional<String> news) {
-        news.ifPresent(sentence -> addText(Severity.WARNING, sentence));
+        news.ifPresent(sentence -> addText(Severity.WARNING, sentence, null));
         progress = mission.progress();
     }
 
@@ -282,11 +295,11 @@ final class Drone {
         return new Wind(event.fromDegrees(), event.metersPerSecond(), at);
     }
 
-    private void addText(Severity severity, String text) {
+    private void addText(Severity severity, String text, @Nullable String about) {
         if (messages.size() == DroneState.MAX_MESSAGES) {
             messages.removeFirst();
         }
-        messages.addLast(new TextMessage(severity, text, clock.instant()));
+        messages.addLast(new TextMessage(severity, text, clock.instant(), about));
         told = List.copyOf(messages);
     }
 

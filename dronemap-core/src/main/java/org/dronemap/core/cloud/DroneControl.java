@@ -177,20 +177,12 @@ final class DroneControl {
         if (before == null ? now == null : before.equals(now)) {
             return CompletableFuture.completedFuture(null);
         }
-        CompletableFuture<Void> durable = new CompletableFuture<>();
-        keeping.journal()
-                .write(
-                        "who has control of " + drone,
-                        () -> {
-                            if (now == null) {
-                                keeping.store().delete(drone);
-                            } else {
-                                keeping.store().save(now);
-                            }
-                            durable.complete(null);
-                        },
-                        () -> durable.completeExceptionally(
-                                new IllegalStateException("Who has control could not be written.")));
-        return durable;
+        return keeping.journal().written("who has control of " + drone, () -> {
+            if (now == null) {
+                keeping.store().delete(drone);
+            } else {
+                keeping.store().save(now);
+            }
+        });
     }
 }

@@ -1,9 +1,11 @@
 package org.dronemap.core.cloud;
 
 import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.audit.Activity;
+import org.dronemap.core.time.Outage;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
 import org.slf4j.Logger;
@@ -37,6 +39,38 @@ public final class Journal implements AutoCloseable {
             failed.increment();
             LOG.error("The journal is full: {} was not written", what);
             after.run();
+        }
+    }
+
+    /** The same for who waits: ends when it is written, or with why it is not. */
+    public CompletableFuture<Void> written(String what, Runnable write) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        write(
+                what,
+                () -> {
+                    try {
+                        write.run();
+                        done.complete(null);
+                    } catch (RuntimeException e) {
+                        done.completeExceptionally(e);
+                        throw e;
+                    }
+                },
+                () -> done.completeExceptionally(new Full(what)));
+        return done;
+    }
+
+    /** More waits to be written than there is room for. */
+    private static final class Full extends RuntimeException implements Outage {
+        private static final long serialVersionUID = 1L;
+
+        Full(String what) {
+            super("The journal is full: " + what + " was not written");
+        }
+
+        @Override
+        public boolean isPassing() {
+            return true;
         }
     }
 

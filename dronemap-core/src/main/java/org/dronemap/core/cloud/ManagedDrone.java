@@ -189,7 +189,16 @@ final class ManagedDrone implements Lane.Ticker {
     }
 
     void say(Severity severity, String text) {
-        drone.say(severity, text);
+        say(severity, text, null);
+    }
+
+    void say(Severity severity, String text, @Nullable String about) {
+        drone.say(severity, text, about);
+        listener.droneChanged(drone.state());
+    }
+
+    void forgetMessages() {
+        drone.forgetMessages();
         listener.droneChanged(drone.state());
     }
 

@@ -1,6 +1,15 @@
 package org.dronemap.core.drone;
 
 import java.time.Instant;
+import org.jspecify.annotations.Nullable;
 
-/** A sentence that the vehicle (or the cloud about it) said. */
-public record TextMessage(Severity severity, String text, Instant at) {}
+/**
+ * A sentence that the vehicle (or the cloud about it) said.
+ *
+ * @param about a user whom it names; null: it names nobody
+ */
+public record TextMessage(
+        Severity severity,
+        String text,
+        Instant at,
+        @Nullable String about) {}

@@ -119,7 +119,7 @@ final class DroneWatch {
                     HistoryEvent.Kind.MESSAGE,
                     message.text(),
                     message.severity(),
-                    null,
+                    message.about(),
                     null,
                     null,
                     null));

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param text what people read: the vehicle's own sentence, the summary of a command, the name of a mode
  * @param severity of a message; null: it is none
- * @param by the user who did it; null: nobody here
+ * @param by the user who did it, or whom a message names; null: nobody here
  * @param command the id of a command; null: it is none
  * @param result how that command ended, such as {@code succeeded} or {@code refused}
  * @param reason why it ended so, as a sentence; null when there is nothing to say

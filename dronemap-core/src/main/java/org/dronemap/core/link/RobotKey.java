@@ -12,9 +12,18 @@ import org.jspecify.annotations.Nullable;
  * @param systemId the only one that the robot may have, 0 to 65535
  * @param owner whom the robot has to name where it names an owner; null: anybody
  * @param hash of the key, which is not kept itself
+ * @param madeBy the name that its maker had then
+ * @param account of its maker
  */
 public record RobotKey(
-        DroneId drone, String label, int systemId, @Nullable String owner, String hash, String madeBy, Instant madeAt) {
+        DroneId drone,
+        String label,
+        int systemId,
+        @Nullable String owner,
+        String hash,
+        String madeBy,
+        String account,
+        Instant madeAt) {
     @Override
     public String toString() {
         return "RobotKey[" + drone + ", " + label + "]";

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /** The recordings of this server with their bytes. Any thread; blocks for the disk and the store. */
@@ -32,6 +33,9 @@ public interface RecordingArchive {
 
     /** Refused with a sentence while it goes on or when there is none; empty when it is gone. */
     Optional<String> delete(String id) throws IOException;
+
+    /** What is heard of that drone from now on is another recording; returns once the one of before has ended. */
+    void part(DroneId drone) throws IOException;
 
     Room room();
 

@@ -11,6 +11,25 @@ public final class FatalErrors {
 
     private FatalErrors() {}
 
+    /**
+     * That thread, for a duty that nobody else would do: whatever ends it is told as an error. A thread that is stopped in a
+     * lock, for one, ends with another exception.
+     */
+    public static Thread onDuty(Thread thread) {
+        thread.setUncaughtExceptionHandler((ended, why) ->
+                ended.getThreadGroup().uncaughtException(ended, why instanceof Error ? why : new DutyEnded(why)));
+        return thread;
+    }
+
+    /** Something ended a thread that had a duty. */
+    private static final class DutyEnded extends Error {
+        private static final long serialVersionUID = 1L;
+
+        DutyEnded(Throwable why) {
+            super(why.toString(), why);
+        }
+    }
+
     /** Gives it to who ends the process, as if this thread had ended with it. */
     public static void tell(Error error) {
         Thread thread = Thread.currentThread();

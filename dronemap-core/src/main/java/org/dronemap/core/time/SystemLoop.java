@@ -18,7 +18,7 @@ final class SystemLoop implements Loop {
 
     SystemLoop(String name, Turn turn) {
         this.turn = turn;
-        thread = SystemTime.daemon(name, this::run);
+        thread = SystemTime.onDuty(name, this::run);
     }
 
     @Override

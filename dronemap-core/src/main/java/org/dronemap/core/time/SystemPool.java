@@ -26,7 +26,7 @@ final class SystemPool implements Pool {
                 0,
                 TimeUnit.SECONDS,
                 queue,
-                work -> SystemTime.daemon(name + "-" + numbers.incrementAndGet(), work));
+                work -> SystemTime.onDuty(name + "-" + numbers.incrementAndGet(), work));
     }
 
     @Override

@@ -83,7 +83,12 @@ public final class SystemTime implements Time {
         return what.copy().completeOnTimeout(otherwise, longest.toNanos(), TimeUnit.NANOSECONDS);
     }
 
-    static Thread daemon(String name, Runnable work) {
+    /** For work that nobody else would do. */
+    static Thread onDuty(String name, Runnable work) {
+        return FatalErrors.onDuty(daemon(name, work));
+    }
+
+    private static Thread daemon(String name, Runnable work) {
         Thread thread = new Thread(work, name);
         thread.setDaemon(true);
         return thread;

@@ -23,7 +23,7 @@ final class SystemWorker implements Worker {
     SystemWorker(String name, int capacity) {
         this.name = name;
         this.capacity = capacity;
-        thread = new ScheduledThreadPoolExecutor(1, work -> SystemTime.daemon(name, work));
+        thread = new ScheduledThreadPoolExecutor(1, work -> SystemTime.onDuty(name, work));
         thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
         thread.setContinueExistingPeriodicTasksAfterShutdownPolicy(false);
         thread.setRemoveOnCancelPolicy(true);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -27,6 +28,7 @@ class GrantBookTest {
     private final AtomicReference<Instant> clock = new AtomicReference<>(NOON);
     private final GrantBook book = new GrantBook(clock::get);
     private final List<Grant> grants = new ArrayList<>();
+    private final List<Gift> gifts = new ArrayList<>();
     private final AtomicInteger ids = new AtomicInteger();
 
     @Test
@@ -157,6 +159,55 @@ class GrantBookTest {
         assertThat(ann(Role.VIEWER).sees(played)).isTrue();
     }
 
+    @Test
+    void showsNothingOfWhatADroneDidForOthers() {
+        gift(OrganisationId.HOME, RESCUE, NOON, false);
+        keep(Set.of());
+        assertThat(sights(OrganisationId.HOME, -1, 0)).containsExactly(Sight.ALL, Sight.NONE);
+        assertThat(sights(RESCUE, -1, 0)).containsExactly(Sight.NONE, Sight.ALL);
+        assertThat(sights(new OrganisationId("survey"), -1, 0)).containsOnly(Sight.NONE);
+        assertThat(book.reach(RESCUE).insight(THEIRS).within(NOON.minusSeconds(5), NOON.plusSeconds(5)))
+                .contains(new Insight.Stretch(NOON, NOON.plusSeconds(5), false));
+        assertThat(book.reach(RESCUE).insight(ONE)).isEqualTo(Insight.NONE);
+    }
+
+    @Test
+    void showsWhatWentAlongWithoutNamesAndOnlyWhatTheGiverSaw() {
+        gift(OrganisationId.HOME, RESCUE, NOON, false);
+        gift(RESCUE, OrganisationId.HOME, NOON.plusSeconds(10), true);
+        gift(OrganisationId.HOME, RESCUE, NOON.plusSeconds(20), true);
+        keep(Set.of());
+        assertThat(sights(OrganisationId.HOME, -1, 5, 15, 25))
+                .containsExactly(Sight.ALL, Sight.WITHOUT_NAMES, Sight.ALL, Sight.NONE);
+        assertThat(sights(RESCUE, -1, 5, 15, 25))
+                .containsExactly(Sight.WITHOUT_NAMES, Sight.ALL, Sight.WITHOUT_NAMES, Sight.ALL);
+        assertThat(book.reach(OrganisationId.HOME).insight(THEIRS).within(Instant.EPOCH, NOON.plusSeconds(30)))
+                .contains(new Insight.Stretch(Instant.EPOCH, NOON.plusSeconds(20), false));
+    }
+
+    @Test
+    void showsNoPastToWhomTheDroneWasNotGrantedNorThroughAKeyForOthers() {
+        gift(OrganisationId.HOME, RESCUE, NOON, false);
+        grant(CREW, new GrantObject.Drones(Set.of(ONE)), Permission.VIEW);
+        keep(Set.of(ANN));
+        assertThat(ann(Role.VIEWER).sight(THEIRS, NOON.minusSeconds(1))).isEqualTo(Sight.NONE);
+        assertThat(ann(Role.VIEWER).sight(ONE, NOON.minusSeconds(1))).isEqualTo(Sight.ALL);
+        KeyScope scope = new KeyScope(Set.of(TWO), Set.of());
+        Principal key = new Principal("bob", Role.VIEWER, scope, "k1", book.reach(OrganisationId.HOME, "bob"));
+        assertThat(key.sight(THEIRS, NOON.minusSeconds(1))).isEqualTo(Sight.NONE);
+        assertThat(key.sight(TWO, NOON.minusSeconds(1))).isEqualTo(Sight.ALL);
+    }
+
+    private List<Sight> sights(OrganisationId organisation, int... seconds) {
+        return Arrays.stream(seconds)
+                .mapToObj(second -> book.reach(organisation).insight(THEIRS).at(NOON.plusSeconds(second)))
+                .toList();
+    }
+
+    private void gift(OrganisationId from, OrganisationId to, Instant at, boolean histories) {
+        gifts.add(new Gift(THEIRS, "Kite", from, to, at, histories));
+    }
+
     private Principal ann(Role role) {
         return new Principal("ann", role, KeyScope.ALL, null, book.reach(OrganisationId.HOME, "ann"));
     }
@@ -186,6 +237,7 @@ class GrantBookTest {
                 List.of(new UserGroup("crew", OrganisationId.HOME, "Crew", Set.of("ann"))),
                 List.of(new Fleet("trucks", OrganisationId.HOME, "Trucks", Set.of(TWO))),
                 grants,
+                gifts,
                 onlyGranted));
     }
 }

@@ -87,7 +87,7 @@ final class StateScript {
         if (messages.size() == DroneState.MAX_MESSAGES) {
             messages.remove(0);
         }
-        messages.add(new TextMessage(severity, text, now));
+        messages.add(new TextMessage(severity, text, now, null));
         told = List.copyOf(messages);
         return this;
     }

@@ -84,6 +84,35 @@ class SystemTimeTest {
         }
     }
 
+    /** As when a thread is stopped while it waits in a lock. */
+    @Test
+    void soIsAnExceptionThatEndsAThread() {
+        List<String> told = new CopyOnWriteArrayList<>();
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler((thread, error) ->
+                told.add(thread.getName() + " " + (error instanceof Error) + " " + error.getMessage()));
+        try {
+            Thread ended = FatalErrors.onDuty(new Thread(
+                    () -> {
+                        throw new IllegalMonitorStateException("on purpose");
+                    },
+                    "duty"));
+            ended.start();
+            Worker worker = time.worker("worker", 10);
+            worker.execute(() -> Thread.currentThread()
+                    .getUncaughtExceptionHandler()
+                    .uncaughtException(Thread.currentThread(), new IllegalStateException("no lock")));
+
+            await().dontCatchUncaughtExceptions()
+                    .atMost(LONG)
+                    .until(() -> told.containsAll(List.of(
+                            "duty true java.lang.IllegalMonitorStateException: on purpose",
+                            "worker true java.lang.IllegalStateException: no lock")));
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
+    }
+
     private static long fail(String what) {
         throw new InternalError(what);
     }

@@ -132,8 +132,24 @@ public final class Recorder implements FrameTap.Factory, AutoCloseable {
 
     /** Puts all that waits into the files; returns when it is there. */
     void flush() throws IOException {
+        onWriter(() -> writeAll(true));
+    }
+
+    /** Ends what is recorded of that drone, and forgets what came before; what is heard from now on begins anew. */
+    void part(DroneId drone) throws IOException {
+        onWriter(() -> {
+            writeAll(true);
+            tapes.stream().filter(tape -> drone.equals(tape.drone())).forEach(Tape::forgetBefore);
+            FlightFile file = open.get(drone);
+            if (file != null) {
+                finish(file, null);
+            }
+        });
+    }
+
+    private void onWriter(Runnable work) throws IOException {
         try {
-            Boolean unused = time.await(writer.submit(() -> done(() -> writeAll(true))), LONGEST_FLUSH);
+            Boolean unused = time.await(writer.submit(() -> done(work)), LONGEST_FLUSH);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IOException("Interrupted while a recording was written.", e);

@@ -22,6 +22,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
 import org.dronemap.core.recording.RecordingPolicy;
@@ -71,6 +72,11 @@ public final class Shelf implements RecordingArchive {
                 .thenComparing(Recording::id)
                 .reversed());
         return sorted;
+    }
+
+    @Override
+    public void part(DroneId drone) throws IOException {
+        recorder.part(drone);
     }
 
     @Override

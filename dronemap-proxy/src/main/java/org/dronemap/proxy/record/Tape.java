@@ -165,6 +165,12 @@ abstract sealed class Tape permits FrameTape, LineTape {
         keepBefore(newer);
     }
 
+    /** What begins from now on has nothing of what came before. */
+    final synchronized void forgetBefore() {
+        older.clear();
+        newer.clear();
+    }
+
     private void keepBefore(Stretch half) {
         int frames = half.records().frames();
         if (!room.take(half.records().length()) || !waiting.addAll(half)) {

@@ -135,16 +135,10 @@ public final class Keyrings implements AutoCloseable {
 
     /** Returns when it is durable. Through the journal, since the drone itself may still be on its way there. */
     private void save(LinkSecurity security) {
-        CompletableFuture<Void> kept = new CompletableFuture<>();
-        keeping.journal()
-                .write(
+        CompletableFuture<Void> kept = keeping.journal()
+                .written(
                         "the link security of " + security.drone(),
-                        () -> {
-                            keeping.store().save(security);
-                            kept.complete(null);
-                        },
-                        () -> kept.completeExceptionally(
-                                new IllegalStateException("The link security could not be written.")));
+                        () -> keeping.store().save(security));
         Void unused = time.join(kept, LONGEST_WRITE);
     }
 

@@ -24,7 +24,7 @@ final class TestKeys implements RobotKeys {
 
     void issue(String key, DroneId drone, int systemId, @Nullable String owner) {
         revoke(drone);
-        keys.put(key, new RobotKey(drone, "robot", systemId, owner, key, "root", Instant.EPOCH));
+        keys.put(key, new RobotKey(drone, "robot", systemId, owner, key, "root", "root", Instant.EPOCH));
     }
 
     void revoke(DroneId drone) {

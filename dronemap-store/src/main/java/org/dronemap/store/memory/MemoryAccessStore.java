@@ -190,6 +190,7 @@ public final class MemoryAccessStore implements AccessStore {
                         invitation.role(),
                         invitation.codeHash(),
                         invitation.invitedBy(),
+                        invitation.account(),
                         StoredInstant.of(invitation.expiresAt()),
                         invitation.organisation()));
     }

@@ -1,13 +1,16 @@
 package org.dronemap.store.memory;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Fleet;
+import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
 import org.dronemap.core.access.GrantStore;
@@ -28,6 +31,7 @@ public final class MemoryGrantStore implements GrantStore {
     private final Map<String, UserGroup> groups = new HashMap<>();
     private final Map<String, Fleet> fleets = new HashMap<>();
     private final Map<String, Grant> grants = new HashMap<>();
+    private final List<Gift> gifts = new ArrayList<>();
     private final Set<Subject> onlyGranted = new HashSet<>();
 
     @Override
@@ -38,6 +42,7 @@ public final class MemoryGrantStore implements GrantStore {
                 groups.values().stream().sorted(GrantOrder.GROUPS).toList(),
                 fleets.values().stream().sorted(GrantOrder.FLEETS).toList(),
                 grants.values().stream().sorted(GrantOrder.GRANTS).toList(),
+                gifts.stream().sorted(GrantOrder.GIFTS).toList(),
                 onlyGranted);
     }
 
@@ -63,6 +68,13 @@ public final class MemoryGrantStore implements GrantStore {
     @Override
     public synchronized void assign(DroneId drone, OrganisationId owner) {
         owners.put(drone, owner);
+    }
+
+    @Override
+    public synchronized void give(Gift gift) {
+        owners.put(gift.drone(), gift.to());
+        gifts.add(new Gift(
+                gift.drone(), gift.droneName(), gift.from(), gift.to(), StoredInstant.of(gift.at()), gift.histories()));
     }
 
     @Override

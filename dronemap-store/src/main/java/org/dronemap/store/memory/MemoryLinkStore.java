@@ -79,6 +79,7 @@ public final class MemoryLinkStore implements LinkStore {
                         key.owner(),
                         key.hash(),
                         key.madeBy(),
+                        key.account(),
                         StoredInstant.of(key.madeAt())));
     }
 

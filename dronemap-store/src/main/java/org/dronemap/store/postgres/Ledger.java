@@ -15,6 +15,7 @@ import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditHead;
 import org.dronemap.core.audit.AuditRecord;
+import org.dronemap.core.time.FatalErrors;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -38,7 +39,7 @@ final class Ledger implements AutoCloseable {
     private volatile @Nullable AuditChain chain;
     private volatile @Nullable AuditHead head;
     private volatile boolean closing;
-    private final Thread thread = new Thread(this::run, "ledger");
+    private final Thread thread = FatalErrors.onDuty(new Thread(this::run, "ledger"));
 
     /** A change; says how many rows it changed. */
     interface Change {

@@ -170,14 +170,16 @@ public final class PostgresAccessStore implements AccessStore {
         sql.update(
                 """
                 WITH expired AS (DELETE FROM invitation WHERE expires_at <= ?)
-                INSERT INTO invitation (id, label, role, code_hash, invited_by, expires_at, organisation)
-                VALUES (?, ?, ?, ?, ?, ?, ?)""",
+                INSERT INTO invitation (id, label, role, code_hash, invited_by, invited_by_account, expires_at,
+                    organisation)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?)""",
                 now,
                 invitation.id(),
                 invitation.label(),
                 invitation.role(),
                 invitation.codeHash(),
                 invitation.invitedBy(),
+                invitation.account(),
                 invitation.expiresAt(),
                 OrganisationColumn.stored(invitation.organisation()));
     }
@@ -224,6 +226,7 @@ public final class PostgresAccessStore implements AccessStore {
                 row.name("role", Role.class),
                 row.text("code_hash"),
                 row.text("invited_by"),
+                row.text("invited_by_account"),
                 row.time("expires_at"),
                 OrganisationColumn.read(row));
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.access.Fleet;
+import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
 import org.dronemap.core.access.GrantStore;
@@ -43,6 +44,7 @@ public final class PostgresGrantStore implements GrantStore {
                 sorted(groups(), GrantOrder.GROUPS),
                 sorted(sql.list("SELECT * FROM fleet", PostgresGrantStore::fleet), GrantOrder.FLEETS),
                 sorted(sql.list("SELECT * FROM access_grant", PostgresGrantStore::grant), GrantOrder.GRANTS),
+                sorted(sql.list("SELECT * FROM drone_gift", PostgresGrantStore::gift), GrantOrder.GIFTS),
                 new HashSet<>(sql.list("SELECT * FROM only_granted", PostgresGrantStore::subject)));
     }
 
@@ -82,6 +84,26 @@ public final class PostgresGrantStore implements GrantStore {
         sql.update("""
                 INSERT INTO drone_owner (drone_id, organisation) VALUES (?, ?)
                 ON CONFLICT (drone_id) DO UPDATE SET organisation = excluded.organisation""", drone.value(), owner.value());
+    }
+
+    @Override
+    public void give(Gift gift) {
+        // One statement, one transaction.
+        sql.update(
+                """
+                WITH owned AS (
+                    INSERT INTO drone_owner (drone_id, organisation) VALUES (?, ?)
+                    ON CONFLICT (drone_id) DO UPDATE SET organisation = excluded.organisation)
+                INSERT INTO drone_gift (drone_id, drone_name, from_organisation, to_organisation, given_at, histories)
+                VALUES (?, ?, ?, ?, ?, ?)""",
+                gift.drone().value(),
+                gift.to().value(),
+                gift.drone().value(),
+                gift.droneName(),
+                gift.from().value(),
+                gift.to().value(),
+                gift.at(),
+                gift.histories());
     }
 
     @Override
@@ -209,6 +231,16 @@ public final class PostgresGrantStore implements GrantStore {
                 row.timeOrNull("ends_at"),
                 row.text("made_by"),
                 row.time("made_at"));
+    }
+
+    private static Gift gift(Row row) throws SQLException {
+        return new Gift(
+                new DroneId(row.text("drone_id")),
+                row.text("drone_name"),
+                new OrganisationId(row.text("from_organisation")),
+                new OrganisationId(row.text("to_organisation")),
+                row.time("given_at"),
+                row.bool("histories"));
     }
 
     private static GrantObject object(@Nullable String fleet, @Nullable String drones) {

@@ -74,6 +74,7 @@ public final class PostgresLinkStore implements LinkStore {
                         row.textOrNull("owner_id"),
                         row.text("key_hash"),
                         row.text("made_by"),
+                        row.text("made_by_account"),
                         row.time("made_at")));
     }
 
@@ -81,17 +82,18 @@ public final class PostgresLinkStore implements LinkStore {
     public void saveRobotKey(RobotKey key) {
         sql.update(
                 """
-                INSERT INTO robot_key (drone_id, label, system_id, owner_id, key_hash, made_by, made_at)
-                VALUES (?, ?, ?, ?, ?, ?, ?)
+                INSERT INTO robot_key (drone_id, label, system_id, owner_id, key_hash, made_by, made_by_account, made_at)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?)
                 ON CONFLICT (drone_id) DO UPDATE SET label = excluded.label, system_id = excluded.system_id,
                     owner_id = excluded.owner_id, key_hash = excluded.key_hash, made_by = excluded.made_by,
-                    made_at = excluded.made_at""",
+                    made_by_account = excluded.made_by_account, made_at = excluded.made_at""",
                 key.drone().value(),
                 key.label(),
                 key.systemId(),
                 key.owner(),
                 key.hash(),
                 key.madeBy(),
+                key.account(),
                 key.madeAt());
     }
 

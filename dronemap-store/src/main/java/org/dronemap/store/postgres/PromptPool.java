@@ -9,6 +9,7 @@ import java.sql.SQLTransientConnectionException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.logging.Logger;
 import javax.sql.DataSource;
+import org.dronemap.core.time.FatalErrors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,7 +40,7 @@ final class PromptPool implements DataSource, AutoCloseable {
         } catch (SQLTransientConnectionException e) {
             // Without a cause all connections are busy: that is no database out of reach.
             if (e.getCause() != null && away.compareAndSet(null, e)) {
-                Thread search = new Thread(this::search, "database-search");
+                Thread search = FatalErrors.onDuty(new Thread(this::search, "database-search"));
                 search.setDaemon(true);
                 search.start();
             }

@@ -20,6 +20,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceZone;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.Bounds;
 import org.dronemap.store.SignInLimit;
@@ -292,7 +293,7 @@ public abstract class AccessStoreContract {
     }
 
     private static Invitation invitation(String id, String codeHash, Instant until) {
-        return new Invitation(id, "for bob", Role.PLANNER, codeHash, "alice", until);
+        return new Invitation(id, "for bob", Role.PLANNER, codeHash, "alice", "#a1", until, OrganisationId.HOME);
     }
 
     private static AccessKey key(String id, String owner, String secretHash) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.access.Fleet;
+import org.dronemap.core.access.Gift;
 import org.dronemap.core.access.Grant;
 import org.dronemap.core.access.GrantObject;
 import org.dronemap.core.access.GrantStore;
@@ -74,7 +75,29 @@ public abstract class GrantStoreContract {
 
         assertThat(store.holdings())
                 .isEqualTo(new Holdings(
-                        List.of(), Map.of(), List.of(group("g2", "others", "bob")), List.of(), List.of(), Set.of()));
+                        List.of(),
+                        Map.of(),
+                        List.of(group("g2", "others", "bob")),
+                        List.of(),
+                        List.of(),
+                        List.of(),
+                        Set.of()));
+    }
+
+    @Test
+    void remembersThatADroneWasGivenAndWhoseItIs() {
+        store.save(RESCUE);
+        Gift there = new Gift(ONE, "Kite", OrganisationId.HOME, RESCUE.id(), NOON, true);
+        Gift back = new Gift(ONE, "Kestrel", RESCUE.id(), OrganisationId.HOME, NOON.plusSeconds(1), false);
+
+        store.give(there);
+        assertThat(store.holdings().owners()).isEqualTo(Map.of(ONE, RESCUE.id()));
+        store.give(back);
+
+        assertThat(store.holdings().owners()).isEqualTo(Map.of(ONE, OrganisationId.HOME));
+        assertThat(store.holdings().gifts()).containsExactly(there, back);
+        store.deleteOrganisation(RESCUE.id());
+        assertThat(store.holdings().gifts()).containsExactly(there, back);
     }
 
     @Test

@@ -77,13 +77,14 @@ public abstract class LinkStoreContract {
     }
 
     private static RobotKey robot(String drone, String hash, int second) {
-        return new RobotKey(new DroneId(drone), "Turtle", 65_535, null, hash, "alice", THEN.plusSeconds(second));
+        return new RobotKey(new DroneId(drone), "Turtle", 65_535, null, hash, "alice", "#a1", THEN.plusSeconds(second));
     }
 
     @Test
     void keepsTheKeyOfARobotThatHasNeverCalledIn() {
         RobotKey later = robot("drobot0001", "aa", 2);
-        RobotKey earlier = new RobotKey(new DroneId("drobot0002"), "Burger", 0, "26", "bb", "bob", THEN.plusSeconds(1));
+        RobotKey earlier =
+                new RobotKey(new DroneId("drobot0002"), "Burger", 0, "26", "bb", "bob", "bob", THEN.plusSeconds(1));
         store.saveRobotKey(later);
         store.saveRobotKey(earlier);
 

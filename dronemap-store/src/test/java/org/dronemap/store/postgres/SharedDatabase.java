@@ -33,7 +33,7 @@ final class SharedDatabase {
             BEGIN
                 FOREACH name IN ARRAY ARRAY['drone', 'known_mission', 'saved_mission', 'command', 'account', 'sign_in',
                         'access_key', 'link_security', 'recording', 'link', 'link_key', 'control_lease', 'organisation',
-                        'drone_owner', 'user_group', 'user_group_member', 'fleet', 'access_grant', 'only_granted',
+                        'drone_owner', 'drone_gift', 'user_group', 'user_group_member', 'fleet', 'access_grant', 'only_granted',
                         'invitation', 'virtual_drone', 'warehouse_drone', 'audit', 'telemetry', 'drone_event', 'flight',
                         'operation', 'operation_journal', 'outlet_key', 'outlet_number', 'robot_key',
                         'reused_name'] LOOP

@@ -5,7 +5,9 @@ import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
+import org.dronemap.ws.service.GiftService;
 import org.dronemap.ws.service.OrganisationService;
+import org.jspecify.annotations.Nullable;
 import org.springframework.http.HttpStatus;
 import org.springframework.http.ResponseEntity;
 import org.springframework.web.bind.annotation.DeleteMapping;
@@ -28,13 +30,15 @@ import org.springframework.web.bind.annotation.RestController;
                 + " administrators of the server.")
 public class OrganisationController {
     private final OrganisationService organisations;
+    private final GiftService gifts;
     private final CurrentPrincipal current;
 
     /** All of them. */
     public record Organisations(List<OrganisationService.OrganisationView> organisations) {}
 
-    public OrganisationController(OrganisationService organisations, CurrentPrincipal current) {
+    public OrganisationController(OrganisationService organisations, GiftService gifts, CurrentPrincipal current) {
         this.organisations = organisations;
+        this.gifts = gifts;
         this.current = current;
     }
 
@@ -62,13 +66,37 @@ public class OrganisationController {
         return organisations.rename(current.principal(), id, request);
     }
 
+    @GetMapping("/{id}/drones")
+    @Operation(
+            summary = "List the drones that were given to an organisation and that it still has",
+            description = "As they were called when they were given.")
+    public GiftService.Gifts gifts(@PathVariable String id) {
+        return gifts.gifts(current.principal(), id);
+    }
+
     @PutMapping("/{id}/drones/{drone}")
-    @ResponseStatus(HttpStatus.NO_CONTENT)
     @Operation(
             summary = "Give a drone of your own organisation to another one",
-            description = "With its recordings and its history; only its new owners see it from then on.")
-    public void giveDrone(@PathVariable String id, @PathVariable String drone) {
-        organisations.giveDrone(current.principal(), id, drone);
+            description =
+                    "On the ground, disarmed, and out of every operation and the warehouse. Only its new owners see"
+                            + " it from then on. Flights, recordings, commands and telemetry of before stay with those who had it, and"
+                            + " go along as well if histories says so, but never with names of people. What is on board goes along,"
+                            + " and the keys of the vehicle still hold: change them.")
+    public GiftService.GiftView giveDrone(
+            @PathVariable String id,
+            @PathVariable String drone,
+            @RequestBody(required = false) GiftService.@Nullable GiftRequest request) {
+        return gifts.give(current.principal(), id, drone, request);
+    }
+
+    @DeleteMapping("/{id}/drones/{drone}")
+    @Operation(
+            summary = "Take a drone back that was given to an organisation",
+            description =
+                    "On the ground, disarmed, and out of every operation and the warehouse. What it did meanwhile is"
+                            + " shown to those who had it then, alone.")
+    public GiftService.GiftView takeBack(@PathVariable String id, @PathVariable String drone) {
+        return gifts.takeBack(current.principal(), id, drone);
     }
 
     @DeleteMapping("/{id}")

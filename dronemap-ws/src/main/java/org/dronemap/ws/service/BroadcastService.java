@@ -66,6 +66,8 @@ public final class BroadcastService {
             return refused == null
                     ? new BroadcastView.Result(drone, name, null, rejection.sentence())
                     : new BroadcastView.Result(drone, name, commands.command(principal, refused), null);
+        } catch (RuntimeException failed) {
+            return new BroadcastView.Result(drone, name, null, Outages.sentence(failed));
         }
     }
 

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.access.Sight;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.cloud.UnknownDroneException;
@@ -119,7 +120,8 @@ public final class CommandService {
     private static void requireSame(CommandRecord record, Principal principal, DroneState drone, Command asked) {
         if (!record.isOf(
                 principal.name(), principal.account(), drone.id(), CommandReader.complete(asked, drone), asked)) {
-            String which = principal.sees(record.drone()) ? " (" + record.summary() + ")" : "";
+            String which =
+                    principal.sight(record.drone(), record.at()) != Sight.NONE ? " (" + record.summary() + ")" : "";
             throw Rejection.conflict(
                     "The id " + record.id() + " belongs to another command already" + which + "; take a new one.");
         }
@@ -161,16 +163,24 @@ public final class CommandService {
         return Optional.of(id)
                 .filter(CommandService::isId)
                 .flatMap(text -> cloud.gate().find(new CommandId(text)))
-                .filter(record -> principal.sees(record.drone()))
-                .map(CommandView::of)
+                .flatMap(record -> shown(principal, record))
                 .orElseThrow(() -> Rejection.unknown("command", id));
     }
 
     /** Newest first. */
     public List<CommandView> commandsOf(Principal principal, String droneId) {
         return cloud.gate().commandsOf(drones.state(principal, droneId).id(), MOST_SHOWN).stream()
-                .map(CommandView::of)
+                .flatMap(record -> shown(principal, record).stream())
                 .toList();
+    }
+
+    private static Optional<CommandView> shown(Principal principal, CommandRecord record) {
+        CommandView view = CommandView.of(record);
+        return switch (principal.sight(record.drone(), record.at())) {
+            case NONE -> Optional.empty();
+            case WITHOUT_NAMES -> Optional.of(Nameless.command(view));
+            case ALL -> Optional.of(view);
+        };
     }
 
     Optional<DroneState> known(Principal principal, String droneId) {

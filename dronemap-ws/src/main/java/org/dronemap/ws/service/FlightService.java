@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.access.Sight;
 import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.FlightLog;
 import org.dronemap.core.history.FlightQuery;
@@ -59,7 +60,7 @@ public final class FlightService {
         List<Flight> page = found.size() > most ? found.subList(0, most) : found;
         List<Recording> known = recordings.recordings();
         return new FlightView.Flights(
-                page.stream().map(flight -> view(flight, known)).toList(),
+                page.stream().map(flight -> view(principal, flight, known)).toList(),
                 found.size() > most ? page.get(most - 1).id() : null);
     }
 
@@ -75,7 +76,7 @@ public final class FlightService {
 
     private Flight after(Principal principal, String id) {
         return flights.flight(id)
-                .filter(flight -> principal.sees(flight.drone()))
+                .filter(flight -> sight(principal, flight) != Sight.NONE)
                 .orElseThrow(() -> InvalidInput.outside("before", "the id of a flight", "\"" + id + "\""));
     }
 
@@ -85,7 +86,7 @@ public final class FlightService {
         Flight last = after;
         while (seen.size() < most) {
             List<Flight> some = flights.flights(query, last, MOST);
-            some.stream().filter(flight -> principal.sees(flight.drone())).forEach(seen::add);
+            some.stream().filter(flight -> isFound(principal, query, flight)).forEach(seen::add);
             if (some.size() < MOST) {
                 break;
             }
@@ -94,14 +95,35 @@ public final class FlightService {
         return seen.size() > most ? seen.subList(0, most) : seen;
     }
 
+    /** Who looks for people or words finds nothing where these are not shown. */
+    private static boolean isFound(Principal principal, FlightQuery query, Flight flight) {
+        return switch (sight(principal, flight)) {
+            case NONE -> false;
+            case WITHOUT_NAMES -> query.user() == null && query.words() == null;
+            case ALL -> true;
+        };
+    }
+
+    /** A flight belongs to whom the drone belonged to when it began: nobody gives one away that flies. */
+    private static Sight sight(Principal principal, Flight flight) {
+        return principal.sight(flight.drone(), flight.start());
+    }
+
+    private static Flight shown(Principal principal, Flight flight) {
+        return sight(principal, flight) == Sight.ALL ? flight : Nameless.flight(flight);
+    }
+
     public FlightView flight(Principal principal, String id) {
-        return view(find(principal, id), recordings.recordings());
+        return view(principal, find(principal, id), recordings.recordings());
     }
 
     public FlightView annotate(Principal principal, String id, FlightNotes notes) {
         Roles.require(principal, Role.OPERATOR);
         Flight flight = find(principal, id);
         Roles.require(principal, Role.OPERATOR, flight.drone());
+        if (sight(principal, flight) != Sight.ALL) {
+            throw Rejection.conflict("The drone was another organisation's then; only that one writes notes.");
+        }
         flights.annotate(id, notes.checked());
         return flight(principal, id);
     }
@@ -113,7 +135,7 @@ public final class FlightService {
         List<Flight> page = seen(principal, query, null, MOST);
         while (!page.isEmpty()) {
             for (Flight flight : page) {
-                out.write(row(FlightView.of(flight, List.of())));
+                out.write(row(FlightView.of(shown(principal, flight), List.of())));
             }
             page = page.size() < MOST ? List.of() : seen(principal, query, page.get(MOST - 1), MOST);
         }
@@ -148,13 +170,13 @@ public final class FlightService {
     /** What the asker may not see is told from what is not there by nothing. */
     Flight find(Principal principal, String id) {
         return flights.flight(id)
-                .filter(flight -> principal.sees(flight.drone()))
+                .filter(flight -> sight(principal, flight) != Sight.NONE)
                 .orElseThrow(() -> Rejection.unknown("flight", id));
     }
 
-    private static FlightView view(Flight flight, List<Recording> known) {
+    private static FlightView view(Principal principal, Flight flight, List<Recording> known) {
         return FlightView.of(
-                flight,
+                shown(principal, flight),
                 known.stream()
                         .filter(recording -> isOf(recording, flight))
                         .map(Recording::id)

@@ -81,6 +81,7 @@ public final class InvitationService {
                 role,
                 Secrets.hash(code),
                 principal.name(),
+                principal.account(),
                 now.plus(Duration.ofDays(days)),
                 organisation);
         store.addInvitation(invitation, now);
@@ -99,7 +100,7 @@ public final class InvitationService {
     /** Those into one's own organisation, and those that one gave oneself. */
     private static boolean isShownTo(Principal principal, Invitation invitation) {
         return invitation.organisation().equals(principal.organisation())
-                || invitation.invitedBy().equals(principal.name());
+                || invitation.account().equals(principal.account());
     }
 
     private static InvitationView view(Invitation invitation, @Nullable String code) {

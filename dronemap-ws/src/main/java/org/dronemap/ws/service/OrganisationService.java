@@ -27,7 +27,6 @@ public final class OrganisationService {
     private final GrantChanges grants;
     private final AccessStore access;
     private final CloudManager cloud;
-    private final DroneService drones;
     private final ZoneService zones;
     private final Clock clock;
     private final Secrets secrets = new Secrets();
@@ -44,13 +43,7 @@ public final class OrganisationService {
             @Nullable Instant madeAt) {}
 
     public OrganisationService(
-            GrantChanges grants,
-            AccessStore access,
-            CloudManager cloud,
-            DroneService drones,
-            ZoneService zones,
-            Clock clock) {
-        this.drones = drones;
+            GrantChanges grants, AccessStore access, CloudManager cloud, ZoneService zones, Clock clock) {
         this.zones = zones;
         this.grants = grants;
         this.access = access;
@@ -107,13 +100,6 @@ public final class OrganisationService {
         grants.make(store -> store.deleteOrganisation(going.id()));
     }
 
-    /** Gives one of the default organisation's drones away, with its recordings and its history. */
-    public void giveDrone(Principal principal, String organisation, String drone) {
-        Roles.requireServer(principal, Role.ADMINISTRATOR);
-        OrganisationId owner = find(organisation).id();
-        enrolled(drones.state(principal, drone).id(), owner);
-    }
-
     /** Null: the default one. */
     OrganisationId named(@Nullable String id) {
         if (id == null || id.equals(OrganisationId.HOME.value())) {
@@ -131,6 +117,14 @@ public final class OrganisationService {
         }
         Roles.requireServer(principal, Role.ADMINISTRATOR);
         return named(id);
+    }
+
+    /** Whether that drone has changed hands since. */
+    boolean wasGiven(DroneId drone, Instant since) {
+        return grants.book()
+                .lastGift(drone)
+                .filter(gift -> gift.at().isAfter(since))
+                .isPresent();
     }
 
     void enrolled(DroneId drone, OrganisationId owner) {
@@ -152,7 +146,7 @@ public final class OrganisationService {
         return checked;
     }
 
-    private Organisation find(String id) {
+    Organisation find(String id) {
         return known(id).orElseThrow(() -> Rejection.unknown("organisation", id));
     }
 

@@ -4,12 +4,16 @@ import java.io.IOException;
 import java.util.Locale;
 import java.util.Optional;
 import org.dronemap.core.time.Outage;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Tells what will pass by itself, such as a store that is away or a disk that is full, from what is broken: it is nobody's
  * mistake, and what the store says itself is for those who run the server.
  */
 public final class Outages {
+    private static final Logger LOG = LoggerFactory.getLogger(Outages.class);
+
     private Outages() {}
 
     /** Empty: it is broken. */
@@ -28,6 +32,20 @@ public final class Outages {
             }
         }
         return Optional.empty();
+    }
+
+    /**
+     * What is told of one of several things that were asked for at once, so that no failure at one hides what became of the
+     * others; what is broken is told to the log.
+     */
+    static String sentence(RuntimeException thrown) {
+        if (thrown instanceof Rejection refused) {
+            return refused.sentence();
+        }
+        return of(thrown).map(Rejection::sentence).orElseGet(() -> {
+            LOG.error("One of several things failed", thrown);
+            return "The server failed; those who run it find out why in its log.";
+        });
     }
 
     /** What systems say; there is no type of its own for it. */

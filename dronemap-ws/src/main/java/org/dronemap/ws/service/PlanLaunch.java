@@ -183,6 +183,10 @@ final class PlanLaunch {
             job.settle(new PlanFlight(drone, PlanFlight.Stage.FAILED, refused.sentence(), refused.commandId()));
             desk.tell(job);
             return CompletableFuture.completedFuture(false);
+        } catch (RuntimeException failed) {
+            // Thrown on, nobody would ever hear what became of this plan.
+            settle(drone, PlanFlight.Stage.FAILED, Outages.sentence(failed));
+            return CompletableFuture.completedFuture(false);
         }
         job.settle(new PlanFlight(drone, during, null, given.id()));
         desk.tell(job);

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.access.Sight;
 import org.dronemap.core.recording.Recording;
 import org.dronemap.core.recording.RecordingArchive;
 import org.jspecify.annotations.Nullable;
@@ -31,11 +32,15 @@ public final class RecordingService {
     /** Newest first; {@code drone} null: of all drones. */
     public RecordingView.Page recordings(Principal principal, @Nullable String drone) {
         List<RecordingView> views = archive.recordings().stream()
-                .filter(recording -> principal.sees(recording.drone()))
+                .filter(recording -> isShown(principal, recording))
                 .filter(recording -> drone == null || recording.drone().value().equals(drone))
                 .map(RecordingView::of)
                 .toList();
         return new RecordingView.Page(views, room(principal));
+    }
+
+    private static boolean isShown(Principal principal, Recording recording) {
+        return principal.sight(recording.drone(), recording.start()) != Sight.NONE;
     }
 
     /** Who does not see all that may be in it is told of the own part alone. */
@@ -45,7 +50,7 @@ public final class RecordingService {
             return RecordingView.RoomView.of(room);
         }
         long own = archive.recordings().stream()
-                .filter(recording -> principal.sees(recording.drone()))
+                .filter(recording -> isShown(principal, recording))
                 .mapToLong(Recording::bytes)
                 .sum();
         return RecordingView.RoomView.of(new RecordingArchive.Room(own, room.mostBytes(), room.keepDays(), 0, null));
@@ -63,7 +68,11 @@ public final class RecordingService {
 
     /** Who sent what: a line for each frame that went out. */
     public Download sent(Principal principal, String id) throws IOException {
-        String name = name(find(principal, id)) + ".sent.tsv";
+        Recording recording = find(principal, id);
+        if (principal.sight(recording.drone(), recording.start()) != Sight.ALL) {
+            throw Rejection.conflict("The drone was another organisation's then; only that one sees who sent what.");
+        }
+        String name = name(recording) + ".sent.tsv";
         return new Download(
                 archive.sent(id)
                         .orElseThrow(() ->
@@ -77,7 +86,10 @@ public final class RecordingService {
 
     /** Deleting is for ever, so it wants to be said twice. */
     public void delete(Principal principal, String id, boolean confirmed) throws IOException {
-        find(principal, id, Role.OPERATOR);
+        Recording recording = find(principal, id, Role.OPERATOR);
+        if (principal.sight(recording.drone(), recording.start()) != Sight.ALL) {
+            throw Rejection.conflict("The drone was another organisation's then; only the server's rules remove it.");
+        }
         if (!confirmed) {
             throw new InvalidInput(
                     "confirm",
@@ -113,7 +125,7 @@ public final class RecordingService {
 
     private Recording find(Principal principal, String id) {
         return archive.recording(id)
-                .filter(recording -> principal.sees(recording.drone()))
+                .filter(recording -> isShown(principal, recording))
                 .orElseThrow(() -> Rejection.unknown("recording", id));
     }
 

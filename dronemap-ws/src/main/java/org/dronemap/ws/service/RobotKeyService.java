@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.access.Sight;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
@@ -82,7 +83,7 @@ public final class RobotKeyService {
         Roles.requireForAll(principal, Role.ADMINISTRATOR);
         return ring.keys().stream()
                 .filter(key -> isShownTo(principal, key))
-                .map(key -> view(key, null))
+                .map(key -> view(principal, key, null))
                 .toList();
     }
 
@@ -99,6 +100,7 @@ public final class RobotKeyService {
                 owner(request, before),
                 Secrets.hash(secret),
                 principal.name(),
+                principal.account(),
                 clock.instant().truncatedTo(ChronoUnit.MILLIS));
         if (before == null) {
             if (ring.keys().size() >= MOST) {
@@ -109,7 +111,7 @@ public final class RobotKeyService {
         }
         ring.put(key);
         around.links().disconnect(key.drone().value());
-        return view(key, secret);
+        return view(principal, key, secret);
     }
 
     private static String label(RobotKeyRequest request, @Nullable RobotKey before) {
@@ -156,12 +158,14 @@ public final class RobotKeyService {
                 .orElseThrow(() -> Rejection.unknown("robot key", id));
     }
 
-    /** Those of one's own organisation, and those that one issued oneself. */
-    private static boolean isShownTo(Principal principal, RobotKey key) {
-        return principal.sees(key.drone()) || key.madeBy().equals(principal.name());
+    /** Those of one's own organisation, and those that one issued oneself for another one. */
+    private boolean isShownTo(Principal principal, RobotKey key) {
+        return principal.sees(key.drone())
+                || (key.account().equals(principal.account())
+                        && !around.organisations().wasGiven(key.drone(), key.madeAt()));
     }
 
-    private RobotKeyView view(RobotKey key, @Nullable String secret) {
+    private RobotKeyView view(Principal principal, RobotKey key, @Nullable String secret) {
         boolean connected = around.cloud()
                 .drone(key.drone())
                 .filter(drone -> drone.link().state() != LinkState.LOST)
@@ -171,7 +175,10 @@ public final class RobotKeyService {
                 key.label(),
                 key.systemId(),
                 key.owner(),
-                key.madeBy(),
+                principal.sight(key.drone(), key.madeAt()) == Sight.ALL
+                                || key.account().equals(principal.account())
+                        ? key.madeBy()
+                        : Nameless.OTHERS,
                 key.madeAt(),
                 connected,
                 secret);

@@ -37,7 +37,7 @@ public final class TelemetryFiles {
 
     /** Whole before its first byte is handed out, so that a slow reader holds nothing up. */
     public Export export(TelemetryService.Subject subject, TelemetrySearch search, String form) throws IOException {
-        Span span = search.span(subject.usual());
+        Span span = subject.span(search);
         return switch (form) {
             case TlogCut.FORM ->
                 new Export(
@@ -72,7 +72,11 @@ public final class TelemetryFiles {
         return new TrackForm.Track(
                 subject.name(),
                 points(subject.drone(), span),
-                kind.hasEvents() ? store.events(subject.drone(), span, MOST_EVENTS) : List.of());
+                kind.hasEvents()
+                        ? store.events(subject.drone(), span, MOST_EVENTS).stream()
+                                .map(subject::shown)
+                                .toList()
+                        : List.of());
     }
 
     private interface Making {

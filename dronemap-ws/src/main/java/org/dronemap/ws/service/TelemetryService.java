@@ -5,7 +5,9 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.core.access.Insight;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Sight;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.history.Flight;
@@ -28,7 +30,37 @@ public final class TelemetryService {
     private final InstantSource clock;
 
     /** Whose telemetry is asked for, and when it usually is looked at. */
-    public record Subject(DroneId drone, String name, Span usual) {}
+    public record Subject(DroneId drone, String name, Span usual, Insight insight) {
+        /** What is asked for, all of which has to be shown to the asker. */
+        Span span(TelemetrySearch search) {
+            return span(search, usual);
+        }
+
+        private Span span(TelemetrySearch search, Span usually) {
+            Span asked = search.span(shown(usually));
+            Span shown = shown(asked);
+            if (!shown.equals(asked) && !asked.length().isZero()) {
+                throw new InvalidInput(
+                        "from",
+                        "a time that is shown to you",
+                        "The drone was another organisation's then"
+                                + (shown.length().isZero()
+                                        ? "."
+                                        : "; ask from " + shown.from() + " until " + shown.until() + "."));
+            }
+            return asked;
+        }
+
+        private Span shown(Span span) {
+            return insight.within(span.from(), span.until())
+                    .map(part -> new Span(part.from(), part.until()))
+                    .orElse(new Span(span.until(), span.until()));
+        }
+
+        HistoryEvent shown(HistoryEvent event) {
+            return insight.at(event.at()) == Sight.ALL ? event : Nameless.event(event);
+        }
+    }
 
     public TelemetryService(TelemetryStore store, DroneService drones, FlightService flights, InstantSource clock) {
         this.store = store;
@@ -41,7 +73,7 @@ public final class TelemetryService {
     public Subject drone(Principal principal, String id) {
         DroneState state = drones.state(principal, id);
         Instant now = clock.instant();
-        return new Subject(state.id(), state.name(), new Span(now.minus(USUAL), now));
+        return new Subject(state.id(), state.name(), new Span(now.minus(USUAL), now), principal.insight(state.id()));
     }
 
     /** A flight, from its beginning to its end or to now. */
@@ -50,18 +82,21 @@ public final class TelemetryService {
         Instant end = flight.end() == null ? clock.instant() : flight.end();
         // The moment of the end is the flight's, too.
         Instant until = end.plusMillis(1);
-        return new Subject(flight.drone(), flight.droneName(), new Span(flight.start(), max(flight.start(), until)));
+        return new Subject(
+                flight.drone(),
+                flight.droneName(),
+                new Span(flight.start(), max(flight.start(), until)),
+                principal.insight(flight.drone()));
     }
 
     public SeriesView series(Subject subject, TelemetrySearch search) {
-        SeriesQuery query =
-                new SeriesQuery(subject.drone(), search.span(subject.usual()), search.chosen(), search.slotCount());
+        SeriesQuery query = new SeriesQuery(subject.drone(), subject.span(search), search.chosen(), search.slotCount());
         return SeriesView.of(query, store.series(query));
     }
 
     /** All points, or so many of them that they are no more than is asked for, evenly over the time. */
     public PointView.Points points(Subject subject, TelemetrySearch search) {
-        Span span = search.span(subject.usual());
+        Span span = subject.span(search);
         Duration apart = span.length().dividedBy(search.mostPoints());
         List<PointView> points = new ArrayList<>();
         Instant[] next = {span.from()};
@@ -76,13 +111,17 @@ public final class TelemetryService {
     }
 
     public EventView.Events events(Subject subject, TelemetrySearch search) {
-        Span span = search.span(around(subject.usual()));
+        Span span = subject.span(search, around(subject.usual()));
         List<HistoryEvent> events = store.events(subject.drone(), span, MOST_EVENTS + 1);
         return new EventView.Events(
                 subject.drone().value(),
                 WireTimes.shown(span.from()),
                 WireTimes.shown(span.until()),
-                events.stream().limit(MOST_EVENTS).map(EventView::of).toList(),
+                events.stream()
+                        .limit(MOST_EVENTS)
+                        .map(subject::shown)
+                        .map(EventView::of)
+                        .toList(),
                 events.size() > MOST_EVENTS);
     }
 

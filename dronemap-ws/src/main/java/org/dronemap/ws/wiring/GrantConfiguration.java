@@ -4,6 +4,7 @@ import java.time.Clock;
 import java.time.Duration;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.ws.service.DroneService;
+import org.dronemap.ws.service.GiftService;
 import org.dronemap.ws.service.GrantChanges;
 import org.dronemap.ws.service.GrantService;
 import org.dronemap.ws.service.GroupService;
@@ -48,9 +49,14 @@ public class GrantConfiguration {
     }
 
     @Bean
-    OrganisationService organisationService(
-            House house, GrantChanges grants, DroneService drones, ZoneService zones, Clock clock) {
-        return new OrganisationService(grants, house.access(), house.cloud(), drones, zones, clock);
+    OrganisationService organisationService(House house, GrantChanges grants, ZoneService zones, Clock clock) {
+        return new OrganisationService(grants, house.access(), house.cloud(), zones, clock);
+    }
+
+    @Bean
+    GiftService giftService(
+            House house, GrantChanges grants, DroneService drones, OrganisationService organisations, Clock clock) {
+        return new GiftService(grants, house.cloud(), house.virtuals(), drones, organisations, house.archive(), clock);
     }
 
     @Bean

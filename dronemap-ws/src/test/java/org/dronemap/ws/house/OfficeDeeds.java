@@ -150,14 +150,17 @@ public final class OfficeDeeds extends Deeds {
         can(
                 "DELETE /api/v1/organisations/{id}",
                 () -> deed("DELETE", "organisations/" + made("organisations", named()), ""));
-        can(
-                "PUT /api/v1/organisations/{id}/drones/{drone}",
-                () -> deed(
-                        "PUT",
-                        "organisations/" + made("organisations", named()) + "/drones/"
-                                + ScriptedVehicle.connect(house.cloud(), 16000 + house.number())
-                                        .id(),
-                        ""));
+        can("PUT /api/v1/organisations/{id}/drones/{drone}", () -> deed("PUT", drone(), "{\"histories\":true}"));
+        can("DELETE /api/v1/organisations/{id}/drones/{drone}", () -> {
+            String given = drone();
+            deed("PUT", given, "").make();
+            return deed("DELETE", given, "");
+        });
+    }
+
+    private String drone() {
+        return "organisations/" + made("organisations", named()) + "/drones/"
+                + ScriptedVehicle.connect(house.cloud(), 16000 + house.number()).id();
     }
 
     private void server() {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.cognitive.follow.Apart;
 import org.dronemap.core.access.AccessKey;
+import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.KeyRights;
@@ -48,20 +49,10 @@ import org.dronemap.core.virtual.RunMachine;
 import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.file.HeadsFile;
-import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryAuditStore;
-import org.dronemap.store.memory.MemoryCommandStore;
-import org.dronemap.store.memory.MemoryDroneStore;
 import org.dronemap.store.memory.MemoryFlightStore;
-import org.dronemap.store.memory.MemoryGrantStore;
-import org.dronemap.store.memory.MemoryLeaseStore;
-import org.dronemap.store.memory.MemoryLinkStore;
-import org.dronemap.store.memory.MemoryMissionStore;
-import org.dronemap.store.memory.MemoryOperationStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
 import org.dronemap.store.memory.MemoryTelemetryStore;
-import org.dronemap.store.memory.MemoryVirtualDroneStore;
-import org.dronemap.store.memory.MemoryZoneStore;
 import org.dronemap.store.secret.HmacSeal;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.guard.ClientLimits;
@@ -102,9 +93,9 @@ public final class TestHouse implements AutoCloseable {
     private final Time time = new SystemTime();
     private final Lanes lanes = new Lanes(time, 2);
     private final Journal journal = new Journal(time);
-    private final MemoryAccessStore access = new MemoryAccessStore();
-    private final MemoryLinkStore linkStore = new MemoryLinkStore();
-    private final RobotKeyRing robotKeys = new RobotKeyRing(linkStore);
+    private final SwitchedStores stores = new SwitchedStores();
+    private final AccessStore access = stores.access;
+    private final RobotKeyRing robotKeys = new RobotKeyRing(stores.links);
     private final ListedLinks links = new ListedLinks();
     private final AtomicInteger ids = new AtomicInteger();
     /** Thousands are made in tests: not as dear as a server's. */
@@ -117,7 +108,6 @@ public final class TestHouse implements AutoCloseable {
     private final ConfigurableApplicationContext faces;
     private volatile boolean connected = true;
     private final VirtualDrones virtuals;
-    private final MemoryOperationStore operationStore = new MemoryOperationStore();
     private final RunSide runs;
     private final Path data;
     private final Recorder recorder;
@@ -169,15 +159,15 @@ public final class TestHouse implements AutoCloseable {
         startRecorder();
         history = history();
         virtuals = virtuals();
-        runs = RunSide.of(cloud, operationStore, new AccountRights(access, grants, time), Apart.USUAL, time);
+        runs = RunSide.of(cloud, stores.operations, new AccountRights(access, grants, time), Apart.USUAL, time);
         runs.operations().takeUp();
         runs.operations().goOn();
         House house = new House(
                 time,
                 cloud,
                 access,
-                new MemoryMissionStore(),
-                new MemoryZoneStore(),
+                stores.missions,
+                stores.zones,
                 new CountingRecordings(),
                 recorder.shelf(),
                 history,
@@ -185,7 +175,7 @@ public final class TestHouse implements AutoCloseable {
                 () -> true,
                 file -> Files.write(file, "a backup".getBytes(StandardCharsets.UTF_8)),
                 new RecordedLinkSecurity(),
-                new MemoryGrantStore(),
+                stores.grants,
                 grants,
                 virtuals,
                 runs,
@@ -199,7 +189,7 @@ public final class TestHouse implements AutoCloseable {
     private VirtualDrones virtuals() {
         VirtualDrones made = new VirtualDrones(
                 cloud,
-                new MemoryVirtualDroneStore(),
+                stores.virtuals,
                 new RunMachine(RunMachine.USUAL_SILENCE),
                 new AccountRights(access, grants, time),
                 RHYTHM_OF_VIRTUALS,
@@ -225,9 +215,9 @@ public final class TestHouse implements AutoCloseable {
 
     private CloudManager.Keeping keeping() {
         return new CloudManager.Keeping(
-                new MemoryDroneStore(),
-                new AuditedCommands(new MemoryCommandStore(), audit.store(), System::nanoTime),
-                new MemoryLeaseStore(),
+                stores.drones,
+                new AuditedCommands(stores.commands, audit.store(), System::nanoTime),
+                stores.leases,
                 journal);
     }
 
@@ -281,6 +271,11 @@ public final class TestHouse implements AutoCloseable {
         }
     }
 
+    /** Of all but what is remembered of drones, and the record of calls. */
+    public StoreSwitch stores() {
+        return stores.all;
+    }
+
     /** Of what is remembered of drones. */
     public StoreSwitch historyStores() {
         return historyStores;
@@ -303,7 +298,12 @@ public final class TestHouse implements AutoCloseable {
     private House.LinkSide linkSide() {
         BoxSealing sealing = new BoxSealing(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
         return new House.LinkSide(
-                links, linkStore, new DtlsKeyRing(linkStore, sealing), robotKeys, new ListedClients(), () -> connected);
+                links,
+                stores.links,
+                new DtlsKeyRing(stores.links, sealing),
+                robotKeys,
+                new ListedClients(),
+                () -> connected);
     }
 
     public RunSide runs() {
@@ -371,6 +371,11 @@ public final class TestHouse implements AutoCloseable {
                 Clock.systemUTC().instant(),
                 null));
         return secret;
+    }
+
+    /** The id of that user's account. */
+    public String account(String name) {
+        return access.user(name).orElseThrow().account();
     }
 
     /** One that no other thing of this house has. */

@@ -31,8 +31,8 @@ public record SteppedOffice(
         ServiceConfiguration services = new ServiceConfiguration();
         GrantConfiguration granting = new GrantConfiguration();
         GrantChanges grants = granting.grantChanges(house);
-        OrganisationService organisations = granting.organisationService(
-                house, grants, drones, zones, house.time().clock());
+        OrganisationService organisations =
+                granting.organisationService(house, grants, zones, house.time().clock());
         ReplayService replays = services.replayService(house, granting.replayOwners(house), settings);
         FlightService flights = services.flightService(house);
         return new SteppedOffice(

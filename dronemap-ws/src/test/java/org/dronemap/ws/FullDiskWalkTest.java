@@ -1,0 +1,50 @@
+package org.dronemap.ws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.ws.house.Deeds;
+import org.dronemap.ws.house.Http;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Carries out all that the running server exposes and that may change something while nothing can be written: what needs
+ * to write is answered 503 with a sentence, and can be done once there is room again.
+ */
+class FullDiskWalkTest extends DeedTrial {
+    @Test
+    void eachOperationThatCannotBeWrittenDownSaysSoAndCanBeRepeated() {
+        List<String> wrong = new ArrayList<>();
+        int refused = 0;
+        for (String operation : faces.rest()) {
+            Optional<Deeds.Deed> deed = operation.startsWith("GET ") ? Optional.empty() : deed(operation);
+            if (deed.isEmpty()) {
+                continue;
+            }
+            int before = house.stores().refused();
+            house.stores().full();
+            Http.Answer answer = deed.get().make();
+            house.stores().on();
+            boolean writes = house.stores().refused() > before;
+            String told = operation + " is answered " + answer.status() + " "
+                    + answer.raw().body();
+            if (answer.status() >= 500 && answer.status() != 503) {
+                wrong.add(told);
+            } else if (answer.status() == 503) {
+                refused++;
+                Http.Answer again = deed.get().make();
+                boolean right = answer.text("detail").endsWith("Try again later.") && again.status() < 400;
+                if (!right) {
+                    wrong.add(told + ", and then " + again.status() + " "
+                            + again.raw().body());
+                }
+            } else if (writes) {
+                wrong.add(told + " though it was not written");
+            }
+        }
+        assertThat(wrong).isEmpty();
+        assertThat(refused).isGreaterThan(50);
+    }
+}
