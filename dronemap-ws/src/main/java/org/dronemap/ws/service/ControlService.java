@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import java.util.concurrent.CompletionException;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantBook;
 import org.dronemap.core.access.KeyScope;
@@ -14,9 +15,12 @@ import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** Use cases around who commands a drone: take, ask, grant, hand over, give back. Any thread. */
 public final class ControlService {
+    private static final Logger LOG = LoggerFactory.getLogger(ControlService.class);
     private static final int LONGEST_REASON = 200;
 
     private final CloudManager cloud;
@@ -77,6 +81,12 @@ public final class ControlService {
             return cloud.controls().apply(drone, event);
         } catch (UnknownDroneException removedMeanwhile) {
             throw Rejection.unknown("drone", drone.value());
+        } catch (CompletionException notWritten) {
+            LOG.warn("A change of who has control of {} could not be written down", drone, notWritten);
+            throw new Rejection(
+                    RejectionKind.UNAVAILABLE,
+                    "Control has changed as you asked, but that could not be written down: should the server be started"
+                            + " anew now, it may be as it was before.");
         }
     }
 
