@@ -150,34 +150,6 @@ class RecorderTest {
     }
 
     @Test
-    void beginsAnewWhereItIsPartedWithNothingOfWhatCameBefore() throws IOException {
-        recorder.start();
-        FrameTap tap = recorder.open(1);
-        tap.bound(DRONE);
-        hears(tap, heartbeat(true), true);
-        clock.pass(1);
-        hears(tap, heartbeat(false), true);
-
-        clock.pass(1);
-        recorder.shelf().part(DRONE);
-        clock.pass(1);
-        Recording before = awaitEnd();
-        assertThat(before.state()).isEqualTo(Recording.State.COMPLETE);
-        assertThat(before.frames()).isEqualTo(2);
-        clock.pass(6);
-        hears(tap, new Attitude(1, 0f, 0f, 0f, 0f, 0f, 0f), false);
-        recorder.shelf().part(DRONE);
-        clock.pass(1);
-        hears(tap, heartbeat(true), true);
-
-        recorder.flush();
-        Recording after = recorder.shelf().recordings().get(0);
-        assertThat(after.id()).isNotEqualTo(before.id());
-        assertThat(after.start()).isEqualTo(START.plusSeconds(10));
-        assertThat(after.frames()).isEqualTo(1);
-    }
-
-    @Test
     void saysThatContactWasLostWhileArmed() throws IOException {
         recorder.start();
         FrameTap tap = armed();

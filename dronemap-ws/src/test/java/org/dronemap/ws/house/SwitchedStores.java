@@ -4,6 +4,8 @@ import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.history.FlightStore;
+import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.link.LinkStore;
 import org.dronemap.core.mission.MissionStore;
@@ -13,15 +15,17 @@ import org.dronemap.core.zone.ZoneStore;
 import org.dronemap.store.memory.MemoryAccessStore;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
+import org.dronemap.store.memory.MemoryFlightStore;
 import org.dronemap.store.memory.MemoryGrantStore;
 import org.dronemap.store.memory.MemoryLeaseStore;
 import org.dronemap.store.memory.MemoryLinkStore;
 import org.dronemap.store.memory.MemoryMissionStore;
 import org.dronemap.store.memory.MemoryOperationStore;
+import org.dronemap.store.memory.MemoryTelemetryStore;
 import org.dronemap.store.memory.MemoryVirtualDroneStore;
 import org.dronemap.store.memory.MemoryZoneStore;
 
-/** Where a house keeps what it keeps, all behind one switch. */
+/** Where a house keeps what it keeps, behind a switch, and what it remembers of drones behind another. */
 final class SwitchedStores {
     final StoreSwitch all = new StoreSwitch();
     final AccessStore access = all.before(AccessStore.class, new MemoryAccessStore());
@@ -34,4 +38,7 @@ final class SwitchedStores {
     final LeaseStore leases = all.before(LeaseStore.class, new MemoryLeaseStore());
     final OperationStore operations = all.before(OperationStore.class, new MemoryOperationStore());
     final VirtualDroneStore virtuals = all.before(VirtualDroneStore.class, new MemoryVirtualDroneStore());
+    final StoreSwitch history = new StoreSwitch();
+    final TelemetryStore telemetry = history.before(TelemetryStore.class, new MemoryTelemetryStore());
+    final FlightStore flights = history.before(FlightStore.class, new MemoryFlightStore());
 }

@@ -32,12 +32,10 @@ import org.dronemap.core.conduct.AuditedBindings;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.history.FlightLog;
-import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.History;
 import org.dronemap.core.history.HistoryKeeper;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.history.Retention;
-import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TelemetryWriter;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
@@ -50,9 +48,7 @@ import org.dronemap.proxy.record.Recorder;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.file.HeadsFile;
 import org.dronemap.store.memory.MemoryAuditStore;
-import org.dronemap.store.memory.MemoryFlightStore;
 import org.dronemap.store.memory.MemoryRecordingStore;
-import org.dronemap.store.memory.MemoryTelemetryStore;
 import org.dronemap.store.secret.HmacSeal;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.guard.ClientLimits;
@@ -111,12 +107,8 @@ public final class TestHouse implements AutoCloseable {
     private final RunSide runs;
     private final Path data;
     private final Recorder recorder;
-    private final StoreSwitch historyStores = new StoreSwitch();
-    private final TelemetryStore telemetryStore =
-            historyStores.before(TelemetryStore.class, new MemoryTelemetryStore());
-    private final TelemetryWriter telemetry = new TelemetryWriter(telemetryStore, EAGER, time);
-    private final FlightLog flights = new FlightLog(
-            historyStores.before(FlightStore.class, new MemoryFlightStore()), Duration.ofMillis(10), time);
+    private final TelemetryWriter telemetry = new TelemetryWriter(stores.telemetry, EAGER, time);
+    private final FlightLog flights = new FlightLog(stores.flights, Duration.ofMillis(10), time);
     private final History history;
 
     public TestHouse(Path data, boolean publicMode) {
@@ -200,9 +192,9 @@ public final class TestHouse implements AutoCloseable {
     }
 
     private History history() {
-        HistoryKeeper keeper = new HistoryKeeper(telemetryStore, Retention.DEFAULT, time);
+        HistoryKeeper keeper = new HistoryKeeper(stores.telemetry, Retention.DEFAULT, time);
         History made = new History(
-                new History.Keeping(telemetryStore, telemetry, flights, keeper),
+                new History.Keeping(stores.telemetry, telemetry, flights, keeper),
                 HistoryPolicy.DEFAULT,
                 Clock.systemUTC(),
                 () -> "flight-" + ids.incrementAndGet());
@@ -278,7 +270,7 @@ public final class TestHouse implements AutoCloseable {
 
     /** Of what is remembered of drones. */
     public StoreSwitch historyStores() {
-        return historyStores;
+        return stores.history;
     }
 
     public Recorder recorder() {
