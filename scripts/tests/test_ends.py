@@ -197,6 +197,7 @@ def test_operations_that_end_the_server_are_set_aside_and_their_drones_go_home(
     }
     follow = json.loads(ask(built, "/follows", order))["id"]
     say(built, follow, order)
+    ask(built, f"/follows/{follow}/start", {})
 
     def one() -> dict[str, Any]:
         return next(d for d in json.loads(ask(built, "/drones"))["drones"] if d["id"] == drone["id"])

@@ -14,7 +14,7 @@ import org.springframework.asm.Opcodes;
 /**
  * Faults for a server that runs, from outside it: {@code java -jar faults.jar PID FAULT} uses up its heap, its memory outside
  * the heap or its threads, or stops one of its threads; as an agent from the start, {@code frame} fails at every MAVLink
- * message of system {@value #BAD_SYSTEM}, and {@code journal} at every stored state of a follow.
+ * message of system {@value #BAD_SYSTEM}, and {@code journal} at every stored state of an operation.
  */
 public final class Faults {
     private static final int BAD_SYSTEM = 66;
@@ -38,7 +38,7 @@ public final class Faults {
             instrumentation.addTransformer(new Beginning(
                     "org/dronemap/proxy/session/PeerSessions", "received", "(Ljava/nio/ByteBuffer;)V", "onFrame"));
         } else {
-            instrumentation.addTransformer(new Beginning("org/dronemap/ws/journal/FollowCodec", "state", null, "onState"));
+            instrumentation.addTransformer(new Beginning("org/dronemap/ws/journal/RecordCodec", "state", null, "onState"));
         }
     }
 
@@ -47,10 +47,16 @@ public final class Faults {
             stop(fault.substring("stop:".length()));
             return;
         }
+        long begun = System.nanoTime();
+        boolean told = false;
         while (true) {
             try {
                 take(fault);
             } catch (OutOfMemoryError e) {
+                if (!told) {
+                    told = true;
+                    System.err.println(fault + " used up after " + (System.nanoTime() - begun) / 1_000_000 + " ms");
+                }
                 // It is somebody else's turn to find out.
                 pause(20);
             }
@@ -72,9 +78,11 @@ public final class Faults {
 
     @SuppressWarnings({"deprecation", "removal"})
     private static void stop(String name) {
-        Thread.getAllStackTraces().keySet().stream()
+        List<Thread> found = Thread.getAllStackTraces().keySet().stream()
                 .filter(thread -> thread.getName().equals(name))
-                .forEach(Thread::stop);
+                .toList();
+        System.err.println("Stops " + found);
+        found.forEach(Thread::stop);
     }
 
     private static void pause(long millis) {

@@ -27,6 +27,8 @@ final class SystemWorker implements Worker {
         thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
         thread.setContinueExistingPeriodicTasksAfterShutdownPolicy(false);
         thread.setRemoveOnCancelPolicy(true);
+        // Who has no thread learns it now, and not with the first thing to do.
+        thread.prestartAllCoreThreads();
     }
 
     @Override

@@ -133,8 +133,6 @@ final class Ledger implements AutoCloseable {
             } catch (InterruptedException e) {
                 // Nobody has a reason to: it goes on, as nothing would be written down without it.
                 LOG.warn("The ledger was interrupted");
-            } catch (RuntimeException e) {
-                LOG.error("The ledger failed at something; it goes on with the next", e);
             }
         }
     }
