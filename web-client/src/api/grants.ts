@@ -146,7 +146,7 @@ export class GrantCalls {
     return this.#call('PUT', `${of(organisation)}/drones/${encodeURIComponent(drone)}`, { histories });
   }
 
-  takeBack(organisation: string, drone: string): Promise<Gift> {
+  bringBack(organisation: string, drone: string): Promise<Gift> {
     return this.#call('DELETE', `${of(organisation)}/drones/${encodeURIComponent(drone)}`);
   }
 }
