@@ -123,6 +123,10 @@ abstract class ReachTrial {
                 : operation.replaceFirst("\\S+ /(api/v1/)?", "").split("/")[0];
     }
 
+    static boolean isTakingBack(String operation) {
+        return operation.equals("DELETE" + GIVEN);
+    }
+
     /** Not what would take the caller's own key or the drone away, nor what is one user's alone. */
     boolean isTried(String operation) {
         return !operation.endsWith(GIVEN) && !kind(operation).matches("access-keys|virtual-drones|plans|runs|follows");

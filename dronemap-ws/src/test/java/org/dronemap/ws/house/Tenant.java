@@ -84,11 +84,12 @@ public final class Tenant implements AutoCloseable {
     }
 
     private void own(String drone) {
-        HttpRequest.BodyPublisher nothing = HttpRequest.BodyPublishers.noBody();
+        HttpRequest.BodyPublisher all = HttpRequest.BodyPublishers.ofString("{\"histories\":true}");
         Http.Answer given = SharedServer.administrator()
                 .send(
                         "/api/v1/organisations/" + organisation.value() + "/drones/" + drone,
-                        request -> request.PUT(nothing));
+                        request -> request.header("Content-Type", "application/json")
+                                .PUT(all));
         if (given.status() != 200) {
             throw new IllegalStateException(given.raw().body());
         }
