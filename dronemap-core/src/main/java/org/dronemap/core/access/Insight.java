@@ -12,7 +12,7 @@ import org.dronemap.core.organisation.OrganisationId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is shown to somebody of the past of a drone, which may have been others'.
+ * The past of a drone, which may have been others', as far as it is shown to somebody.
  *
  * @param stretches in any order; they may overlap
  */

@@ -1,6 +1,6 @@
 package org.dronemap.core.access;
 
-/** How much of what a drone did at some time is shown to somebody. */
+/** The share of what a drone did at some time that is shown to somebody. */
 public enum Sight {
     /** As if it had not been. */
     NONE,

@@ -1,13 +1,18 @@
 package org.dronemap.ws.service;
 
 import java.util.List;
+import java.util.regex.Pattern;
 import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.HistoryEvent;
 
-/** What a drone did while it belonged to others, without the names of their people and the words that they wrote. */
+/** Takes names of people, and the words that they wrote, out of what a drone did while it belonged to others. */
 final class Nameless {
     /** Stands for whoever it was. */
     static final String OTHERS = "another organisation";
+
+    /** Earlier versions kept messages about control without saying whom they name. */
+    private static final Pattern OF_CONTROL = Pattern.compile("handed control over to |took control over from"
+            + "|, who had control, |Nobody took control after | and has control now");
 
     private Nameless() {}
 
@@ -29,7 +34,9 @@ final class Nameless {
 
     static HistoryEvent event(HistoryEvent event) {
         boolean names = event.kind() == HistoryEvent.Kind.CONTROL
-                || (event.kind() == HistoryEvent.Kind.MESSAGE && event.by() != null);
+                || (event.kind() == HistoryEvent.Kind.MESSAGE
+                        && (event.by() != null
+                                || OF_CONTROL.matcher(event.text()).find()));
         return new HistoryEvent(
                 event.drone(),
                 event.at(),
