@@ -81,7 +81,7 @@ public final class CloudManager {
         this.turns = keeping.commands();
         this.reception = new Reception(registry, clock);
         this.gate = new CommandGate(registry, keeping.commands(), journal, time, everybody, new ZoneRules(zones));
-        this.setpoints = new SetpointGate(registry, gate);
+        this.setpoints = new SetpointGate(registry, gate, time);
         ZoneGuard guard = new ZoneGuard(zones, new ZoneActions(registry, gate, time), time);
         zones.onChange(change -> registry.all().forEach(guard::lookAgain));
         listeners.add(guard);
@@ -281,7 +281,7 @@ public final class CloudManager {
             }
         });
         Lane lane = lanes.of(record.id());
-        DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, lane::activeNanos);
+        DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, time::nanos);
         ManagedDrone drone = new ManagedDrone(
                 new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
         drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), everybody, clock));

@@ -30,7 +30,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class CommandGate {
     private static final String GATE = "gate";
-    private static final Outcome UNHEARD = new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone.");
 
     private final DroneRegistry registry;
     private final CommandStore store;
@@ -127,10 +126,10 @@ public final class CommandGate {
                 : earlier.open().told();
     }
 
-    private static Underway underway(
+    private Underway underway(
             ManagedDrone managed, Command command, CommandRecord given, Passage.Open passage, Principal principal) {
         CommandRecord record = passage.epoch() == null ? given : given.withEpoch(passage.epoch());
-        OpenCommand open = new OpenCommand(command, record, managed.lane().activeNanos());
+        OpenCommand open = new OpenCommand(command, record, managed.lane().activeNanos(), time.nanos());
         return new Underway(open, managed, passage, principal, new CompletableFuture<>());
     }
 
@@ -288,6 +287,10 @@ public final class CommandGate {
             endOutdated(entry);
             return;
         }
+        if (!entry.open().record().face().equals(SAFETY.face()) && entry.open().isLate(time.nanos())) {
+            end(entry, OpenCommand.LATE);
+            return;
+        }
         DroneState now = entry.drone().drone().state();
         Command command = entry.open().command();
         Optional<String> why = OwnFaults.judging(
@@ -307,7 +310,7 @@ public final class CommandGate {
             entry.drone().helm().commanded(entry.open().record().summary());
         }
         Lane.Ticker guard =
-                new Overdue(entry.open(), entry.drone().lane(), () -> giveUp(entry, channel.get(), UNHEARD));
+                new Overdue(entry.open(), entry.drone().lane(), outcome -> giveUp(entry, channel.get(), outcome));
         entry.drone().lane().addTicker(guard);
         OwnFaults.doing(
                         command.summary(),

@@ -67,16 +67,32 @@ final class ControlWatch implements Lane.Ticker {
                         sentence,
                         ControlWords.user(change));
             }
+            tellOfTheWayHome(change);
             act(change.kind());
         }
         drone.news();
     }
 
+    private void tellOfTheWayHome(ControlChange change) {
+        boolean over = change.kind() == ControlChange.Kind.EXPIRED || change.kind() == ControlChange.Kind.RELEASED;
+        if (over && rules.onLoss() == LeaseRules.OnLoss.RETURN && isLeftAlone()) {
+            drone.say(
+                    Severity.WARNING,
+                    "Nobody has control of it now: it returns in "
+                            + rules.untilReturn().toSeconds() + " s unless somebody takes control.");
+        }
+    }
+
     private void act(ControlChange.Kind kind) {
-        boolean lost = kind == ControlChange.Kind.LOST || kind == ControlChange.Kind.EXPELLED;
         if (!isLeftAlone()) {
             return;
         }
+        boolean lost = switch (kind) {
+            case LOST, EXPELLED -> true;
+            // What was told where to go goes there; what was led by hand does not stand by itself.
+            case EXPIRED, RELEASED -> isLedByHand();
+            case TAKEN, REQUESTED, REFUSED, HANDED_OVER, TAKEN_OVER, RETURN_DUE, PILOT_ACTED, PILOT_LEFT -> false;
+        };
         if (lost && rules.onLoss() != LeaseRules.OnLoss.NOTHING) {
             gate.submitForSafety(drone, new Command.Hold());
         } else if (kind == ControlChange.Kind.RETURN_DUE) {
@@ -84,15 +100,27 @@ final class ControlWatch implements Lane.Ticker {
         }
     }
 
-    /** In the air and waiting for somebody: what flies by itself goes on. */
+    private boolean isLedByHand() {
+        DroneState state = drone.drone().state();
+        return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.STICKS));
+    }
+
+    /** In the air and waiting for somebody: what flies by itself goes on, until its mission is over. */
     private boolean isLeftAlone() {
         DroneState state = drone.drone().state();
-        return Boolean.TRUE.equals(state.armed())
-                && state.airborne()
-                && state.capabilities()
-                        .steering(state.mode())
-                        .filter(Steering::waitsForSomebody)
-                        .isPresent();
+        return isFlying(state) && waitsForSomebody(state);
+    }
+
+    private static boolean isFlying(DroneState state) {
+        return Boolean.TRUE.equals(state.armed()) && state.airborne();
+    }
+
+    private static boolean waitsForSomebody(DroneState state) {
+        return state.capabilities()
+                .steering(state.mode())
+                .filter(by -> by.waitsForSomebody()
+                        || (by == Steering.MISSION && state.mission().complete()))
+                .isPresent();
     }
 
     /** Stops what does not stand by itself when nobody steers it any more, unless somebody else flies it already. */
@@ -108,7 +136,8 @@ final class ControlWatch implements Lane.Ticker {
     @Override
     public void tick() {
         DroneState state = drone.drone().state();
-        drone.control().tick(() -> gate.isBusy(drone), hasSaidWhatItDoes(state));
+        boolean fliesByItself = isFlying(state) && !waitsForSomebody(state);
+        drone.control().tick(() -> gate.isBusy(drone), hasSaidWhatItDoes(state) && !fliesByItself);
         String mode = state.link().state() == LinkState.LIVE ? state.mode() : null;
         Control control = drone.control().control();
         if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {

@@ -70,6 +70,10 @@ final class DroneControl {
     }
 
     synchronized Decision apply(LeaseEvent event) {
+        // A sign that comes too late, as after this process stood still, is none.
+        if (!(event instanceof LeaseEvent.Tick) && machine.isSilent(control, nanoTime.getAsLong())) {
+            Decision unused = apply(new LeaseEvent.Tick(false, false));
+        }
         Control before = control;
         LeaseStep step = machine.apply(before, event, now());
         control = step.control();
@@ -168,8 +172,13 @@ final class DroneControl {
         if (lapse != null && !lapse.returned()) {
             return new SavedLease(drone, lapse.user(), lapse.at(), of.epoch(), true);
         }
-        return of.tenure() != null && of.tenure().explicit() && of.tenure().holder() instanceof Holder.Person person
-                ? new SavedLease(drone, person.name(), of.tenure().since(), of.epoch(), false)
+        return of.tenure() != null && of.tenure().holder() instanceof Holder.Person person
+                ? new SavedLease(
+                        drone,
+                        person.name(),
+                        of.tenure().since(),
+                        of.epoch(),
+                        !of.tenure().explicit())
                 : null;
     }
 

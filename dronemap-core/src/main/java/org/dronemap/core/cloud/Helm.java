@@ -49,7 +49,7 @@ final class Helm implements Lane.Ticker {
     }
 
     /** A setpoint with who says it, and by what right. */
-    record Word(CommandGate.Source source, Passage.Open passage, Setpoint setpoint) {
+    record Word(CommandGate.Source source, Passage.Open passage, Setpoint setpoint, long saidNanos) {
         boolean goesOn(Word earlier) {
             return source.principal().name().equals(earlier.source.principal().name())
                     && source.face().equals(earlier.source.face())
@@ -113,7 +113,7 @@ final class Helm implements Lane.Ticker {
         try {
             drone.lane().execute(() -> {
                 boolean isNews =
-                        refusals.isNews(source, why.reason(), drone.lane().activeNanos());
+                        refusals.isNews(source, why.reason(), log.time().nanos());
                 Turn now = turn;
                 if (now != null && isOf(now.record, source)) {
                     newest.set(null);
@@ -140,7 +140,8 @@ final class Helm implements Lane.Ticker {
     private void steer() {
         Word word = newest.getAndSet(null);
         VehicleChannel channel = drone.channel().orElse(null);
-        if (word == null || channel == null || !word.passage().fence().isOpen()) {
+        boolean late = word != null && log.time().nanos() - word.saidNanos() > EXPIRES_NANOS;
+        if (word == null || late || channel == null || !word.passage().fence().isOpen()) {
             return;
         }
         Turn now = turn;
@@ -153,7 +154,7 @@ final class Helm implements Lane.Ticker {
         }
         still = null;
         now.last = word;
-        now.lastNanos = drone.lane().activeNanos();
+        now.lastNanos = log.time().nanos();
         channel.steer(
                 new Mandate(
                         now.record.id(),
@@ -166,7 +167,7 @@ final class Helm implements Lane.Ticker {
     private Turn begin(Word word) {
         CommandRecord record =
                 record(word.source(), word.setpoint(), word.passage().epoch());
-        Turn begun = new Turn(record, word, drone.lane().activeNanos());
+        Turn begun = new Turn(record, word, log.time().nanos());
         turn = begun;
         log.journal()
                 .write(
@@ -244,7 +245,7 @@ final class Helm implements Lane.Ticker {
         if (saying == null) {
             return;
         }
-        stillNanos = drone.lane().activeNanos();
+        stillNanos = log.time().nanos();
         stillLeft--;
         drone.channel().ifPresent(channel -> channel.steer(SAFETY, saying));
         if (stillLeft == 0) {
@@ -254,7 +255,7 @@ final class Helm implements Lane.Ticker {
 
     @Override
     public void tick() {
-        long now = drone.lane().activeNanos();
+        long now = log.time().nanos();
         Turn steering = turn;
         if (steering != null && now - steering.lastNanos > EXPIRES_NANOS) {
             end(

@@ -22,6 +22,8 @@ public final class Lane implements AutoCloseable {
     private static final long TICK_NANOS = 20_000_000L;
     /** A turn that takes longer than this is our own stall, and no silence of anybody else. */
     private static final long STALL_NANOS = 250_000_000L;
+    /** What was to be done before a stall of this length is not what anybody wants now. */
+    private static final long STANDSTILL_NANOS = 5_000_000_000L;
     /** Shorter turns than this are told as one. */
     private static final long TURN_NANOS = 1_000_000L;
 
@@ -30,6 +32,9 @@ public final class Lane implements AutoCloseable {
     /** Something that wants to be called at every tick, on the lane's thread. */
     public interface Ticker {
         void tick();
+
+        /** The process has stood still for longer than anybody waits; before anything else is done. */
+        default void stoodStill(Duration how) {}
     }
 
     /** When the task or tick that runs now began, for how long the lane had stood still by then; numbered. */
@@ -141,6 +146,9 @@ public final class Lane implements AutoCloseable {
                 before.beganNanos() + gap, before.stalledNanos() + Math.max(0, gap - STALL_NANOS), before.number() + 1);
         if (gap > STALL_NANOS) {
             LOG.warn("Lane {} stood still for {} ms; nobody is called lost for it", name, gap / 1_000_000);
+        }
+        if (gap > STANDSTILL_NANOS) {
+            List.copyOf(tickers).forEach(ticker -> guard(() -> ticker.stoodStill(Duration.ofNanos(gap))));
         }
     }
 

@@ -6,6 +6,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.Routes;
 
 /**
@@ -17,8 +18,10 @@ public final class SetpointGate {
 
     private final DroneRegistry registry;
     private final CommandGate commands;
+    private final Time time;
 
-    SetpointGate(DroneRegistry registry, CommandGate commands) {
+    SetpointGate(DroneRegistry registry, CommandGate commands, Time time) {
+        this.time = time;
         this.registry = registry;
         this.commands = commands;
     }
@@ -46,7 +49,7 @@ public final class SetpointGate {
         if (busy.isPresent()) {
             return Optional.of("Steer when what is under way has ended: " + busy.get() + ".");
         }
-        return managed.helm().take(new Helm.Word(source, (Passage.Open) passage, setpoint))
+        return managed.helm().take(new Helm.Word(source, (Passage.Open) passage, setpoint, time.nanos()))
                 ? Optional.empty()
                 : Optional.of("The server is overloaded; nothing was sent.");
     }

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param epoch of the last tenure; rises with each new one, and a command of an older one is not sent any more
  * @param tenure null: nobody
  * @param requests oldest first
- * @param lapse null unless a holder was lost
+ * @param lapse null unless the control of a user ended without another one
  * @param interruption who ended the last tenure for safety's sake, and how, as a sentence; null: it ended otherwise
  */
 public record Control(

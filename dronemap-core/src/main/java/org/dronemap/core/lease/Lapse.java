@@ -3,7 +3,7 @@ package org.dronemap.core.lease;
 import java.time.Instant;
 
 /**
- * A holder fell silent and nobody has taken control since.
+ * Control of a user ended and nobody has taken it since.
  *
  * @param at when that was seen
  * @param sinceNanos the same, monotonic

@@ -52,7 +52,8 @@ public sealed interface LeaseEvent {
      * Time goes by.
      *
      * @param busy a command of this epoch is under way
-     * @param heard the drone has said what it does since the server began: before that a call back would be spent on nothing
+     * @param heard the drone has said what it does since the server began, and it does not fly by itself: before that a call
+     *     back would be spent on nothing
      */
     record Tick(boolean busy, boolean heard) implements LeaseEvent {}
 }

@@ -70,7 +70,7 @@ public final class LeaseMachine {
             return handOver(control, handOver.user(), handOver.to(), now);
         }
         if (event instanceof LeaseEvent.Release release) {
-            return release(control, release.user());
+            return release(control, release.user(), now);
         }
         if (event instanceof LeaseEvent.Expel expel) {
             return expel(control, expel.user(), now);
@@ -195,12 +195,13 @@ public final class LeaseMachine {
         return LeaseStep.granted(control.with(tenure.heard(now)));
     }
 
-    private static LeaseStep release(Control control, String user) {
+    private static LeaseStep release(Control control, String user, Moment now) {
         Tenure tenure = control.tenure();
         if (tenure == null || !control.isHeldBy(user)) {
             return notYours(control);
         }
-        return LeaseStep.granted(freed(control.epoch(), null), change(Kind.RELEASED, tenure.holder(), null));
+        return LeaseStep.granted(
+                freed(control.epoch(), lapse(user, now)), change(Kind.RELEASED, tenure.holder(), null));
     }
 
     private LeaseStep expel(Control control, String user, Moment now) {
@@ -209,8 +210,8 @@ public final class LeaseMachine {
         if (tenure == null || !rest.isHeldBy(user)) {
             return LeaseStep.granted(rest);
         }
-        Lapse lapse = tenure.explicit() ? new Lapse(user, now.at(), now.nanos(), false) : null;
-        return LeaseStep.granted(freed(epochs.getAsLong(), lapse), change(Kind.EXPELLED, tenure.holder(), null));
+        return LeaseStep.granted(
+                freed(epochs.getAsLong(), lapse(user, now)), change(Kind.EXPELLED, tenure.holder(), null));
     }
 
     private LeaseStep engage(Control control, Holder.Operation operation, Moment now) {
@@ -273,6 +274,15 @@ public final class LeaseMachine {
                 || control.requests().stream().anyMatch(request -> isOld(request, nowNanos));
     }
 
+    /** Whether its holder, who keeps control by signs, gave none for too long. */
+    public boolean isSilent(Control control, long nowNanos) {
+        Tenure tenure = control.tenure();
+        return tenure != null
+                && tenure.explicit()
+                && tenure.holder() instanceof Holder.Person
+                && nowNanos - tenure.heardNanos() > patienceNanos(tenure);
+    }
+
     private long patienceNanos(Tenure tenure) {
         return (tenure.explicit() ? rules.silence() : rules.idle()).toNanos();
     }
@@ -306,11 +316,10 @@ public final class LeaseMachine {
         if (now.nanos() - tenure.heardNanos() <= patienceNanos(tenure)) {
             return LeaseStep.granted(rest);
         }
+        Lapse lapse = lapse(person.name(), now);
         return tenure.explicit()
-                ? LeaseStep.granted(
-                        freed(epochs.getAsLong(), new Lapse(person.name(), now.at(), now.nanos(), false)),
-                        change(Kind.LOST, person, null))
-                : LeaseStep.granted(freed(rest.epoch(), null), change(Kind.EXPIRED, person, null));
+                ? LeaseStep.granted(freed(epochs.getAsLong(), lapse), change(Kind.LOST, person, null))
+                : LeaseStep.granted(freed(rest.epoch(), lapse), change(Kind.EXPIRED, person, null));
     }
 
     private LeaseStep lapsed(Control control, Moment now) {
@@ -330,6 +339,11 @@ public final class LeaseMachine {
                 : List.of();
         Tenure tenure = new Tenure(holder, explicit, now.at(), now.nanos(), null);
         return new Control(epochs.getAsLong(), tenure, others, null, null);
+    }
+
+    /** However control ends: what is in the air then is nobody's, and comes home unless somebody takes it. */
+    private static Lapse lapse(String user, Moment now) {
+        return new Lapse(user, now.at(), now.nanos(), false);
     }
 
     /** Whoever waited can take it now. */

@@ -54,7 +54,7 @@ class LeaseMachineTest {
         after(30.1, new LeaseEvent.Tick(false, true));
 
         assertThat(control.tenure()).isNull();
-        assertThat(control.lapse()).isNull();
+        assertThat(control.lapse()).isNotNull();
         assertThat(kinds()).containsExactly(Kind.EXPIRED);
     }
 
@@ -196,13 +196,14 @@ class LeaseMachineTest {
     }
 
     @Test
-    void doesNotLoseWhoWasHandedControlWithoutLooking() {
+    void waitsForWhoWasHandedControlWithoutLookingAndThenCallsTheDroneBack() {
         granted(new LeaseEvent.Take("ann"));
         granted(new LeaseEvent.HandOver("ann", "bob"));
         after(30.1, new LeaseEvent.Tick(false, true));
 
         assertThat(kinds()).containsExactly(Kind.EXPIRED);
-        assertThat(control.lapse()).isNull();
+        after(30.1, new LeaseEvent.Tick(false, true));
+        assertThat(kinds()).containsExactly(Kind.RETURN_DUE);
     }
 
     @Test

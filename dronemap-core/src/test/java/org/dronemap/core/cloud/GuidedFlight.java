@@ -1,0 +1,146 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.lease.Control;
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.LeaseAnswer;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.time.SteppedTime;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+
+/** A copter in guided flight, in stepped time, and all that is commanded of it. */
+abstract class GuidedFlight {
+    static final CommandGate.Source ANN = operator("ann");
+    static final CommandGate.Source BOB = operator("bob");
+    static final CommandGate.Source SUE = new CommandGate.Source(new Principal("sue", Role.SUPERVISOR), "rest");
+    static final Instant BEGAN = Instant.parse("2026-03-04T05:06:07Z");
+    static final Duration PATIENCE = Duration.ofSeconds(30);
+    /** As quick as it may be. */
+    static final LeaseRules RULES = new LeaseRules(
+            Duration.ofSeconds(3),
+            Duration.ofSeconds(1),
+            Duration.ofSeconds(60),
+            LeaseRules.OnLoss.RETURN,
+            Duration.ofSeconds(1));
+
+    static final Capabilities MODES = new Capabilities(
+            Set.of(Capability.values()),
+            List.of("GUIDED", "LOITER", "AUTO"),
+            Map.of("GUIDED", Steering.ORDERS, "LOITER", Steering.STICKS, "AUTO", Steering.MISSION));
+
+    final SteppedTime time = new SteppedTime(BEGAN);
+    final Lanes lanes = new Lanes(time, 2);
+    final Journal journal = new Journal(time);
+    final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
+    final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
+    final Fixtures.HeapLeaseStore leases = new Fixtures.HeapLeaseStore();
+    final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
+    final List<ControlChange.Kind> changes = new CopyOnWriteArrayList<>();
+    final CloudManager cloud = cloud();
+    final CommandGate gate = cloud.gate();
+    DroneLink link;
+
+    static CommandGate.Source operator(String name) {
+        return new CommandGate.Source(new Principal(name, Role.OPERATOR), "rest");
+    }
+
+    CloudManager cloud() {
+        return cloud(new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)));
+    }
+
+    CloudManager cloud(Watchdog watchdog) {
+        return new CloudManager(
+                lanes,
+                new CloudManager.Rules(watchdog, RULES),
+                time,
+                new CloudManager.Keeping(drones, commands, leases, journal),
+                () -> new DroneId("drone-1"));
+    }
+
+    @BeforeEach
+    void fly() {
+        cloud.addListener(new CloudListener() {
+            @Override
+            public void controlChanged(DroneId drone, Control now, ControlChange change) {
+                changes.add(change.kind());
+            }
+        });
+        link = bound(cloud);
+        hoverInGuided();
+    }
+
+    DroneLink bound(CloudManager to) {
+        LinkSession session =
+                new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", vehicle);
+        return Fixtures.bound(to.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+    }
+
+    void hoverInGuided() {
+        hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+    }
+
+    @AfterEach
+    void close() {
+        lanes.close();
+        journal.close();
+    }
+
+    Control control() {
+        return cloud.controls().control(link.id());
+    }
+
+    void apply(LeaseEvent event) {
+        assertThat(cloud.controls().apply(link.id(), event).answer()).isInstanceOf(LeaseAnswer.Granted.class);
+    }
+
+    void hear(DroneEvent event) {
+        link.lane().execute(() -> link.accept(event));
+        time.settle();
+    }
+
+    void until(BooleanSupplier holds) {
+        Steps.until(time, holds);
+    }
+
+    /** Until the lane has looked at the drone once more. */
+    void awaitTick() {
+        AtomicBoolean ticked = new AtomicBoolean();
+        Lane.Ticker ticker = () -> ticked.set(true);
+        link.lane().execute(() -> link.lane().addTicker(ticker));
+        until(ticked::get);
+        link.lane().execute(() -> link.lane().removeTicker(ticker));
+    }
+
+    VehicleChannel.Report report(CommandRecord command) {
+        until(() -> vehicle.reports.containsKey(command.id()));
+        return vehicle.reports.get(command.id());
+    }
+
+    static CommandId id(String value) {
+        return new CommandId(value);
+    }
+}

@@ -1,0 +1,110 @@
+package org.dronemap.core.cloud;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.SavedLease;
+import org.dronemap.core.mission.MissionItem;
+import org.junit.jupiter.api.Test;
+
+/** However control ends in the air: whoever is left alone comes home, unless somebody takes it or a pilot has it. */
+class NobodysDroneTest extends GuidedFlight {
+    private void comesHome() {
+        until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+    }
+
+    private void isCommandedBy(CommandGate.Source source) {
+        CommandRecord first = gate.submit(source, link.id(), id("first-001"), new Command.TakePicture());
+        report(first).ended(new Outcome.Succeeded());
+        vehicle.performed.clear();
+    }
+
+    private List<String> told() {
+        DroneState now = cloud.drone(link.id()).orElseThrow();
+        return now.messages().stream().map(message -> message.text()).toList();
+    }
+
+    @Test
+    void comesHomeWhenControlThatCameWithACommandIsOver() {
+        isCommandedBy(ANN);
+
+        until(() -> changes.contains(ControlChange.Kind.EXPIRED));
+        until(() -> told().contains("Nobody has control of it now: it returns in 1 s unless somebody takes control."));
+        comesHome();
+        assertThat(vehicle.performed).containsExactly(new Command.ReturnToLaunch());
+    }
+
+    @Test
+    void comesHomeWhenItWasHandedToSomebodyWhoIsNotThere() {
+        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.HandOver("ann", "bob"));
+
+        comesHome();
+    }
+
+    @Test
+    void comesHomeWhenItsHolderGivesItBackOrMayNoMore() {
+        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.Release("ann"));
+        comesHome();
+        vehicle.performed.clear();
+
+        isCommandedBy(ANN);
+        apply(new LeaseEvent.Expel("ann"));
+        comesHome();
+    }
+
+    @Test
+    void staysWithWhoeverTakesItInTime() {
+        apply(new LeaseEvent.Take("ann"));
+        apply(new LeaseEvent.Release("ann"));
+        apply(new LeaseEvent.Take("bob"));
+
+        Steps.throughout(time, Duration.ofSeconds(3), () -> {
+            apply(new LeaseEvent.Heartbeat("bob", control().epoch()));
+            return vehicle.performed.isEmpty();
+        });
+    }
+
+    @Test
+    void isThePilotsWhoTakesIt() {
+        isCommandedBy(ANN);
+        until(() -> changes.contains(ControlChange.Kind.EXPIRED));
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+
+        Steps.throughout(time, Duration.ofSeconds(5), vehicle.performed::isEmpty);
+    }
+
+    @Test
+    void fliesItsMissionToTheEndAndThenComesHome() {
+        List<MissionItem> items = List.of(new MissionItem.TakeOff(20));
+        hear(new DroneEvent.MissionRead(items, null, true));
+        isCommandedBy(ANN);
+        hear(new DroneEvent.ModeHeard("AUTO", true));
+        until(() -> changes.contains(ControlChange.Kind.EXPIRED));
+        Steps.throughout(time, Duration.ofSeconds(5), vehicle.performed::isEmpty);
+
+        hear(new DroneEvent.MissionItemReached(0));
+
+        comesHome();
+    }
+
+    @Test
+    void comesHomeAfterACrashInTheMiddleOfPlainCommands() {
+        isCommandedBy(ANN);
+        until(() -> leases.leases.values().stream().anyMatch(SavedLease::lapsed));
+
+        link = bound(cloud());
+        hoverInGuided();
+
+        comesHome();
+    }
+}
