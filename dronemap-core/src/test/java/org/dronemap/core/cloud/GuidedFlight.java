@@ -51,7 +51,10 @@ abstract class GuidedFlight {
             Map.of("GUIDED", Steering.ORDERS, "LOITER", Steering.STICKS, "AUTO", Steering.MISSION));
 
     final SteppedTime time = new SteppedTime(BEGAN);
-    final Lanes lanes = new Lanes(time, 2);
+    /** The same, whose process may have stood still meanwhile. */
+    final StallingTime stalling = new StallingTime(time);
+
+    final Lanes lanes = new Lanes(stalling.time(), 2);
     final Journal journal = new Journal(time);
     final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
     final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
@@ -74,7 +77,7 @@ abstract class GuidedFlight {
         return new CloudManager(
                 lanes,
                 new CloudManager.Rules(watchdog, RULES),
-                time,
+                stalling.time(),
                 new CloudManager.Keeping(drones, commands, leases, journal),
                 () -> new DroneId("drone-1"));
     }
