@@ -52,6 +52,7 @@ public final class CloudManager {
     private final CommandStore turns;
     private final CommandGate gate;
     private final SetpointGate setpoints;
+    private final Onlookers onlookers = new Onlookers();
     private final ControlDesk controls;
     private final DroneControl.Keeping leases;
     private final LeaseMachine leaseMachine;
@@ -74,7 +75,7 @@ public final class CloudManager {
         this.rules = rules;
         this.time = time;
         this.clock = time.clock();
-        this.controls = new ControlDesk(registry, time);
+        this.controls = new ControlDesk(registry, onlookers, time);
         this.store = keeping.drones();
         this.journal = keeping.journal();
         this.newIds = newIds;
@@ -284,7 +285,7 @@ public final class CloudManager {
         DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, time::nanos);
         ManagedDrone drone = new ManagedDrone(
                 new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
-        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), everybody, clock));
+        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, clock));
         registry.add(drone);
         lane.execute(() -> lane.addTicker(drone));
         return drone;

@@ -14,11 +14,18 @@ public final class ControlDesk {
     private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
 
     private final DroneRegistry registry;
+    private final Onlookers onlookers;
     private final Time time;
 
-    ControlDesk(DroneRegistry registry, Time time) {
+    ControlDesk(DroneRegistry registry, Onlookers onlookers, Time time) {
+        this.onlookers = onlookers;
         this.registry = registry;
         this.time = time;
+    }
+
+    /** From now on that is asked, too, whether a holder of whom nothing was heard is there. */
+    public void watchedBy(Presence face) {
+        onlookers.add(face);
     }
 
     /** Who commands a drone now; nobody when there is no such drone. */

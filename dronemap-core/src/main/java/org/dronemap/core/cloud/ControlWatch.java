@@ -16,6 +16,7 @@ import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.lease.Tenure;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -32,11 +33,19 @@ final class ControlWatch implements Lane.Ticker {
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final LeaseRules rules;
+    private final Presence onlookers;
     private final CloudListener listener;
     private final Clock clock;
     private @Nullable String lastMode;
 
-    ControlWatch(ManagedDrone drone, CommandGate gate, LeaseRules rules, CloudListener listener, Clock clock) {
+    ControlWatch(
+            ManagedDrone drone,
+            CommandGate gate,
+            LeaseRules rules,
+            Presence onlookers,
+            CloudListener listener,
+            Clock clock) {
+        this.onlookers = onlookers;
         this.drone = drone;
         this.gate = gate;
         this.rules = rules;
@@ -137,7 +146,7 @@ final class ControlWatch implements Lane.Ticker {
     public void tick() {
         DroneState state = drone.drone().state();
         boolean fliesByItself = isFlying(state) && !waitsForSomebody(state);
-        drone.control().tick(() -> gate.isBusy(drone), hasSaidWhatItDoes(state) && !fliesByItself);
+        drone.control().tick(() -> gate.isBusy(drone) || isWatched(state), hasSaidWhatItDoes(state) && !fliesByItself);
         String mode = state.link().state() == LinkState.LIVE ? state.mode() : null;
         Control control = drone.control().control();
         if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {
@@ -148,6 +157,15 @@ final class ControlWatch implements Lane.Ticker {
             drone.control().apply(new LeaseEvent.PilotActed(mode));
         }
         lastMode = mode;
+    }
+
+    /** Control that came with a command stays in the air with whoever still looks. */
+    private boolean isWatched(DroneState state) {
+        Tenure tenure = drone.control().control().tenure();
+        return tenure != null
+                && tenure.holder() instanceof Holder.Person person
+                && isFlying(state)
+                && onlookers.isThere(person.name(), drone.id());
     }
 
     /**

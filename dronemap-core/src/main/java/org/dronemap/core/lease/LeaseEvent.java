@@ -51,7 +51,7 @@ public sealed interface LeaseEvent {
     /**
      * Time goes by.
      *
-     * @param busy a command of this epoch is under way
+     * @param busy a command of this epoch is under way, or its holder looks at the drone in the air
      * @param heard the drone has said what it does since the server began, and it does not fly by itself: before that a call
      *     back would be spent on nothing
      */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
@@ -72,6 +73,18 @@ class NobodysDroneTest extends GuidedFlight {
             apply(new LeaseEvent.Heartbeat("bob", control().epoch()));
             return vehicle.performed.isEmpty();
         });
+    }
+
+    @Test
+    void staysWithItsHolderAsLongAsTheHolderLooks() {
+        AtomicBoolean looks = new AtomicBoolean(true);
+        cloud.controls().watchedBy((user, drone) -> user.equals("ann") && drone.equals(link.id()) && looks.get());
+        isCommandedBy(ANN);
+        Steps.throughout(time, Duration.ofSeconds(10), vehicle.performed::isEmpty);
+        assertThat(control().isHeldBy("ann")).isTrue();
+
+        looks.set(false);
+        comesHome();
     }
 
     @Test

@@ -129,6 +129,11 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         return room.disconnect(id);
     }
 
+    /** Whether a program of that user is attached. */
+    public boolean isAttached(String user) {
+        return room.clients().stream().anyMatch(client -> client.user().equals(user));
+    }
+
     /** A drone is removed: its numbers are free. */
     public void forget(DroneId drone) {
         vehicles.remove(drone);

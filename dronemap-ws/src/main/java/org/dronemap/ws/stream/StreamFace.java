@@ -139,6 +139,7 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         server.start();
         int port = awaitListening();
         cloud.addListener(this);
+        cloud.controls().watchedBy(this::isThere);
         cloud.zones().onChange(this::zonesChanged);
         services.pictures().virtuals().addListener(virtualFeed);
         services.pictures().plans().addListener(planFeed);
@@ -146,6 +147,13 @@ public final class StreamFace implements CloudListener, AutoCloseable {
         services.pictures().follows().addListener(followFeed);
         pump.start();
         return port;
+    }
+
+    private boolean isThere(String user, DroneId drone) {
+        return server.clients().stream()
+                .filter(client -> client.wants(drone))
+                .flatMap(client -> client.caller().stream())
+                .anyMatch(caller -> caller.principal().name().equals(user));
     }
 
     private int awaitListening() throws IOException {

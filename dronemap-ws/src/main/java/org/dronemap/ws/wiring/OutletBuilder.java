@@ -52,6 +52,7 @@ final class OutletBuilder {
         OutletPolicy policy = new OutletPolicy(cloud, store, journal, rights, control, time);
         Outlet outlet = new Outlet(urls, settings.personal(), policy, doors);
         cloud.addListener(new ForgottenDrones(outlet));
+        cloud.controls().watchedBy((user, drone) -> outlet.isAttached(user));
         return outlet;
     }
 
