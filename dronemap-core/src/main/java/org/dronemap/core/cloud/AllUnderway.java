@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
-import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Contention;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.jspecify.annotations.Nullable;
 
 /** The commands whose outcome is not known, or not written yet. Any thread; each one belongs to its drone's lane. */
@@ -56,9 +56,10 @@ final class AllUnderway {
                 .findFirst();
     }
 
-    /** Something may change the drone's mode. */
-    boolean moves(ManagedDrone drone) {
-        return of(drone).stream().anyMatch(entry -> movesIt(entry.open().command()));
+    /** Something that may put the drone into that mode. */
+    boolean mayLeadTo(ManagedDrone drone, String mode, @Nullable Steering by) {
+        return of(drone).stream()
+                .anyMatch(entry -> RecentMoves.mayLeadTo(entry.open().command(), mode, by));
     }
 
     /** One that has ended stays in the list until its outcome is written. */
@@ -77,11 +78,5 @@ final class AllUnderway {
 
     private static Contention contention(Underway entry) {
         return entry.open().command().kind().contention();
-    }
-
-    /** Uploads too: they may hold a drone that flies its mission. */
-    static boolean movesIt(Command command) {
-        Contention contention = command.kind().contention();
-        return contention.newerWins() || contention == Contention.TRANSFER;
     }
 }

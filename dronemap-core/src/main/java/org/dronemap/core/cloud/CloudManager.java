@@ -94,8 +94,10 @@ public final class CloudManager {
                         manage(record, false, store.knownMission(record.id()).orElse(null)));
         keeping.leases()
                 .leases()
-                .forEach(lease -> registry.find(lease.drone())
-                        .ifPresent(drone -> drone.control().restore(lease)));
+                .forEach(lease -> registry.find(lease.drone()).ifPresent(drone -> {
+                    drone.control().restore(lease);
+                    drone.ours(true);
+                }));
     }
 
     /** The one door for commands. */
@@ -285,7 +287,8 @@ public final class CloudManager {
         DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, time::nanos);
         ManagedDrone drone = new ManagedDrone(
                 new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
-        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, clock));
+        WayHome wayHome = new WayHome(drone, gate, new ZoneRules(zones), time);
+        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, wayHome, time));
         registry.add(drone);
         lane.execute(() -> lane.addTicker(drone));
         return drone;

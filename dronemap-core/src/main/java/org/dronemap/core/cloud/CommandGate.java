@@ -1,7 +1,6 @@
 package org.dronemap.core.cloud;
 
 import java.time.Clock;
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -11,11 +10,13 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandDigest;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.lease.Holder;
@@ -43,8 +44,6 @@ public final class CommandGate {
 
     /** What safety rules are called in the log, and their face. */
     private static final Source SAFETY = new Source(new Principal("dronemap", Role.SUPERVISOR), "rule");
-    /** So long a change of mode may be the late effect of a command. */
-    private static final long EFFECT_NANOS = Duration.ofSeconds(5).toNanos();
 
     /**
      * Who asks, through which face.
@@ -133,21 +132,25 @@ public final class CommandGate {
         return new Underway(open, managed, passage, principal, new CompletableFuture<>());
     }
 
-    /** What a rule of safety commands while nobody has control; whoever takes it ends this. Does not wait. */
-    void submitForSafety(ManagedDrone managed, Command command) {
-        submitForSafety(managed, command, null);
+    /**
+     * What a rule of safety commands while nobody has control; whoever takes it ends this. Does not wait. Empty: somebody has
+     * control.
+     */
+    Optional<OpenCommand> submitForSafety(ManagedDrone managed, Command command) {
+        return submitForSafety(managed, command, null);
     }
 
     /** The same, also while somebody has the control of this epoch still. */
-    void submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
+    Optional<OpenCommand> submitForSafety(ManagedDrone managed, Command command, @Nullable Long epoch) {
         Principal rule = SAFETY.principal();
-        managed.control().enterForSafety(rule, command, epoch).ifPresent(passage -> {
+        return managed.control().enterForSafety(rule, command, epoch).map(passage -> {
             CommandRecord given = intent(SAFETY, managed.id(), new CommandId(time.newId()), command, command);
             Underway entry = underway(managed, command, given, passage, rule);
             underway.add(entry);
             // Neither the lane nor the drone waits for the disk.
             intents.writeLater(entry.open().record());
             hand(entry);
+            return entry.open();
         });
     }
 
@@ -277,9 +280,11 @@ public final class CommandGate {
         return registry.find(drone).flatMap(underway::transfer);
     }
 
-    /** A change of mode now may be our own doing. */
-    boolean mayHaveChangedMode(ManagedDrone drone) {
-        return drone.lane().activeNanos() - drone.movedNanos() < EFFECT_NANOS || underway.moves(drone);
+    /** A change to that mode now may be our own doing. */
+    boolean mayHaveChangedTo(ManagedDrone drone, String mode, @Nullable Steering by) {
+        return underway.mayLeadTo(drone, mode, by)
+                || drone.moves().at(drone.lane().activeNanos()).stream()
+                        .anyMatch(command -> RecentMoves.mayLeadTo(command, mode, by));
     }
 
     private void perform(Underway entry) {
@@ -305,6 +310,9 @@ public final class CommandGate {
         if (busy != null) {
             end(entry, new Outcome.Refused(GATE, busy));
             return;
+        }
+        if (command.kind().purpose() != CommandKind.Purpose.READ) {
+            entry.drone().ours(true);
         }
         if (command.kind().contention() == Contention.FLIGHT) {
             entry.drone().helm().commanded(entry.open().record().summary());
@@ -347,9 +355,7 @@ public final class CommandGate {
         if (before.outcome() != null) {
             return;
         }
-        if (AllUnderway.movesIt(entry.open().command())) {
-            entry.drone().moved();
-        }
+        entry.drone().moves().ended(entry.open().command(), entry.drone().lane().activeNanos());
         if (entry.isUnderControl()) {
             // Idle counts from here.
             entry.drone().control().apply(new LeaseEvent.Tick(true, false));

@@ -1,10 +1,9 @@
 package org.dronemap.core.cloud;
 
-import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -14,9 +13,13 @@ import org.dronemap.core.drone.Severity;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.Lapse;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.safety.Energy;
+import org.dronemap.core.safety.ReturnLadder;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -27,16 +30,18 @@ import org.slf4j.LoggerFactory;
  */
 final class ControlWatch implements Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(ControlWatch.class);
-    /** A fail-safe says why it changes the mode about when it does. */
-    private static final Duration SAID_WITH = Duration.ofSeconds(5);
+    private static final long RHYTHM_NANOS = Duration.ofMillis(200).toNanos();
 
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final LeaseRules rules;
     private final Presence onlookers;
     private final CloudListener listener;
-    private final Clock clock;
-    private @Nullable String lastMode;
+    private final WayHome wayHome;
+    private final ModeWatch modes;
+    private final Energy energy = new Energy();
+    private final Time time;
+    private long lookedNanos;
 
     ControlWatch(
             ManagedDrone drone,
@@ -44,13 +49,17 @@ final class ControlWatch implements Lane.Ticker {
             LeaseRules rules,
             Presence onlookers,
             CloudListener listener,
-            Clock clock) {
-        this.onlookers = onlookers;
+            WayHome wayHome,
+            Time time) {
         this.drone = drone;
         this.gate = gate;
         this.rules = rules;
+        this.onlookers = onlookers;
         this.listener = listener;
-        this.clock = clock;
+        this.wayHome = wayHome;
+        this.modes = new ModeWatch(drone, gate, time.clock());
+        this.time = time;
+        this.lookedNanos = time.nanos() - RHYTHM_NANOS;
         drone.control().announceTo(this::announce);
     }
 
@@ -77,7 +86,7 @@ final class ControlWatch implements Lane.Ticker {
                         ControlWords.user(change));
             }
             tellOfTheWayHome(change);
-            act(change.kind());
+            act(change);
         }
         drone.news();
     }
@@ -92,20 +101,15 @@ final class ControlWatch implements Lane.Ticker {
         }
     }
 
-    private void act(ControlChange.Kind kind) {
-        if (!isLeftAlone()) {
-            return;
-        }
-        boolean lost = switch (kind) {
+    private void act(ControlChange change) {
+        boolean lost = switch (change.kind()) {
             case LOST, EXPELLED -> true;
             // What was told where to go goes there; what was led by hand does not stand by itself.
-            case EXPIRED, RELEASED -> isLedByHand();
+            case EXPIRED, RELEASED -> change.by() instanceof Holder.Person && isLedByHand();
             case TAKEN, REQUESTED, REFUSED, HANDED_OVER, TAKEN_OVER, RETURN_DUE, PILOT_ACTED, PILOT_LEFT -> false;
         };
-        if (lost && rules.onLoss() != LeaseRules.OnLoss.NOTHING) {
+        if (lost && isLeftAlone() && rules.onLoss() != LeaseRules.OnLoss.NOTHING) {
             gate.submitForSafety(drone, new Command.Hold());
-        } else if (kind == ControlChange.Kind.RETURN_DUE) {
-            gate.submitForSafety(drone, new Command.ReturnToLaunch());
         }
     }
 
@@ -114,22 +118,23 @@ final class ControlWatch implements Lane.Ticker {
         return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.STICKS));
     }
 
-    /** In the air and waiting for somebody: what flies by itself goes on, until its mission is over. */
+    /** In the air by what this cloud last said, and not on its way home or through a mission. */
     private boolean isLeftAlone() {
         DroneState state = drone.drone().state();
-        return isFlying(state) && waitsForSomebody(state);
+        return drone.isOurs()
+                && isFlying(state)
+                && !isInMission(state)
+                && !state.capabilities().isSafe(state.mode());
     }
 
     private static boolean isFlying(DroneState state) {
         return Boolean.TRUE.equals(state.armed()) && state.airborne();
     }
 
-    private static boolean waitsForSomebody(DroneState state) {
-        return state.capabilities()
-                .steering(state.mode())
-                .filter(by -> by.waitsForSomebody()
-                        || (by == Steering.MISSION && state.mission().complete()))
-                .isPresent();
+    /** It flies by itself until its mission is over. */
+    private static boolean isInMission(DroneState state) {
+        return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.MISSION))
+                && !state.mission().complete();
     }
 
     /** Stops what does not stand by itself when nobody steers it any more, unless somebody else flies it already. */
@@ -145,18 +150,56 @@ final class ControlWatch implements Lane.Ticker {
     @Override
     public void tick() {
         DroneState state = drone.drone().state();
-        boolean fliesByItself = isFlying(state) && !waitsForSomebody(state);
-        drone.control().tick(() -> gate.isBusy(drone) || isWatched(state), hasSaidWhatItDoes(state) && !fliesByItself);
-        String mode = state.link().state() == LinkState.LIVE ? state.mode() : null;
+        pilot(state);
+        boolean due = time.nanos() - lookedNanos >= RHYTHM_NANOS;
+        if (due) {
+            lookedNanos = time.nanos();
+            energy.heard(state, lookedNanos);
+        }
+        OptionalDouble left = energy.secondsLeft();
+        drone.control()
+                .tick(
+                        () -> gate.isBusy(drone) || isWatched(state),
+                        hasSaidWhatItDoes(state) && !(isFlying(state) && isInMission(state)),
+                        due && isLeftAlone() && ReturnLadder.hurries(state, left, RHYTHM_NANOS / 1e9));
+        if (due) {
+            bringHome(state, left);
+        }
+    }
+
+    private void pilot(DroneState state) {
         Control control = drone.control().control();
+        boolean down = Boolean.FALSE.equals(state.armed()) && state.link().state() == LinkState.LIVE;
+        String foreign = modes.foreign(state);
         if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {
             if (Boolean.FALSE.equals(state.armed())) {
                 drone.control().apply(new LeaseEvent.PilotLeft());
             }
-        } else if (lastMode != null && mode != null && !mode.equals(lastMode) && isPilots(state)) {
-            drone.control().apply(new LeaseEvent.PilotActed(mode));
+        } else if (foreign != null) {
+            drone.ours(false);
+            drone.control().apply(new LeaseEvent.PilotActed(foreign));
         }
-        lastMode = mode;
+        if (down) {
+            drone.ours(false);
+        }
+        if (down && control.lapse() != null) {
+            drone.control().apply(new LeaseEvent.CameDown());
+        }
+    }
+
+    private void bringHome(DroneState state, OptionalDouble secondsLeft) {
+        Control control = drone.control().control();
+        Lapse lapse = control.lapse();
+        if (control.tenure() != null
+                || lapse == null
+                || !lapse.returned()
+                || !drone.isOurs()
+                || !isFlying(state)
+                || isInMission(state)) {
+            wayHome.rest(state);
+        } else if (state.link().state() != LinkState.LOST) {
+            wayHome.goOn(state, lapse.user(), secondsLeft);
+        }
     }
 
     /** Control that came with a command stays in the air with whoever still looks. */
@@ -174,16 +217,5 @@ final class ControlWatch implements Lane.Ticker {
      */
     private static boolean hasSaidWhatItDoes(DroneState state) {
         return state.mode() != null && state.armed() != null && (state.phase() != null || state.position() != null);
-    }
-
-    /** A mode for sticks that nobody here asked for, and no fail-safe explains. */
-    private boolean isPilots(DroneState state) {
-        return Boolean.TRUE.equals(state.armed())
-                && state.capabilities().steering(state.mode()).equals(Optional.of(Steering.STICKS))
-                && !gate.mayHaveChangedMode(drone)
-                && state.messages().stream()
-                        .filter(message -> message.at().isAfter(clock.instant().minus(SAID_WITH)))
-                        .noneMatch(message ->
-                                message.text().toLowerCase(Locale.ROOT).contains("failsafe"));
     }
 }

@@ -70,8 +70,10 @@ final class DroneControl {
     }
 
     synchronized Decision apply(LeaseEvent event) {
-        // A sign that comes too late, as after this process stood still, is none.
-        if (!(event instanceof LeaseEvent.Tick) && machine.isSilent(control, nanoTime.getAsLong())) {
+        // A sign of the holder that comes too late, as after this process stood still, is none.
+        if (event instanceof LeaseEvent.ByUser sign
+                && control.isHeldBy(sign.user())
+                && machine.isSilent(control, nanoTime.getAsLong())) {
             Decision unused = apply(new LeaseEvent.Tick(false, false));
         }
         Control before = control;
@@ -152,9 +154,10 @@ final class DroneControl {
     }
 
     /** Lets time go by; {@code busy} is asked only when it matters. */
-    void tick(BooleanSupplier busy, boolean heard) {
-        if (machine.isDue(control, nanoTime.getAsLong())) {
-            apply(new LeaseEvent.Tick(busy.getAsBoolean(), heard));
+    void tick(BooleanSupplier busy, boolean heard, boolean hurries) {
+        Lapse lapse = control.lapse();
+        if (machine.isDue(control, nanoTime.getAsLong()) || (hurries && lapse != null && !lapse.returned())) {
+            apply(new LeaseEvent.Tick(busy.getAsBoolean(), heard, hurries));
         }
     }
 
@@ -169,7 +172,7 @@ final class DroneControl {
 
     private @Nullable SavedLease saved(Control of) {
         Lapse lapse = of.lapse();
-        if (lapse != null && !lapse.returned()) {
+        if (lapse != null) {
             return new SavedLease(drone, lapse.user(), lapse.at(), of.epoch(), true);
         }
         return of.tenure() != null && of.tenure().holder() instanceof Holder.Person person

@@ -153,6 +153,7 @@ final class Helm implements Lane.Ticker {
             now = begin(word);
         }
         still = null;
+        drone.ours(true);
         now.last = word;
         now.lastNanos = log.time().nanos();
         channel.steer(

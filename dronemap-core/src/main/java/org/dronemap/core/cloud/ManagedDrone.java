@@ -27,7 +27,8 @@ final class ManagedDrone implements Lane.Ticker {
     private volatile boolean enrolled;
     private volatile long promisedNanos;
     private volatile @Nullable String promisedIdentity;
-    private volatile long movedNanos;
+    private final RecentMoves moves = new RecentMoves();
+    private boolean ours;
     private @Nullable LinkSession session;
     private boolean played;
     private Lane.Ticker watch = () -> {};
@@ -47,7 +48,6 @@ final class ManagedDrone implements Lane.Ticker {
         this.control = control;
         this.madeNanos = lane.activeNanos();
         this.promisedNanos = madeNanos - Long.MAX_VALUE / 2;
-        this.movedNanos = promisedNanos;
         this.helm = helm.apply(this);
     }
 
@@ -78,14 +78,18 @@ final class ManagedDrone implements Lane.Ticker {
         watch = ticker;
     }
 
-    /** A command that may change how it flies has just ended. Any thread. */
-    void moved() {
-        movedNanos = lane.activeNanos();
+    /** What it was told lately. Any thread. */
+    RecentMoves moves() {
+        return moves;
     }
 
-    /** When the last such command ended. Any thread. */
-    long movedNanos() {
-        return movedNanos;
+    /** Whether this cloud was the last that said how it moves, as far as is known. */
+    boolean isOurs() {
+        return ours;
+    }
+
+    void ours(boolean now) {
+        ours = now;
     }
 
     /** Something about it changed that its own state does not hold. */

@@ -71,6 +71,10 @@ public record Control(
         return new Control(epoch, now, requests, lapse, interruption);
     }
 
+    Control withoutLapse() {
+        return new Control(epoch, tenure, requests, null, interruption);
+    }
+
     Control withRequests(List<ControlRequest> now) {
         return new Control(epoch, tenure, now, lapse, interruption);
     }

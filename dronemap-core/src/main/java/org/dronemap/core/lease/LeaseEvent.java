@@ -4,31 +4,36 @@ import org.jspecify.annotations.Nullable;
 
 /** What somebody does about the control of a drone, or what befalls it. */
 public sealed interface LeaseEvent {
+    /** Something that this user does. */
+    sealed interface ByUser extends LeaseEvent {
+        String user();
+    }
+
     /** A command of this user is to be sent; {@code epoch} is what the client believes to hold, null: says nothing. */
-    record Command(String user, @Nullable Long epoch) implements LeaseEvent {}
+    record Command(String user, @Nullable Long epoch) implements ByUser {}
 
     /** Wants control, if it is free. */
-    record Take(String user) implements LeaseEvent {}
+    record Take(String user) implements ByUser {}
 
     /** Wants control, and asks its holder for it. */
-    record Request(String user, @Nullable String reason) implements LeaseEvent {}
+    record Request(String user, @Nullable String reason) implements ByUser {}
 
     /** The holder gives it to somebody who asked. */
-    record Grant(String user, String to) implements LeaseEvent {}
+    record Grant(String user, String to) implements ByUser {}
 
     /** The holder keeps it. */
-    record Refuse(String user, String to, @Nullable String reason) implements LeaseEvent {}
+    record Refuse(String user, String to, @Nullable String reason) implements ByUser {}
 
     /** The holder gives it to somebody, asked or not. */
-    record HandOver(String user, String to) implements LeaseEvent {}
+    record HandOver(String user, String to) implements ByUser {}
 
     /** Somebody who may takes it from whoever has it. */
-    record TakeOver(String user, String reason) implements LeaseEvent {}
+    record TakeOver(String user, String reason) implements ByUser {}
 
     /** The holder is there. */
-    record Heartbeat(String user, long epoch) implements LeaseEvent {}
+    record Heartbeat(String user, long epoch) implements ByUser {}
 
-    record Release(String user) implements LeaseEvent {}
+    record Release(String user) implements ByUser {}
 
     /** An operation wants control, if it is free; what it has already it keeps. */
     record Engage(Holder.Operation by) implements LeaseEvent {}
@@ -42,8 +47,11 @@ public sealed interface LeaseEvent {
     /** This user may command no more. */
     record Expel(String user) implements LeaseEvent {}
 
-    /** Somebody at the vehicle changed its mode. */
+    /** Somebody at the vehicle, or at another ground station, changed its mode. */
     record PilotActed(String what) implements LeaseEvent {}
+
+    /** It is on the ground with its motors off: nobody is waited for. */
+    record CameDown() implements LeaseEvent {}
 
     /** The flight of the pilot at the vehicle is over. */
     record PilotLeft() implements LeaseEvent {}
@@ -52,8 +60,13 @@ public sealed interface LeaseEvent {
      * Time goes by.
      *
      * @param busy a command of this epoch is under way, or its holder looks at the drone in the air
-     * @param heard the drone has said what it does since the server began, and it does not fly by itself: before that a call
-     *     back would be spent on nothing
+     * @param heard the drone has said what it does since the server began, and it does not fly a mission by itself: before that
+     *     a call back would be spent on nothing
+     * @param hurries its battery lasts only just for the way home
      */
-    record Tick(boolean busy, boolean heard) implements LeaseEvent {}
+    record Tick(boolean busy, boolean heard, boolean hurries) implements LeaseEvent {
+        public Tick(boolean busy, boolean heard) {
+            this(busy, heard, false);
+        }
+    }
 }

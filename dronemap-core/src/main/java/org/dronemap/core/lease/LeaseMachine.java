@@ -2,6 +2,7 @@ package org.dronemap.core.lease;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.dronemap.core.lease.ControlChange.Kind;
@@ -79,10 +80,13 @@ public final class LeaseMachine {
             return engage(control, engage.by(), now);
         }
         if (event instanceof LeaseEvent.Disengage disengage) {
-            return disengage(control, disengage.operation());
+            return disengage(control, disengage.operation(), now);
         }
         if (event instanceof LeaseEvent.Interrupt interrupt) {
-            return interrupt(control, interrupt.why());
+            return interrupt(control, interrupt.why(), now);
+        }
+        if (event instanceof LeaseEvent.CameDown) {
+            return LeaseStep.granted(control.withoutLapse());
         }
         if (event instanceof LeaseEvent.PilotActed pilot) {
             return pilotActed(control, pilot.what(), now);
@@ -224,21 +228,22 @@ public final class LeaseMachine {
         return LeaseStep.granted(begin(control, operation, true, now), change(Kind.TAKEN, operation, null));
     }
 
-    private static LeaseStep disengage(Control control, String operation) {
+    private static LeaseStep disengage(Control control, String operation, Moment now) {
         Tenure tenure = control.tenure();
-        return tenure == null || !tenure.holder().isOperation(operation)
-                ? LeaseStep.granted(control)
-                : LeaseStep.granted(freed(control.epoch(), null), change(Kind.RELEASED, tenure.holder(), null));
+        return tenure != null && tenure.holder() instanceof Holder.Operation holder && holder.isOperation(operation)
+                ? LeaseStep.granted(
+                        freed(control.epoch(), lapse(holder.user(), now)), change(Kind.RELEASED, holder, null))
+                : LeaseStep.granted(control);
     }
 
     /** With a new epoch: what the operation has sent and is not at the vehicle yet must not undo what interrupts it. */
-    private LeaseStep interrupt(Control control, String why) {
+    private LeaseStep interrupt(Control control, String why, Moment now) {
         Tenure tenure = control.tenure();
-        return tenure == null || !(tenure.holder() instanceof Holder.Operation)
-                ? LeaseStep.granted(control)
-                : LeaseStep.granted(
-                        new Control(epochs.getAsLong(), null, List.of(), null, why),
-                        change(Kind.RELEASED, tenure.holder(), null));
+        return tenure != null && tenure.holder() instanceof Holder.Operation holder
+                ? LeaseStep.granted(
+                        new Control(epochs.getAsLong(), null, List.of(), lapse(holder.user(), now), why),
+                        change(Kind.RELEASED, holder, null))
+                : LeaseStep.granted(control);
     }
 
     private LeaseStep pilotActed(Control control, String what, Moment now) {
@@ -270,7 +275,7 @@ public final class LeaseMachine {
                 && tenure.holder() instanceof Holder.Person
                 && nowNanos - tenure.heardNanos() > patienceNanos(tenure);
         return over
-                || isReturnDue(control, nowNanos)
+                || isReturnDue(control, nowNanos, false)
                 || control.requests().stream().anyMatch(request -> isOld(request, nowNanos));
     }
 
@@ -291,12 +296,13 @@ public final class LeaseMachine {
         return nowNanos - request.nanos() > rules.asking().toNanos();
     }
 
-    private boolean isReturnDue(Control control, long nowNanos) {
+    private boolean isReturnDue(Control control, long nowNanos, boolean hurries) {
         Lapse lapse = control.lapse();
         return lapse != null
                 && !lapse.returned()
                 && rules.onLoss() == LeaseRules.OnLoss.RETURN
-                && nowNanos - lapse.sinceNanos() >= rules.untilReturn().toNanos();
+                && (hurries
+                        || nowNanos - lapse.sinceNanos() >= rules.untilReturn().toNanos());
     }
 
     private LeaseStep tick(Control control, LeaseEvent.Tick tick, Moment now) {
@@ -305,7 +311,9 @@ public final class LeaseMachine {
                 .toList());
         Tenure tenure = rest.tenure();
         if (tenure == null) {
-            return tick.heard() ? lapsed(rest, now) : LeaseStep.granted(rest);
+            return tick.heard() && isReturnDue(rest, now.nanos(), tick.hurries())
+                    ? returning(rest)
+                    : LeaseStep.granted(rest);
         }
         if (!(tenure.holder() instanceof Holder.Person person)) {
             return LeaseStep.granted(rest);
@@ -322,11 +330,8 @@ public final class LeaseMachine {
                 : LeaseStep.granted(freed(rest.epoch(), lapse), change(Kind.EXPIRED, person, null));
     }
 
-    private LeaseStep lapsed(Control control, Moment now) {
-        Lapse lapse = control.lapse();
-        if (lapse == null || !isReturnDue(control, now.nanos())) {
-            return LeaseStep.granted(control);
-        }
+    private static LeaseStep returning(Control control) {
+        Lapse lapse = Objects.requireNonNull(control.lapse());
         Lapse returned = new Lapse(lapse.user(), lapse.at(), lapse.sinceNanos(), true);
         return LeaseStep.granted(
                 new Control(control.epoch(), null, control.requests(), returned, null),

@@ -64,6 +64,11 @@ public final class Routes {
         return new MissionWalk(drone).through(List.of(new MissionItem.ReturnToLaunch()), 0);
     }
 
+    /** Straight down. */
+    public static Route down(DroneState drone) {
+        return new MissionWalk(drone).through(List.of(new MissionItem.Land()), 0);
+    }
+
     private static Route to(DroneState drone, Command.GoTo goTo) {
         return new MissionWalk(drone).flyTo(goTo.point(), goTo.altitude(), "the place");
     }

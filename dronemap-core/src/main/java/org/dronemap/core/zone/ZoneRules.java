@@ -52,6 +52,12 @@ public final class ZoneRules {
         return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.home(drone));
     }
 
+    /** What a landing where it is would touch; nobody else but a rule asks before it lands a drone. */
+    public Optional<String> landingDoubt(String user, DroneState drone, Instant now) {
+        List<Zone> zones = book.binding(user, drone.id(), now, now);
+        return zones.isEmpty() ? Optional.empty() : whyNot(zones, drone, Routes.down(drone));
+    }
+
     private static Optional<String> whyNot(List<Zone> zones, DroneState drone, Route route) {
         return whyNot(
                 route,

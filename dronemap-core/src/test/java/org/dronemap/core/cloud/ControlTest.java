@@ -96,6 +96,7 @@ class ControlTest extends GuidedFlight {
 
     @Test
     void holdsAndThenCallsBackADroneWhoseHolderIsLost() {
+        isCommandedBy(ANN);
         apply(new LeaseEvent.Take("ann"));
 
         until(() -> vehicle.performed.contains(new Command.Hold()));
@@ -106,11 +107,14 @@ class ControlTest extends GuidedFlight {
     }
 
     @Test
-    void remembersThatADroneHasToBeCalledBackUntilItIs() {
+    void remembersThatADroneHasToBeCalledBackUntilItIsDown() {
+        isCommandedBy(ANN);
         apply(new LeaseEvent.Take("ann"));
 
         until(() -> leases.leases.values().stream().anyMatch(SavedLease::lapsed));
         until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+        assertThat(leases.leases).isNotEmpty();
+        isDown();
         until(leases.leases::isEmpty);
     }
 
@@ -126,6 +130,8 @@ class ControlTest extends GuidedFlight {
         hoverInGuided();
 
         until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
+        assertThat(leases.leases).isNotEmpty();
+        isDown();
         until(leases.leases::isEmpty);
     }
 
@@ -160,6 +166,7 @@ class ControlTest extends GuidedFlight {
 
     @Test
     void doesNotCallBackWhatSomebodyElseHasTaken() {
+        isCommandedBy(ANN);
         apply(new LeaseEvent.Take("ann"));
         until(() -> vehicle.performed.contains(new Command.Hold()));
         apply(new LeaseEvent.Take("bob"));

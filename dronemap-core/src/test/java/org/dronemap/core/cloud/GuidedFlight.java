@@ -12,15 +12,19 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.LeaseAnswer;
@@ -36,6 +40,7 @@ abstract class GuidedFlight {
     static final CommandGate.Source BOB = operator("bob");
     static final CommandGate.Source SUE = new CommandGate.Source(new Principal("sue", Role.SUPERVISOR), "rest");
     static final Instant BEGAN = Instant.parse("2026-03-04T05:06:07Z");
+    static final Geodetic HERE = new Geodetic(24.7136, 46.6753);
     static final Duration PATIENCE = Duration.ofSeconds(30);
     /** As quick as it may be. */
     static final LeaseRules RULES = new LeaseRules(
@@ -104,6 +109,21 @@ abstract class GuidedFlight {
         hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
         hear(new DroneEvent.ModeHeard("GUIDED", true));
         hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+        hear(new DroneEvent.PositionHeard(new Position(HERE, null, 20.0)));
+    }
+
+    /** From here on this cloud was the last that commanded it; by a command that moves nothing. */
+    void isCommandedBy(CommandGate.Source source) {
+        CommandId number = id("first-" + commands.records.size() + "-000");
+        CommandRecord first = gate.submit(source, link.id(), number, new Command.TakePicture());
+        report(first).ended(new Outcome.Succeeded());
+        until(() -> commands.records.get(number).outcome() != null);
+        vehicle.performed.clear();
+        commands.records.remove(number);
+    }
+
+    void isDown() {
+        hear(new DroneEvent.ModeHeard("GUIDED", false));
     }
 
     @AfterEach

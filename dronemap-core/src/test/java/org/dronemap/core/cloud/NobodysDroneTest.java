@@ -22,12 +22,6 @@ class NobodysDroneTest extends GuidedFlight {
         until(() -> vehicle.performed.contains(new Command.ReturnToLaunch()));
     }
 
-    private void isCommandedBy(CommandGate.Source source) {
-        CommandRecord first = gate.submit(source, link.id(), id("first-001"), new Command.TakePicture());
-        report(first).ended(new Outcome.Succeeded());
-        vehicle.performed.clear();
-    }
-
     private List<String> told() {
         DroneState now = cloud.drone(link.id()).orElseThrow();
         return now.messages().stream().map(message -> message.text()).toList();
@@ -45,6 +39,7 @@ class NobodysDroneTest extends GuidedFlight {
 
     @Test
     void comesHomeWhenItWasHandedToSomebodyWhoIsNotThere() {
+        isCommandedBy(ANN);
         apply(new LeaseEvent.Take("ann"));
         apply(new LeaseEvent.HandOver("ann", "bob"));
 
@@ -53,6 +48,7 @@ class NobodysDroneTest extends GuidedFlight {
 
     @Test
     void comesHomeWhenItsHolderGivesItBackOrMayNoMore() {
+        isCommandedBy(ANN);
         apply(new LeaseEvent.Take("ann"));
         apply(new LeaseEvent.Release("ann"));
         comesHome();
@@ -65,6 +61,7 @@ class NobodysDroneTest extends GuidedFlight {
 
     @Test
     void staysWithWhoeverTakesItInTime() {
+        isCommandedBy(ANN);
         apply(new LeaseEvent.Take("ann"));
         apply(new LeaseEvent.Release("ann"));
         apply(new LeaseEvent.Take("bob"));
@@ -101,7 +98,11 @@ class NobodysDroneTest extends GuidedFlight {
         List<MissionItem> items = List.of(new MissionItem.TakeOff(20));
         hear(new DroneEvent.MissionRead(items, null, true));
         isCommandedBy(ANN);
+        CommandRecord start = gate.submit(ANN, link.id(), id("start-001"), new Command.SetMode("AUTO"));
+        VehicleChannel.Report report = report(start);
         hear(new DroneEvent.ModeHeard("AUTO", true));
+        report.ended(new Outcome.Succeeded());
+        vehicle.performed.clear();
         until(() -> changes.contains(ControlChange.Kind.EXPIRED));
         Steps.throughout(time, Duration.ofSeconds(5), vehicle.performed::isEmpty);
 

@@ -22,7 +22,9 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.time.SystemTime;
@@ -57,6 +59,10 @@ class SafetyTimesTest {
         CloudManager cloud = cloud(Watchdog.DEFAULT);
         DroneLink link = hovering(cloud);
         keepAlive(link);
+        CommandRecord first = command(cloud, link);
+        await().atMost(LATE).until(() -> vehicle.reports.containsKey(first.id()));
+        vehicle.reports.get(first.id()).ended(new Outcome.Succeeded());
+        vehicle.performed.clear();
         long since = time.nanos();
         cloud.controls().apply(link.id(), new LeaseEvent.Take("ann"));
 
@@ -84,16 +90,20 @@ class SafetyTimesTest {
         DroneLink link = hovering(cloud);
         keepAlive(link);
         long since = time.nanos();
-        CommandRecord given = cloud.gate()
+        CommandRecord given = command(cloud, link);
+        await().atMost(LATE).until(() -> vehicle.reports.containsKey(given.id()));
+        vehicle.reports.get(given.id()).ended(new Outcome.Succeeded());
+
+        takes(since, SHORT, () -> cloud.controls().control(link.id()).tenure() == null);
+    }
+
+    private static CommandRecord command(CloudManager cloud, DroneLink link) {
+        return cloud.gate()
                 .submit(
                         new CommandGate.Source(new Principal("ann", Role.OPERATOR), "rest"),
                         link.id(),
                         new CommandId("first-001"),
                         new Command.SetMode("GUIDED"));
-        await().atMost(LATE).until(() -> vehicle.reports.containsKey(given.id()));
-        vehicle.reports.get(given.id()).ended(new Outcome.Succeeded());
-
-        takes(since, SHORT, () -> cloud.controls().control(link.id()).tenure() == null);
     }
 
     /** By the clock of the machine: not sooner, and not later than a busy machine is late. */
@@ -124,6 +134,7 @@ class SafetyTimesTest {
             link.accept(new DroneEvent.Identified(Fixtures.copter(null), MODES));
             link.accept(new DroneEvent.ModeHeard("GUIDED", true));
             link.accept(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+            link.accept(new DroneEvent.PositionHeard(new Position(new Geodetic(24.7, 46.7), null, 20.0)));
         });
         return link;
     }

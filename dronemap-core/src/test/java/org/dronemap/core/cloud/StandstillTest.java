@@ -56,6 +56,7 @@ class StandstillTest extends GuidedFlight {
 
     @Test
     void aHolderWhoseSignsWereDueMeanwhileHasLostControl() {
+        isCommandedBy(ANN);
         apply(new LeaseEvent.Take("ann"));
         long epoch = control().epoch();
         inOneTurnWithStandstill(() -> {});

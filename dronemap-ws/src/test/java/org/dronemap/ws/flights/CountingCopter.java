@@ -15,6 +15,7 @@ import org.dronemap.ws.lab.ScriptedPeer;
 /** A copter in the air that carries out whatever reaches it, as often as it does, and writes it down. */
 final class CountingCopter {
     static final int GUIDED = 4;
+    static final int RTL = 6;
 
     /** Doing these twice is once too often. */
     static final Map<Integer, String> ONCE = Map.of(2000, "takePicture", 181, "setRelay", 115, "turn");

@@ -1,0 +1,71 @@
+package org.dronemap.core.cloud;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Contention;
+import org.dronemap.core.drone.Capabilities.Steering;
+import org.jspecify.annotations.Nullable;
+
+/** What one drone was told lately that may change its mode, also some seconds afterwards. Any thread. */
+final class RecentMoves {
+    private static final long EFFECT_NANOS = Duration.ofSeconds(5).toNanos();
+    private static final int MOST = 16;
+
+    private final Deque<Ended> ended = new ArrayDeque<>();
+
+    private record Ended(Command command, long nanos) {}
+
+    synchronized void ended(Command command, long nowNanos) {
+        if (!moves(command)) {
+            return;
+        }
+        if (ended.size() == MOST) {
+            ended.removeFirst();
+        }
+        ended.addLast(new Ended(command, nowNanos));
+    }
+
+    synchronized List<Command> at(long nowNanos) {
+        return ended.stream()
+                .filter(one -> nowNanos - one.nanos() < EFFECT_NANOS)
+                .map(Ended::command)
+                .toList();
+    }
+
+    /** Uploads too: they may hold a drone that flies its mission. */
+    private static boolean moves(Command command) {
+        Contention contention = command.kind().contention();
+        return contention.newerWins() || contention == Contention.TRANSFER;
+    }
+
+    /** Whether that command may put a vehicle into a mode; {@code by} is what the vehicle goes by in it, null: not known. */
+    static boolean mayLeadTo(Command command, String mode, @Nullable Steering by) {
+        return switch (command.kind()) {
+            case SET_MODE -> ((Command.SetMode) command).mode().equals(mode);
+            // Vehicles without a mode to stand in are put into one for sticks.
+            case HOLD, PAUSE_MISSION, EMERGENCY_STOP, UPLOAD_MISSION, CLEAR_MISSION, SET_FENCE, SET_RALLY_POINTS ->
+                by == null || by.waitsForSomebody();
+            case TAKE_OFF, GO_TO, GO_TO_LOCAL, TURN -> by == null || by.takesOrders();
+            case START_MISSION -> by == null || by.takesOrders() || by == Steering.MISSION;
+            case RETURN_TO_LAUNCH, LAND -> by == null || by.isSafe() || by == Steering.MISSION;
+            case ARM,
+                    DISARM,
+                    SET_HOME,
+                    READ_HOME,
+                    TAKE_PICTURE,
+                    SET_RELAY,
+                    READ_PARAMETERS,
+                    SET_PARAMETERS,
+                    SET_RETURN_HEIGHT,
+                    RETURN_ON_LOSS,
+                    READ_LOGS,
+                    DOWNLOAD_LOG,
+                    READ_FENCE,
+                    READ_RALLY_POINTS,
+                    READ_MAP -> false;
+        };
+    }
+}

@@ -1,0 +1,216 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.EnumMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.safety.LandingPlace;
+import org.dronemap.core.safety.ReturnLadder;
+import org.dronemap.core.safety.Rung;
+import org.dronemap.core.time.Time;
+import org.dronemap.core.zone.ZoneRules;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Brings a drone down that nobody has control of and whose time to be taken is over: what does not work is followed by the
+ * next best, again and again, until it is on the ground or somebody takes it. Owned by the drone's lane.
+ */
+final class WayHome {
+    /** What was tried in vain is not tried again for so long. */
+    private static final long FAILED_NANOS = Duration.ofSeconds(30).toNanos();
+    /** A vehicle on its way moves within so long; landing ones wait over their home for some seconds. */
+    private static final long STUCK_NANOS = Duration.ofSeconds(60).toNanos();
+
+    private static final long BETWEEN_ALARMS_NANOS = Duration.ofSeconds(30).toNanos();
+    private static final double ARRIVED_METERS = 3;
+    private static final double MOVED_METERS = 2;
+
+    private final ManagedDrone drone;
+    private final CommandGate gate;
+    private final ZoneRules zones;
+    private final LandingPlaces places;
+    private final Time time;
+    private final Clock clock;
+    private final Map<Rung, Long> failedNanos = new EnumMap<>(Rung.class);
+    private @Nullable Attempt attempt;
+    private long alarmedNanos;
+    private boolean alarmed;
+
+    /** What it was told, and since when it has not moved. */
+    private static final class Attempt {
+        private final Rung rung;
+        private final @Nullable LandingPlace place;
+        private @Nullable OpenCommand told;
+        private boolean landing;
+        private @Nullable Position anchor;
+        private long anchorNanos;
+
+        /** {@code told}: null, somebody else did. */
+        Attempt(Rung rung, @Nullable LandingPlace place, @Nullable OpenCommand told, long nowNanos) {
+            this.rung = rung;
+            this.place = place;
+            this.told = told;
+            this.landing = rung == Rung.LAND;
+            this.anchorNanos = nowNanos;
+        }
+
+        boolean isUnderWay() {
+            return told != null && told.record().outcome() == null;
+        }
+
+        boolean isTold() {
+            return told == null || told.record().outcome() instanceof Outcome.Succeeded;
+        }
+
+        boolean isStuck(@Nullable Position now, long nowNanos) {
+            if (now != null && hasMoved(anchor, now)) {
+                anchor = now;
+                anchorNanos = nowNanos;
+            }
+            return nowNanos - anchorNanos > STUCK_NANOS;
+        }
+
+        private static boolean hasMoved(@Nullable Position before, Position now) {
+            Geodetic from = before == null ? null : before.point();
+            Geodetic to = now.point();
+            Double low = before == null ? null : before.altitudeAboveHomeMeters();
+            Double high = now.altitudeAboveHomeMeters();
+            return before == null
+                    || (from != null && to != null && Geodesy.distanceMeters(from, to) > MOVED_METERS)
+                    || (low != null && high != null && Math.abs(high - low) > MOVED_METERS / 2);
+        }
+    }
+
+    WayHome(ManagedDrone drone, CommandGate gate, ZoneRules zones, Time time) {
+        this.drone = drone;
+        this.gate = gate;
+        this.zones = zones;
+        this.places = new LandingPlaces();
+        this.time = time;
+        this.clock = time.clock();
+    }
+
+    /** Nobody is to bring it home now. */
+    void rest(DroneState state) {
+        places.heard(state);
+        attempt = null;
+        failedNanos.clear();
+        alarmed = false;
+    }
+
+    /** {@code user}: who had control; what binds that user binds the way home. */
+    void goOn(DroneState state, String user, OptionalDouble secondsLeft) {
+        long now = time.nanos();
+        Attempt tried = attempt;
+        if (tried != null && tried.isUnderWay()) {
+            return;
+        }
+        if (tried != null && isGoing(tried, state, now)) {
+            return;
+        }
+        if (tried != null) {
+            failedNanos.put(tried.rung, now);
+            attempt = null;
+        } else if (state.capabilities().isSafe(state.mode())) {
+            // Somebody has told it already, or its own fail-safe has; from here on it is looked after.
+            attempt = new Attempt(Rung.RETURN, null, null, now);
+            return;
+        }
+        begin(state, user, secondsLeft, now);
+    }
+
+    private boolean isGoing(Attempt tried, DroneState state, long now) {
+        if (!tried.isTold() || tried.isStuck(state.position(), now)) {
+            return false;
+        }
+        if (state.capabilities().isSafe(state.mode())) {
+            return true;
+        }
+        LandingPlace place = tried.place;
+        if (place == null || tried.landing) {
+            return false;
+        }
+        if (isAt(place, state)) {
+            tried.landing = true;
+            gate.submitForSafety(drone, new Command.Land()).ifPresent(told -> tried.told = told);
+        }
+        return true;
+    }
+
+    private static boolean isAt(LandingPlace place, DroneState state) {
+        Position position = state.position();
+        Geodetic here = position == null ? null : position.point();
+        return here != null && Geodesy.distanceMeters(here, place.point()) <= ARRIVED_METERS;
+    }
+
+    private void begin(DroneState state, String user, OptionalDouble secondsLeft, long now) {
+        failedNanos.values().removeIf(failed -> now - failed > FAILED_NANOS);
+        Set<Rung> failed = failedNanos.keySet().stream().collect(Collectors.toUnmodifiableSet());
+        ReturnLadder.Step step = ReturnLadder.next(
+                new ReturnLadder.Plight(
+                        state, secondsLeft, places.known(drone.drone().onBoard()), failed),
+                against(state, user));
+        Rung rung = step.rung();
+        Command command = step.command();
+        if (rung == null || command == null) {
+            alarm(step.why(), secondsLeft, now);
+            return;
+        }
+        gate.submitForSafety(drone, command).ifPresent(told -> {
+            attempt = new Attempt(rung, step.place(), told, now);
+            tell(step);
+        });
+    }
+
+    private ReturnLadder.Zones against(DroneState state, String user) {
+        return new ReturnLadder.Zones() {
+            @Override
+            public Optional<String> againstReturn() {
+                return zones.homewardDoubt(user, state, clock.instant());
+            }
+
+            @Override
+            public Optional<String> against(Command.GoTo way) {
+                return zones.whyNot(user, state, way, clock.instant());
+            }
+
+            @Override
+            public Optional<String> againstLanding() {
+                return zones.landingDoubt(user, state, clock.instant());
+            }
+        };
+    }
+
+    private void tell(ReturnLadder.Step step) {
+        LandingPlace place = step.place();
+        if (step.rung() == Rung.LAND) {
+            drone.say(Severity.ALERT, step.why() + " It lands where it is.");
+        } else if (place != null) {
+            drone.say(Severity.CRITICAL, step.why() + " It flies to " + place.words() + " and lands there.");
+        }
+    }
+
+    private void alarm(String why, OptionalDouble secondsLeft, long now) {
+        if (alarmed && now - alarmedNanos < BETWEEN_ALARMS_NANOS) {
+            return;
+        }
+        alarmed = true;
+        alarmedNanos = now;
+        String left = secondsLeft.isEmpty()
+                ? "How long its battery lasts is not known."
+                : String.format(Locale.ROOT, "Its battery lasts for about %.0f min.", secondsLeft.getAsDouble() / 60);
+        drone.say(Severity.ALERT, "It is in the air and nobody's. " + why + " " + left + " Take control of it.");
+    }
+}
