@@ -31,7 +31,7 @@ final class ModeWatch {
     /** The mode that somebody else has chosen since this was asked last; null: nobody has. */
     @Nullable
     String foreign(DroneState state) {
-        String mode = state.link().state() == LinkState.LIVE ? state.mode() : null;
+        String mode = state.link().state() == LinkState.LOST ? null : state.mode();
         String before = last;
         last = mode;
         return before != null && mode != null && !mode.equals(before) && isForeign(state, mode) ? mode : null;

@@ -50,7 +50,8 @@ final class WayHome {
 
     /** The best that it can do now; what the gate refuses is told there. */
     private Command homeward(Holder.Operation by, DroneState drone) {
-        if (!drone.airborne()) {
+        // Where nothing tells, it may well be in the air.
+        if (drone.isOnGround()) {
             return new Command.Disarm(false);
         }
         return Stream.of(new Command.ReturnToLaunch(), new Command.Land(), new Command.Hold())

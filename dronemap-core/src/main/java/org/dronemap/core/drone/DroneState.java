@@ -51,6 +51,17 @@ public record DroneState(
         return Boolean.TRUE.equals(armed) && position != null && isHigh(position);
     }
 
+    /** On the ground as far as is known; false where nothing tells. */
+    public boolean isOnGround() {
+        if (phase != null) {
+            return phase == FlightPhase.ON_GROUND;
+        }
+        boolean tellsHeight = position != null
+                && (position.altitudeAboveHomeMeters() != null
+                        || (position.altitudeAmslMeters() != null && groundAmslMeters != null));
+        return tellsHeight && !isHigh(position);
+    }
+
     private boolean isHigh(Position place) {
         Double above = place.altitudeAboveHomeMeters();
         Double amsl = place.altitudeAmslMeters();

@@ -1,0 +1,21 @@
+package org.dronemap.core.cloud;
+
+import java.time.Instant;
+import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What becomes of a drone in the air: what happens when whoever has it has it no more, and how long it can fly.
+ *
+ * @param then a sentence
+ * @param returnsAt when it is brought home unless somebody takes control; null: it does not come to that now
+ * @param comesDown where it would be brought down then; null: where it is, or nowhere
+ * @param comesDownWords what that is called, as "home"; null: it would not be brought down
+ * @param emptyAt when its battery is empty, as it has been used up so far; null: not known
+ */
+public record Outlook(
+        String then,
+        @Nullable Instant returnsAt,
+        @Nullable Geodetic comesDown,
+        @Nullable String comesDownWords,
+        @Nullable Instant emptyAt) {}

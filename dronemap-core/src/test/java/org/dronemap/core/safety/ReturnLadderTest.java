@@ -1,0 +1,165 @@
+package org.dronemap.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Capabilities;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneKey;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.Payload;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.Standing;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+class ReturnLadderTest {
+    private static final Instant NOW = Instant.parse("2026-03-04T05:06:07Z");
+    private static final Geodetic HERE = new Geodetic(24.7, 46.7);
+    /** 1.1 km away. */
+    private static final Home HOME = new Home(new Geodetic(24.71, 46.7), 600);
+    /** 110 m and 55 m away. */
+    private static final LandingPlace RALLY = new LandingPlace(new Geodetic(24.701, 46.7), "a rally point");
+
+    private static final LandingPlace FIELD = new LandingPlace(new Geodetic(24.6995, 46.7), "a field");
+    private static final Set<Capability> ALL = Set.of(Capability.values());
+    private static final OptionalDouble PLENTY = OptionalDouble.of(1_200);
+    private static final OptionalDouble LITTLE = OptionalDouble.of(150);
+    private static final OptionalDouble NOTHING = OptionalDouble.of(50);
+    private static final String CROWD = "The way touches “Crowd”.";
+
+    /** What some zones say. */
+    private record Says(Optional<String> againstReturn, Optional<String> againstFlying, Optional<String> againstLanding)
+            implements ReturnLadder.Zones {
+        static final Says NOTHING = new Says(Optional.empty(), Optional.empty(), Optional.empty());
+
+        @Override
+        public Optional<String> against(Command.GoTo way) {
+            return againstFlying;
+        }
+    }
+
+    private static DroneState drone(Set<Capability> can, @Nullable Geodetic point) {
+        return new DroneState(
+                new DroneId("drone-1"),
+                "Copter 1",
+                false,
+                new LinkStatus(
+                        new DroneKey("127.0.0.1", 14601, 1),
+                        "udp",
+                        LinkState.LIVE,
+                        NOW,
+                        LinkQuality.UNKNOWN,
+                        List.of()),
+                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", "4.5.6", null),
+                Standing.UNPROVED,
+                new Capabilities(can, List.of("GUIDED")),
+                "GUIDED",
+                true,
+                null,
+                FlightPhase.IN_AIR,
+                new Position(point, null, 20.0),
+                null,
+                null,
+                null,
+                null,
+                null,
+                HOME,
+                null,
+                Payload.UNKNOWN,
+                MissionProgress.UNKNOWN,
+                List.of(),
+                NOW,
+                1,
+                null);
+    }
+
+    private static ReturnLadder.Step next(OptionalDouble left, ReturnLadder.Zones zones, Rung... failed) {
+        Set<Rung> all = failed.length == 0 ? Set.of() : EnumSet.copyOf(List.of(failed));
+        return ReturnLadder.next(new ReturnLadder.Plight(drone(ALL, HERE), left, List.of(RALLY, FIELD), all), zones);
+    }
+
+    private static ReturnLadder.Step without(Capability missing) {
+        Set<Capability> can = EnumSet.allOf(Capability.class);
+        can.remove(missing);
+        return ReturnLadder.next(new ReturnLadder.Plight(drone(can, HERE), PLENTY, List.of(), Set.of()), Says.NOTHING);
+    }
+
+    @Test
+    void returnsWhereItCan() {
+        assertThat(next(PLENTY, Says.NOTHING).command()).isEqualTo(new Command.ReturnToLaunch());
+        assertThat(next(OptionalDouble.empty(), Says.NOTHING).command()).isEqualTo(new Command.ReturnToLaunch());
+    }
+
+    @Test
+    void fliesToTheNearestPlaceThatItsBatteryLastsForAtTheHeightThatItHas() {
+        ReturnLadder.Step step = next(LITTLE, Says.NOTHING);
+
+        assertThat(step.command()).isEqualTo(new Command.GoTo(FIELD.point(), Altitude.aboveHome(20)));
+        assertThat(step.place()).isEqualTo(FIELD);
+        assertThat(step.why()).startsWith("Its battery lasts for about 150 s, and the way home takes about 3");
+        assertThat(next(PLENTY, Says.NOTHING, Rung.RETURN).place()).isEqualTo(FIELD);
+    }
+
+    @Test
+    void landsWhereItIsWhenNoPlaceIsToBeHad() {
+        assertThat(next(NOTHING, Says.NOTHING).command()).isEqualTo(new Command.Land());
+        assertThat(next(PLENTY, Says.NOTHING, Rung.RETURN, Rung.ELSEWHERE).command())
+                .isEqualTo(new Command.Land());
+        assertThat(without(Capability.RETURN_TO_LAUNCH).command()).isEqualTo(new Command.Land());
+        ReturnLadder.Step lost = ReturnLadder.next(
+                new ReturnLadder.Plight(drone(ALL, null), PLENTY, List.of(FIELD), Set.of()),
+                new Says(Optional.empty(), Optional.empty(), Optional.of(CROWD)));
+        assertThat(lost.command()).as("where it is no zone can be asked").isEqualTo(new Command.Land());
+    }
+
+    @Test
+    void asksTheZonesForEachWay() {
+        Says home = new Says(Optional.of(CROWD), Optional.empty(), Optional.empty());
+        assertThat(next(PLENTY, home).rung()).isEqualTo(Rung.ELSEWHERE);
+        Says allWays = new Says(Optional.of(CROWD), Optional.of(CROWD), Optional.empty());
+        assertThat(next(PLENTY, allWays).rung()).isEqualTo(Rung.LAND);
+        Says everywhere = new Says(Optional.of(CROWD), Optional.of(CROWD), Optional.of(CROWD));
+        ReturnLadder.Step none = next(PLENTY, everywhere);
+        assertThat(none.command()).isNull();
+        assertThat(none.why()).contains("It does not return: " + CROWD, "It does not land here: " + CROWD);
+        assertThat(next(NOTHING, everywhere).rung()).as("before it falls").isEqualTo(Rung.LAND);
+    }
+
+    @Test
+    void saysWhyNothingCanBeDone() {
+        Set<Capability> nothing = Set.of(Capability.ARM);
+        ReturnLadder.Step step = ReturnLadder.next(
+                new ReturnLadder.Plight(drone(nothing, HERE), PLENTY, List.of(FIELD), Set.of()), Says.NOTHING);
+
+        assertThat(step.rung()).isNull();
+        assertThat(step.why()).isEqualTo("It cannot return by itself. It cannot land by itself.");
+    }
+
+    @Test
+    void hurriesWhenTheBatteryLastsOnlyJust() {
+        DroneState far = drone(ALL, HERE);
+        double needed = Energy.secondsTo(far, HOME.point(), 30).orElseThrow();
+
+        assertThat(ReturnLadder.hurries(far, OptionalDouble.of(needed + 1), 2)).isTrue();
+        assertThat(ReturnLadder.hurries(far, OptionalDouble.of(needed + 3), 2)).isFalse();
+        assertThat(ReturnLadder.hurries(far, OptionalDouble.empty(), 2)).isFalse();
+    }
+}
