@@ -75,6 +75,14 @@ final class RobotLinks {
         return best;
     }
 
+    /** Where it is spoken to, and wherever else it is heard. */
+    synchronized List<RobotLink> all() {
+        RobotLink best = best();
+        return links.stream()
+                .filter(link -> link == best || link.silenceNanos() < SILENT_NANOS)
+                .toList();
+    }
+
     /** None of them is believed any more. */
     synchronized void cut() {
         links.forEach(RobotLink::cut);

@@ -41,6 +41,7 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
     private final RobotTelemetry telemetry;
     private final Map<CommandId, Errand> errands = new LinkedHashMap<>();
     private final Standstill standstill;
+    private final OwnHeartbeat heartbeat;
     private volatile @Nullable DroneLink drone;
     private volatile boolean over;
     private @Nullable LinkReport told;
@@ -54,6 +55,8 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
         links = new RobotLinks(first);
         standstill = new Standstill(
                 type.words().flies(), order -> links.best().send(order, Mandate.HOUSEKEEPING), () -> tell(DRIVES_ON));
+        // On each link: a fail-safe of the robot's own may look at either.
+        heartbeat = new OwnHeartbeat(order -> links.all().forEach(link -> link.send(order, Mandate.HOUSEKEEPING)));
         telemetry = new RobotTelemetry(
                 type, name.hardware(), this::tell, () -> table.refusals().unreadable());
     }
@@ -143,7 +146,9 @@ final class RobotSession implements VehicleChannel, Lane.Ticker {
             return;
         }
         long now = table.now();
+        // A robot that drives on hears first that it shall stand.
         standstill.tick(now);
+        heartbeat.tick(now);
         List.copyOf(errands.values()).forEach(errand -> errand.tick(telemetry.facts(), now));
         errands.values().removeIf(Errand::isOver);
         tape.working(isWorking());

@@ -101,7 +101,8 @@ class OrderMatrixTest extends RobotTrial {
                         .allSatisfy(order -> assertThat(isStop(order)).isTrue()));
         assertThat(liars)
                 .hasSize(way.equals("udp") ? 20 : 24)
-                .allSatisfy(liar -> assertThat(liar.robot.ordersWaiting()).isZero());
+                .allSatisfy(liar -> assertThat(liar.robot.ordersWaiting() + liar.robot.heartbeats())
+                        .isZero());
         assertThat(house.cloud().drones()).hasSize(4);
     }
 

@@ -34,7 +34,16 @@ class QuirksTest {
         assertThat(Arrays.stream(Order.class.getPermittedSubclasses()).map(Class::getSimpleName))
                 .as("one more kind needs its number here")
                 .containsExactlyInAnyOrder(
-                        "Twist", "GoTo", "TakeOff", "Land", "Arm", "Disarm", "SetMode", "GetMap", "EmergencyStop");
+                        "Twist",
+                        "GoTo",
+                        "TakeOff",
+                        "Land",
+                        "Arm",
+                        "Disarm",
+                        "SetMode",
+                        "GetMap",
+                        "EmergencyStop",
+                        "Heartbeat");
         List<Order> all = List.of(
                 Order.Twist.STOP,
                 new Order.GoTo(0, 0, 0, false),
@@ -44,8 +53,9 @@ class QuirksTest {
                 new Order.Disarm(),
                 new Order.SetMode(4),
                 new Order.GetMap(),
-                new Order.EmergencyStop());
-        assertThat(all.stream().map(Order::messageId)).containsExactly(100, 101, 102, 103, 104, 105, 106, 107, 108);
+                new Order.EmergencyStop(),
+                new Order.Heartbeat());
+        assertThat(all.stream().map(Order::messageId)).containsExactly(100, 101, 102, 103, 104, 105, 106, 107, 108, 0);
     }
 
     /** The field is called milliseconds since the start, and holds seconds since 1970, or something else. */

@@ -43,7 +43,7 @@ class RobotKeyTest extends RobotTrial {
             }
 
             assertThat(refused).isPositive();
-            assertThat(thief.ordersWaiting()).isZero();
+            assertThat(thief.ordersWaiting() + thief.heartbeats()).isZero();
             assertThat(house.drone(7).local()).isEqualTo(new LocalPosition(1, 1, null, null));
             assertThat(house.drone(7).link().key().address()).isEqualTo("127.0.0.1");
             assertThat(house.cloud().drones()).hasSize(1);
@@ -129,6 +129,7 @@ class RobotKeyTest extends RobotTrial {
             robot.say(2, "\"x\":99,\"y\":99");
             robot.sayOnWeb(0, "\"type\":8");
             await(() -> proxy.refusedCount() == 2);
+            int heartbeats = robot.heartbeats();
             assertThat(command(drone, new Command.Hold()).get(5, TimeUnit.SECONDS))
                     .isInstanceOf(Outcome.Refused.class);
             assertThat(robot.ordersWaiting()).isZero();
@@ -142,6 +143,8 @@ class RobotKeyTest extends RobotTrial {
             assertThat(house.drone(7).id()).isEqualTo(TestKeys.ROBOT_7);
             assertThat(house.drone(7).local()).isEqualTo(new LocalPosition(1, 2, null, null));
             assertThat(robot.ordersWaiting()).isZero();
+            await(() -> newer.heartbeats() > 1);
+            assertThat(robot.heartbeats()).as("none after its key was void").isEqualTo(heartbeats);
         }
     }
 
@@ -159,7 +162,8 @@ class RobotKeyTest extends RobotTrial {
             known.say(0, "\"type\":8");
             awaitDrone(8, drone -> true);
             assertThat(house.cloud().drones()).hasSize(1);
-            assertThat(stranger.ordersWaiting()).isZero();
+            await(() -> known.heartbeats() > 1);
+            assertThat(stranger.ordersWaiting() + stranger.heartbeats()).isZero();
 
             house.cloud().letIn(house.cloud().waiting().get(0).id(), "turtle");
             await(() -> {
@@ -168,6 +172,7 @@ class RobotKeyTest extends RobotTrial {
                         .anyMatch(drone ->
                                 drone.name().equals("turtle") && drone.link().state() == LinkState.LIVE);
             });
+            await(() -> stranger.heartbeats() > 0);
         }
     }
 }

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** A robot on links in memory, in stepped time: says what a bridge would, and keeps what it is told. */
+/** A robot on links in memory, in stepped time: says what a bridge would, and keeps what it is told; heartbeats by themselves. */
 final class SteppedRobot implements AutoCloseable {
     private static final String HERE = "127.0.0.1";
 
@@ -27,6 +27,7 @@ final class SteppedRobot implements AutoCloseable {
     private final int systemId;
     private final String key;
     private final Queue<JsonNode> orders = new ArrayDeque<>();
+    private int heartbeats;
     private int port;
     private MemoryLink datagrams;
     private @Nullable PeerHandler web;
@@ -47,7 +48,12 @@ final class SteppedRobot implements AutoCloseable {
     }
 
     private void hear(byte[] bytes) {
-        orders.add(JsonMapper.shared().readTree(new String(bytes, StandardCharsets.UTF_8)));
+        JsonNode message = JsonMapper.shared().readTree(new String(bytes, StandardCharsets.UTF_8));
+        if (id(message) == 0) {
+            heartbeats++;
+        } else {
+            orders.add(message);
+        }
     }
 
     /** Its datagrams come from there from now on; where it was, nobody closes anything. */
@@ -142,6 +148,11 @@ final class SteppedRobot implements AutoCloseable {
         List<JsonNode> told = new ArrayList<>(orders);
         orders.clear();
         return told;
+    }
+
+    /** How many of the cloud's came so far, by either link. */
+    int heartbeats() {
+        return heartbeats;
     }
 
     @Override

@@ -21,11 +21,12 @@ import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The other end of the wire in tests: says what a bridge would, and keeps what it is told. */
+/** The other end of the wire in tests: says what a bridge would, and keeps what it is told; heartbeats by themselves. */
 final class TestRobot implements AutoCloseable {
     private final int systemId;
     private final String key;
     private final BlockingQueue<JsonNode> orders = new LinkedBlockingQueue<>();
+    private final AtomicInteger heartbeats = new AtomicInteger();
     private final AtomicInteger pongs = new AtomicInteger();
     private final int udpPort;
     private DatagramSocket socket;
@@ -54,13 +55,21 @@ final class TestRobot implements AutoCloseable {
         while (!from.isClosed()) {
             try {
                 from.receive(packet);
-                orders.add(JsonMapper.shared()
-                        .readTree(new String(packet.getData(), 0, packet.getLength(), StandardCharsets.UTF_8)));
+                hear(new String(packet.getData(), 0, packet.getLength(), StandardCharsets.UTF_8));
             } catch (SocketTimeoutException e) {
                 // Nothing came; look whether it is closed.
             } catch (IOException e) {
                 return;
             }
+        }
+    }
+
+    private void hear(String text) {
+        JsonNode message = JsonMapper.shared().readTree(text);
+        if (message.get("header").get("message_id").intValue() == 0) {
+            heartbeats.incrementAndGet();
+        } else {
+            orders.add(message);
         }
     }
 
@@ -80,7 +89,7 @@ final class TestRobot implements AutoCloseable {
                 .buildAsync(URI.create("ws://127.0.0.1:" + port + path), new WebSocket.Listener() {
                     @Override
                     public @Nullable CompletionStage<?> onText(WebSocket socket, CharSequence text, boolean last) {
-                        orders.add(JsonMapper.shared().readTree(text.toString()));
+                        hear(text.toString());
                         socket.request(1);
                         return null;
                     }
@@ -164,6 +173,11 @@ final class TestRobot implements AutoCloseable {
 
     int ordersWaiting() {
         return orders.size();
+    }
+
+    /** How many of the cloud's came so far. */
+    int heartbeats() {
+        return heartbeats.get();
     }
 
     @Override

@@ -1,9 +1,17 @@
 package org.dronemap.proxy.roslink.wire;
 
-/** What the cloud may ask of a robot; none is ever acknowledged. Metres, m/s, rad/s. */
+/** What the cloud may say to a robot; none of it is ever acknowledged. Metres, m/s, rad/s. */
 public sealed interface Order {
     /** The number that the wire knows it by. */
     int messageId();
+
+    /** The cloud is there: asks for nothing, and is the same message that the robot says of itself. */
+    record Heartbeat() implements Order {
+        @Override
+        public int messageId() {
+            return 0;
+        }
+    }
 
     /** Speeds along and turns about the robot's axes; bridges stop only when told to. */
     record Twist(double vx, double vy, double vz, double wx, double wy, double wz) implements Order {

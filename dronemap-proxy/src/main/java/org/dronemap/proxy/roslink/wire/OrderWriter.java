@@ -11,6 +11,11 @@ import tools.jackson.databind.node.ObjectNode;
  */
 public final class OrderWriter {
     private static final JsonMapper MAPPER = JsonMapper.shared();
+    /** A ground station, in the list of what speaks this protocol. */
+    private static final int GROUND_STATION = 7;
+
+    private static final int ACTIVE = 2;
+    private static final int NO_MODE = 0;
 
     private int sequence;
 
@@ -20,7 +25,12 @@ public final class OrderWriter {
         ObjectNode message = MAPPER.createObjectNode();
         boolean nested = robot.shape() == Shape.NESTED_HEADER;
         writeHeader(nested ? message.putObject("header") : message, robot, order);
-        writeBody(nested ? message : message.putObject("payload"), order);
+        ObjectNode body = nested ? message : message.putObject("payload");
+        if (order instanceof Order.Heartbeat) {
+            writeHeartbeat(body, robot);
+        } else {
+            writeBody(body, order);
+        }
         return message.toString().getBytes(StandardCharsets.UTF_8);
     }
 
@@ -40,6 +50,13 @@ public final class OrderWriter {
         } else if (word != null) {
             header.put(name, word.text());
         }
+    }
+
+    /** With the robot's owner, as the protocol has it there: the cloud itself belongs to nobody. */
+    private static void writeHeartbeat(ObjectNode body, Header robot) {
+        body.put("type", GROUND_STATION).put("name", "dronemap").put("system_status", ACTIVE);
+        put(body, "owner_id", robot.owner());
+        body.put("mode", NO_MODE);
     }
 
     private static void writeBody(ObjectNode body, Order order) {
