@@ -32,9 +32,18 @@ final class RobotReader {
                 web(reader.text("--web", "")),
                 first,
                 reader.number("--rate", 5, 0.5, 20),
+                patience(reader.number("--cloud-patience", 0, 0, 600)),
                 RobotOptions.quirks(reader.text("--quirks", "")));
         reader.finish();
         return options;
+    }
+
+    private static double patience(double seconds) {
+        if (seconds > 0 && seconds < 1) {
+            throw new IllegalArgumentException(
+                    "--cloud-patience wants 0 or at least 1: the server is heard once a second");
+        }
+        return seconds;
     }
 
     private static @Nullable URI web(String text) {

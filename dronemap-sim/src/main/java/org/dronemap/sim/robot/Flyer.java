@@ -88,6 +88,13 @@ final class Flyer implements Machine {
     }
 
     @Override
+    public void leftAlone() {
+        if (height > 0) {
+            mode(LAND_MODE);
+        }
+    }
+
+    @Override
     public void obey(int order, JsonNode body) {
         switch (order) {
             case Orders.ARM -> armed = true;

@@ -24,4 +24,7 @@ interface Machine {
     Map<String, Object> map();
 
     void obey(int order, JsonNode body);
+
+    /** Nobody is there any more who would stop it: makes itself safe. */
+    void leftAlone();
 }

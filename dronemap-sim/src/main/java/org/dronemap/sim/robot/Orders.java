@@ -1,7 +1,8 @@
 package org.dronemap.sim.robot;
 
-/** Orders by the numbers that the wire knows them by. */
+/** What the server says, by the numbers that the wire knows it by. */
 final class Orders {
+    static final int HEARTBEAT = 0;
     static final int TWIST = 100;
     static final int GO_TO = 101;
     static final int TAKE_OFF = 102;

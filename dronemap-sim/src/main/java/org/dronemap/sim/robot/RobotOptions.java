@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * @param web their WebSocket, beside UDP; null: none
  * @param first of the first one; each one more has the next system id
  * @param motionHertz how often each says where it is
+ * @param cloudPatienceSeconds after such a silence of a server that it has heard it stops, or lands; 0: it goes on, as public
+ *     bridges do
  */
 public record RobotOptions(
         int count,
@@ -20,6 +22,7 @@ public record RobotOptions(
         @Nullable URI web,
         Identity first,
         double motionHertz,
+        double cloudPatienceSeconds,
         Set<Quirk> quirks) {
     public static final String HELP = """
             Simulated robots that speak ROSLink: dronemap-sim --roslink …
@@ -31,6 +34,8 @@ public record RobotOptions(
               --key KEY                what it shows of itself (default 1243-0000-0000-FGFG)
               --owner OWNER            its owner's id (default: none)
               --rate HERTZ             how often it says where it is, 0.5 to 20 (default 5; bridges: 0.5)
+              --cloud-patience SECONDS stop (rover) or land (drone) after such a silence of a server that it has heard
+                                       (1 to 600; default 0: go on, as public bridges do)
               --quirks A,B             repeats-twist, number-key, text-owner, status-is-heartbeat, counts-each-kind,
                                        beats-on-both, broken-lines, payload-shape, dies-of-stop, ignores-orders
             """;

@@ -150,6 +150,12 @@ final class Rover implements Machine {
     }
 
     @Override
+    public void leftAlone() {
+        goal = null;
+        stop();
+    }
+
+    @Override
     public void obey(int order, JsonNode body) {
         if (order == Orders.TWIST) {
             // As navigation stacks do it: speeds from elsewhere do not end a journey, only its cancelling does.

@@ -28,6 +28,10 @@ public final class SimulatedRobot {
     private double sinceBeat = SECONDS_A_BEAT;
     private double sinceReport;
     private boolean deaf;
+    /** The server was heard and is not missed yet. */
+    private boolean accompanied;
+
+    private double sinceCloud;
 
     /** Its ways to the server. */
     public interface Links {
@@ -67,6 +71,7 @@ public final class SimulatedRobot {
 
     /** Lives on for so long, and says what is due. */
     public void turn(double seconds) {
+        missCloud(seconds);
         machine.move(seconds);
         sinceBeat += seconds;
         sinceReport += seconds;
@@ -79,6 +84,15 @@ public final class SimulatedRobot {
         if (sinceReport >= 1 / options.motionHertz()) {
             sinceReport = 0;
             say(MOTION, machine.motion());
+        }
+    }
+
+    private void missCloud(double seconds) {
+        sinceCloud += seconds;
+        double patience = options.cloudPatienceSeconds();
+        if (accompanied && patience > 0 && sinceCloud >= patience) {
+            accompanied = false;
+            machine.leftAlone();
         }
     }
 
@@ -111,6 +125,11 @@ public final class SimulatedRobot {
         }
         int order = speech.order(message);
         if (deaf || order < 0) {
+            return;
+        }
+        accompanied = true;
+        sinceCloud = 0;
+        if (order == Orders.HEARTBEAT) {
             return;
         }
         if (order == Orders.GET_MAP && !machine.map().isEmpty()) {

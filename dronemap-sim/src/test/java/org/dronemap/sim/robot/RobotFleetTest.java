@@ -45,7 +45,7 @@ class RobotFleetTest {
 
     private void start(String kind, Set<Quirk> quirks) throws IOException {
         ServerAddress address = new ServerAddress(false, "127.0.0.1", server.getLocalPort());
-        fleet = new RobotFleet(new RobotOptions(1, kind, address, null, new Identity(7, "12", "26"), 20, quirks));
+        fleet = new RobotFleet(new RobotOptions(1, kind, address, null, new Identity(7, "12", "26"), 20, 0, quirks));
         fleet.start();
         heard(message -> true);
     }

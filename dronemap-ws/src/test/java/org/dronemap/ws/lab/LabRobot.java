@@ -24,6 +24,8 @@ public final class LabRobot {
     /** Orders by the numbers that the wire knows them by. */
     public static final int TWIST = 100;
 
+    private static final int HEARTBEAT = 0;
+
     public static final int ARM = 104;
 
     private static final Duration TURN = Duration.ofMillis(50);
@@ -35,6 +37,7 @@ public final class LabRobot {
     private final Line udp;
     private final @Nullable Line web;
     private final List<Integer> orders = new ArrayList<>();
+    private int heartbeats;
     private int wrong;
 
     LabRobot(Laboratory lab, RobotKit kit, int number) {
@@ -74,14 +77,20 @@ public final class LabRobot {
 
     private void told(byte[] bytes) {
         String text = new String(bytes, StandardCharsets.UTF_8);
-        JsonNode header = JsonMapper.shared().readTree(text).path("header");
+        JsonNode message = JsonMapper.shared().readTree(text);
+        JsonNode header = kit.quirks().contains(Quirk.PAYLOAD_SHAPE) ? message : message.path("header");
         boolean number = kit.quirks().contains(Quirk.NUMBER_KEY);
         if (header.path("system_id").asInt(-1) != kit.systemId()
                 || header.path("key").isNumber() != number
                 || !header.path("key").asString("").equals(kit.key())) {
             wrong++;
         }
-        orders.add(header.path("message_id").asInt(-1));
+        int kind = header.path("message_id").asInt(-1);
+        if (kind == HEARTBEAT) {
+            heartbeats++;
+        } else {
+            orders.add(kind);
+        }
         robot.heard(text);
     }
 
@@ -107,7 +116,12 @@ public final class LabRobot {
         return robot.truth();
     }
 
-    /** By their numbers, in the order in which they came. */
+    /** Of the server, so far. */
+    public int heartbeats() {
+        return heartbeats;
+    }
+
+    /** By their numbers, in the order in which they came; without heartbeats. */
     public List<Integer> orders() {
         return List.copyOf(orders);
     }

@@ -12,39 +12,50 @@ import org.jspecify.annotations.Nullable;
  *
  * @param kind rover or drone
  * @param key what it shows of itself
+ * @param patience seconds of silence after which it makes itself safe; 0: never
  * @param path to which it opens a WebSocket beside UDP; null: it has none
  */
 public record RobotKit(
-        String kind, int systemId, String key, @Nullable String path, Set<Quirk> quirks) {
+        String kind,
+        int systemId,
+        String key,
+        double patience,
+        @Nullable String path,
+        Set<Quirk> quirks) {
     private static final double MOTION_HERTZ = 5;
     private static final ServerAddress ANY = new ServerAddress(false, "127.0.0.1", 25_500);
 
     /** One on wheels that reports as ground robots' bridges do. */
     public static RobotKit rover(int systemId) {
-        return new RobotKit("rover", systemId, "key-" + systemId, null, Set.of(Quirk.STATUS_IS_HEARTBEAT));
+        return new RobotKit("rover", systemId, "key-" + systemId, 0, null, Set.of(Quirk.STATUS_IS_HEARTBEAT));
     }
 
     /** One whose flight controller stands behind mavros. */
     public static RobotKit flyer(int systemId) {
-        return new RobotKit("drone", systemId, "key-" + systemId, null, Set.of());
+        return new RobotKit("drone", systemId, "key-" + systemId, 0, null, Set.of());
     }
 
     public RobotKit with(Quirk... others) {
         Set<Quirk> all = new HashSet<>(quirks);
         all.addAll(Set.of(others));
-        return new RobotKit(kind, systemId, key, path, all);
+        return new RobotKit(kind, systemId, key, patience, path, all);
     }
 
     public RobotKit showing(String other) {
-        return new RobotKit(kind, systemId, other, path, quirks);
+        return new RobotKit(kind, systemId, other, patience, path, quirks);
     }
 
     public RobotKit onWeb(String opened) {
-        return new RobotKit(kind, systemId, key, opened, quirks);
+        return new RobotKit(kind, systemId, key, patience, opened, quirks);
+    }
+
+    /** One that makes itself safe after so many seconds without the server. */
+    public RobotKit missing(double seconds) {
+        return new RobotKit(kind, systemId, key, seconds, path, quirks);
     }
 
     RobotOptions options() {
         RobotOptions.Identity identity = new RobotOptions.Identity(systemId, key, null);
-        return new RobotOptions(1, kind, ANY, null, identity, MOTION_HERTZ, quirks);
+        return new RobotOptions(1, kind, ANY, null, identity, MOTION_HERTZ, patience, quirks);
     }
 }
