@@ -31,6 +31,10 @@ final class RobotTelemetry {
     private static final int ACTIVE = 4;
     private static final int LAST_SYSTEM_STATUS = 8;
 
+    /** The protocol has no word for it, and public bridges go on as they were told. */
+    static final String WITHOUT_CLOUD =
+            "What it does when the cloud falls silent is not known: robots over ROSLink do not tell.";
+
     private final RobotType type;
     private final @Nullable String hardware;
     private final Consumer<DroneEvent> news;
@@ -93,6 +97,7 @@ final class RobotTelemetry {
     /** A drone listens from now on that knows nothing of the robot yet. */
     void identified() {
         news.accept(new DroneEvent.Identified(identification(), capabilities()));
+        news.accept(new DroneEvent.TextHeard(Severity.INFO, WITHOUT_CLOUD));
     }
 
     void heard(RobotMessage message) {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.TextMessage;
 import org.dronemap.proxy.endpoint.MemoryLink;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.roslink.wire.Order;
@@ -105,6 +106,18 @@ class OwnHeartbeatTest extends SteppedRobotTrial {
             int end = robot.heartbeats();
             time.advance(Duration.ofMinutes(1));
             assertThat(robot.heartbeats()).isEqualTo(end);
+        }
+    }
+
+    @Test
+    void itsPageSaysThatNobodyKnowsWhatItDoesWithoutTheCloud() {
+        try (SteppedRobot robot = robot(7, "12")) {
+            robot.beat(TURTLEBOT);
+            DroneState drone = awaitDrone(7, state -> state.capabilities().known());
+            assertThat(drone.messages())
+                    .extracting(TextMessage::text)
+                    .containsOnlyOnce(
+                            "What it does when the cloud falls silent is not known: robots over ROSLink do not tell.");
         }
     }
 
