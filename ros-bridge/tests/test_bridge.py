@@ -8,7 +8,7 @@ from typing import Any, Dict, List
 
 import pytest
 
-from roslink_bridge.bridge import GET_MAP, GO_TO, STOP, TWIST, Bridge, Identity, Said
+from roslink_bridge.bridge import GET_MAP, GO_TO, HEARTBEAT, STOP, TWIST, Bridge, Identity, Said
 from roslink_bridge.picture import png
 from roslink_bridge.robot import Battery, Map, Pose, Scan, Speeds
 
@@ -95,6 +95,13 @@ def test_stands_at_zeros_at_once_and_when_it_ends(bridge: Bridge, robot: StandIn
     bridge.stop()
     assert robot.driven[-1] == STILL
     assert robot.goals == [None]
+
+
+def test_hears_the_cloud_and_does_nothing_of_it(bridge: Bridge, robot: StandIn) -> None:
+    bridge.heard(twist(0.2), 1)
+    assert bridge.heard(order(HEARTBEAT, type=7, name="dronemap", system_status=2, mode=0), 1.1) == []
+    assert bridge.refused == 0
+    assert robot.driven == [Speeds(0.2)]
 
 
 def test_goes_and_gives_up_its_way_at_an_emergency_stop(bridge: Bridge, robot: StandIn) -> None:
