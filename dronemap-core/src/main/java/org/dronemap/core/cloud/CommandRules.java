@@ -189,7 +189,7 @@ public final class CommandRules {
     }
 
     /** Robots of a kind that nobody knows drive, where they cannot take off. */
-    private static boolean needsAir(DroneState drone) {
+    static boolean needsAir(DroneState drone) {
         VehicleKind kind = drone.identification().kind();
         boolean flies =
                 kind != VehicleKind.UNKNOWN || drone.capabilities().commands().contains(Capability.TAKE_OFF);

@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiPredicate;
 import org.dronemap.core.drone.DroneId;
@@ -31,6 +32,11 @@ public final class ControlDesk {
     /** Who commands a drone now; nobody when there is no such drone. */
     public Control control(DroneId drone) {
         return registry.find(drone).map(managed -> managed.control().control()).orElse(Control.FREE);
+    }
+
+    /** What becomes of a drone in the air when whoever has it has it no more; empty: it is not in the air, or not known. */
+    public Optional<Outlook> outlook(DroneId drone) {
+        return registry.find(drone).flatMap(managed -> Optional.ofNullable(managed.outlook()));
     }
 
     /**

@@ -6,9 +6,13 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.EmergencyStop;
+import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
@@ -32,12 +36,15 @@ final class ControlWatch implements Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(ControlWatch.class);
     private static final long RHYTHM_NANOS = Duration.ofMillis(200).toNanos();
 
+    private static final double STANDS_METERS_PER_SECOND = 0.1;
+
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final LeaseRules rules;
     private final Presence onlookers;
     private final CloudListener listener;
     private final WayHome wayHome;
+    private final Prospects prospects;
     private final ModeWatch modes;
     private final Energy energy = new Energy();
     private final Time time;
@@ -57,6 +64,7 @@ final class ControlWatch implements Lane.Ticker {
         this.onlookers = onlookers;
         this.listener = listener;
         this.wayHome = wayHome;
+        this.prospects = new Prospects(drone, wayHome, rules, time);
         this.modes = new ModeWatch(drone, gate, time.clock());
         this.time = time;
         this.lookedNanos = time.nanos() - RHYTHM_NANOS;
@@ -102,39 +110,46 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     private void act(ControlChange change) {
-        boolean lost = switch (change.kind()) {
-            case LOST, EXPELLED -> true;
-            // What was told where to go goes there; what was led by hand does not stand by itself.
-            case EXPIRED, RELEASED -> change.by() instanceof Holder.Person && isLedByHand();
+        DroneState state = drone.drone().state();
+        boolean over = switch (change.kind()) {
+            case LOST, EXPELLED, EXPIRED, RELEASED -> change.by() instanceof Holder.Person && drone.isOurs();
             case TAKEN, REQUESTED, REFUSED, HANDED_OVER, TAKEN_OVER, RETURN_DUE, PILOT_ACTED, PILOT_LEFT -> false;
         };
-        if (lost && isLeftAlone() && rules.onLoss() != LeaseRules.OnLoss.NOTHING) {
+        if (!over || rules.onLoss() == LeaseRules.OnLoss.NOTHING || FlightFacts.isInMission(state)) {
+            return;
+        }
+        boolean lost = change.kind() == ControlChange.Kind.LOST || change.kind() == ControlChange.Kind.EXPELLED;
+        if (!CommandRules.needsAir(state)) {
+            stop(state);
+        } else if (isLeftAlone() && (lost || FlightFacts.isLedByHand(state))) {
+            // What was told where to go goes there; what was led by hand does not stand by itself.
             gate.submitForSafety(drone, new Command.Hold());
         }
     }
 
-    private boolean isLedByHand() {
-        DroneState state = drone.drone().state();
-        return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.STICKS));
+    /** A ground vehicle that is on its way somewhere. Robots let nothing end that but an emergency stop. */
+    private void stop(DroneState state) {
+        boolean goes = drone.moves().at(drone.lane().activeNanos()).stream().anyMatch(GoToLocal.class::isInstance)
+                || gate.manoeuvre(drone).isPresent();
+        Motion motion = state.motion();
+        Double speed = motion == null ? null : motion.groundSpeed();
+        if (!goes && (speed == null || speed < STANDS_METERS_PER_SECOND)) {
+            return;
+        }
+        if (goes && CommandRules.whyNot(state, Capability.EMERGENCY_STOP).isEmpty()) {
+            gate.submitForSafety(drone, new EmergencyStop());
+        } else if (CommandRules.canHold(state)) {
+            gate.submitForSafety(drone, new Command.Hold());
+        }
     }
 
     /** In the air by what this cloud last said, and not on its way home or through a mission. */
     private boolean isLeftAlone() {
         DroneState state = drone.drone().state();
         return drone.isOurs()
-                && isFlying(state)
-                && !isInMission(state)
+                && FlightFacts.isFlying(state)
+                && !FlightFacts.isInMission(state)
                 && !state.capabilities().isSafe(state.mode());
-    }
-
-    private static boolean isFlying(DroneState state) {
-        return Boolean.TRUE.equals(state.armed()) && state.airborne();
-    }
-
-    /** It flies by itself until its mission is over. */
-    private static boolean isInMission(DroneState state) {
-        return state.capabilities().steering(state.mode()).equals(Optional.of(Steering.MISSION))
-                && !state.mission().complete();
     }
 
     /** Stops what does not stand by itself when nobody steers it any more, unless somebody else flies it already. */
@@ -157,19 +172,21 @@ final class ControlWatch implements Lane.Ticker {
             energy.heard(state, lookedNanos);
         }
         OptionalDouble left = energy.secondsLeft();
+        boolean inMission = FlightFacts.isFlying(state) && FlightFacts.isInMission(state);
         drone.control()
                 .tick(
                         () -> gate.isBusy(drone) || isWatched(state),
-                        hasSaidWhatItDoes(state) && !(isFlying(state) && isInMission(state)),
+                        FlightFacts.areKnown(state) && !inMission,
                         due && isLeftAlone() && ReturnLadder.hurries(state, left, RHYTHM_NANOS / 1e9));
         if (due) {
             bringHome(state, left);
+            prospects.look(state, left);
         }
     }
 
     private void pilot(DroneState state) {
         Control control = drone.control().control();
-        boolean down = Boolean.FALSE.equals(state.armed()) && state.link().state() == LinkState.LIVE;
+        boolean down = FlightFacts.isDown(state);
         String foreign = modes.foreign(state);
         if (control.tenure() != null && control.tenure().holder() instanceof Holder.Pilot) {
             if (Boolean.FALSE.equals(state.armed())) {
@@ -179,7 +196,8 @@ final class ControlWatch implements Lane.Ticker {
             drone.ours(false);
             drone.control().apply(new LeaseEvent.PilotActed(foreign));
         }
-        if (down) {
+        // One that drives is never anything but down.
+        if (down && (CommandRules.needsAir(state) || Boolean.FALSE.equals(state.armed()))) {
             drone.ours(false);
         }
         if (down && control.lapse() != null) {
@@ -194,8 +212,8 @@ final class ControlWatch implements Lane.Ticker {
                 || lapse == null
                 || !lapse.returned()
                 || !drone.isOurs()
-                || !isFlying(state)
-                || isInMission(state)) {
+                || !FlightFacts.isFlying(state)
+                || FlightFacts.isInMission(state)) {
             wayHome.rest(state);
         } else if (state.link().state() != LinkState.LOST) {
             wayHome.goOn(state, lapse.user(), secondsLeft);
@@ -207,15 +225,7 @@ final class ControlWatch implements Lane.Ticker {
         Tenure tenure = drone.control().control().tenure();
         return tenure != null
                 && tenure.holder() instanceof Holder.Person person
-                && isFlying(state)
+                && FlightFacts.isFlying(state)
                 && onlookers.isThere(person.name(), drone.id());
-    }
-
-    /**
-     * Whether {@link #isLeftAlone} can be told. One that fell silent since is not waited for: what is known of it would be old
-     * when it is heard again, and a pilot may have it by then.
-     */
-    private static boolean hasSaidWhatItDoes(DroneState state) {
-        return state.mode() != null && state.armed() != null && (state.phase() != null || state.position() != null);
     }
 }

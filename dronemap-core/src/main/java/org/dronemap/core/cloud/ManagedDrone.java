@@ -29,6 +29,7 @@ final class ManagedDrone implements Lane.Ticker {
     private volatile @Nullable String promisedIdentity;
     private final RecentMoves moves = new RecentMoves();
     private boolean ours;
+    private volatile @Nullable Outlook outlook;
     private @Nullable LinkSession session;
     private boolean played;
     private Lane.Ticker watch = () -> {};
@@ -90,6 +91,16 @@ final class ManagedDrone implements Lane.Ticker {
 
     void ours(boolean now) {
         ours = now;
+    }
+
+    /** What becomes of it; null: it is not in the air. Any thread. */
+    @Nullable
+    Outlook outlook() {
+        return outlook;
+    }
+
+    void outlook(@Nullable Outlook now) {
+        outlook = now;
     }
 
     /** Something about it changed that its own state does not hold. */

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param then a sentence
  * @param returnsAt when it is brought home unless somebody takes control; null: it does not come to that now
- * @param comesDown where it would be brought down then; null: where it is, or nowhere
+ * @param comesDown where it would be brought down then; null: nowhere, or not known
  * @param comesDownWords what that is called, as "home"; null: it would not be brought down
  * @param emptyAt when its battery is empty, as it has been used up so far; null: not known
  */

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
@@ -135,7 +134,8 @@ final class WayHome {
         if (!tried.isTold() || tried.isStuck(state.position(), now)) {
             return false;
         }
-        if (state.capabilities().isSafe(state.mode())) {
+        // One without modes is judged by how it moves.
+        if (state.mode() == null || state.capabilities().isSafe(state.mode())) {
             return true;
         }
         LandingPlace place = tried.place;
@@ -157,11 +157,7 @@ final class WayHome {
 
     private void begin(DroneState state, String user, OptionalDouble secondsLeft, long now) {
         failedNanos.values().removeIf(failed -> now - failed > FAILED_NANOS);
-        Set<Rung> failed = failedNanos.keySet().stream().collect(Collectors.toUnmodifiableSet());
-        ReturnLadder.Step step = ReturnLadder.next(
-                new ReturnLadder.Plight(
-                        state, secondsLeft, places.known(drone.drone().onBoard()), failed),
-                against(state, user));
+        ReturnLadder.Step step = next(state, user, secondsLeft);
         Rung rung = step.rung();
         Command command = step.command();
         if (rung == null || command == null) {
@@ -172,6 +168,14 @@ final class WayHome {
             attempt = new Attempt(rung, step.place(), told, now);
             tell(step);
         });
+    }
+
+    /** What would be done now. */
+    ReturnLadder.Step next(DroneState state, String user, OptionalDouble secondsLeft) {
+        return ReturnLadder.next(
+                new ReturnLadder.Plight(
+                        state, secondsLeft, places.known(drone.drone().onBoard()), Set.copyOf(failedNanos.keySet())),
+                against(state, user));
     }
 
     private ReturnLadder.Zones against(DroneState state, String user) {

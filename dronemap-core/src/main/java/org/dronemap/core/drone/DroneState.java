@@ -56,10 +56,12 @@ public record DroneState(
         if (phase != null) {
             return phase == FlightPhase.ON_GROUND;
         }
-        boolean tellsHeight = position != null
-                && (position.altitudeAboveHomeMeters() != null
-                        || (position.altitudeAmslMeters() != null && groundAmslMeters != null));
-        return tellsHeight && !isHigh(position);
+        return position != null && tellsHeight(position) && !isHigh(position);
+    }
+
+    private boolean tellsHeight(Position place) {
+        return place.altitudeAboveHomeMeters() != null
+                || (place.altitudeAmslMeters() != null && groundAmslMeters != null);
     }
 
     private boolean isHigh(Position place) {

@@ -45,6 +45,11 @@ public record DroneView(
         Map<String, ActionView> actions,
 
         ControlView control,
+
+        @Schema(description = "What becomes of it when whoever has it has it no more; null: it is not in the air")
+        @Nullable
+        OutlookView outlook,
+
         Instant lastUpdate,
         long version) {
 

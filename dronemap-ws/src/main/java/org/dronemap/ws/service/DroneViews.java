@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.cloud.CommandRules;
+import org.dronemap.core.cloud.ControlDesk;
 import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -25,7 +26,6 @@ import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Sensed;
-import org.dronemap.core.lease.Control;
 import org.jspecify.annotations.Nullable;
 
 /** Maps a drone's state to what clients see, once for all faces. Any thread. */
@@ -33,11 +33,11 @@ public final class DroneViews {
     private static final String FORCE_DISARM = "forceDisarm";
 
     private final DronePlaces places;
-    private final Function<DroneId, Control> controls;
+    private final ControlDesk controls;
     private final Function<DroneId, Sensed> sensed;
 
     /** {@code controls} knows who commands a drone now, {@code sensed} what its sensors brought last. */
-    public DroneViews(DronePlaces places, Function<DroneId, Control> controls, Function<DroneId, Sensed> sensed) {
+    public DroneViews(DronePlaces places, ControlDesk controls, Function<DroneId, Sensed> sensed) {
         this.sensed = sensed;
         this.places = places;
         this.controls = controls;
@@ -71,7 +71,8 @@ public final class DroneViews {
                 mission(state),
                 messages(state),
                 actions(state, principal),
-                ControlView.of(controls.apply(state.id())),
+                ControlView.of(controls.control(state.id())),
+                controls.outlook(state.id()).map(OutlookView::of).orElse(null),
                 millis(state.lastUpdate()),
                 state.version());
     }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import org.dronemap.ws.service.DroneView;
+import org.dronemap.ws.service.OutlookView;
 import org.jspecify.annotations.Nullable;
 
 /** A drone now, flat; what nobody knows is left out. Degrees, metres, m/s, volts, UTC. */
@@ -56,6 +57,12 @@ public class SoapDrone {
     private @Nullable Integer missionCurrent;
     private @Nullable Integer missionTotal;
     private @Nullable String lastUpdate;
+    private @Nullable String then;
+    private @Nullable String returnsAt;
+    private @Nullable String comesDown;
+    private @Nullable Double comesDownLatitude;
+    private @Nullable Double comesDownLongitude;
+    private @Nullable String emptyAt;
 
     static SoapDrone of(DroneView view) {
         SoapDrone drone = new SoapDrone();
@@ -75,6 +82,7 @@ public class SoapDrone {
         drone.missionCurrent = view.mission().current();
         drone.missionTotal = view.mission().total();
         drone.lastUpdate = view.lastUpdate().toString();
+        drone.outlook(view.outlook());
         drone.where(view.position());
         drone.where(view.local());
         drone.motion(view.motion());
@@ -115,6 +123,17 @@ public class SoapDrone {
             airSpeed = motion.airSpeed();
             climbRate = motion.climbRate();
             heading = motion.heading();
+        }
+    }
+
+    private void outlook(@Nullable OutlookView outlook) {
+        if (outlook != null) {
+            then = outlook.then();
+            returnsAt = outlook.returnsAt() == null ? null : Objects.toString(outlook.returnsAt());
+            comesDown = outlook.comesDown();
+            comesDownLatitude = outlook.latitude();
+            comesDownLongitude = outlook.longitude();
+            emptyAt = outlook.emptyAt() == null ? null : Objects.toString(outlook.emptyAt());
         }
     }
 

@@ -194,7 +194,7 @@ public class ServiceConfiguration {
     DroneViews droneViews(House house) {
         DronePlaces places = new DronePlaces(PlaceNames.load()::near);
         house.cloud().addListener(places);
-        return new DroneViews(places, house.cloud().controls()::control, house.cloud()::sensed);
+        return new DroneViews(places, house.cloud().controls(), house.cloud()::sensed);
     }
 
     @Bean
