@@ -65,7 +65,7 @@ final class ControlWatch implements Lane.Ticker {
         this.listener = listener;
         this.wayHome = wayHome;
         this.prospects = new Prospects(drone, wayHome, rules, time);
-        this.modes = new ModeWatch(drone, gate, time.clock());
+        this.modes = new ModeWatch(drone, gate, time);
         this.time = time;
         this.lookedNanos = time.nanos() - RHYTHM_NANOS;
         drone.control().announceTo(this::announce);

@@ -1,12 +1,14 @@
 package org.dronemap.core.cloud;
 
-import java.time.Clock;
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,15 +19,23 @@ final class ModeWatch {
     /** A fail-safe says why it changes the mode about when it does. */
     private static final Duration SAID_WITH = Duration.ofSeconds(5);
 
+    /** Datagrams overtake each other: what was left just before may be heard once more. */
+    private static final long JUST_NANOS = Duration.ofSeconds(3).toNanos();
+
+    private static final long STAYS_NANOS = Duration.ofMillis(1_500).toNanos();
+
     private final ManagedDrone drone;
     private final CommandGate gate;
-    private final Clock clock;
+    private final Time time;
+    private final Map<String, Long> seenNanos = new HashMap<>();
     private @Nullable String last;
+    /** Since when it is in a mode that may be an old one; null: it is in none. */
+    private @Nullable Long doubtfulNanos;
 
-    ModeWatch(ManagedDrone drone, CommandGate gate, Clock clock) {
+    ModeWatch(ManagedDrone drone, CommandGate gate, Time time) {
         this.drone = drone;
         this.gate = gate;
-        this.clock = clock;
+        this.time = time;
     }
 
     /** The mode that somebody else has chosen since this was asked last; null: nobody has. */
@@ -34,7 +44,33 @@ final class ModeWatch {
         String mode = state.link().state() == LinkState.LOST ? null : state.mode();
         String before = last;
         last = mode;
-        return before != null && mode != null && !mode.equals(before) && isForeign(state, mode) ? mode : null;
+        if (mode == null) {
+            doubtfulNanos = null;
+            return null;
+        }
+        long now = time.nanos();
+        Long seen = seenNanos.put(mode, now);
+        if (mode.equals(before)) {
+            return isToStay(now) ? mode : null;
+        }
+        doubtfulNanos = null;
+        if (before == null || !isForeign(state, mode)) {
+            return null;
+        }
+        if (seen != null && now - seen < JUST_NANOS) {
+            doubtfulNanos = now;
+            return null;
+        }
+        return mode;
+    }
+
+    private boolean isToStay(long now) {
+        Long since = doubtfulNanos;
+        boolean stays = since != null && now - since >= STAYS_NANOS;
+        if (stays) {
+            doubtfulNanos = null;
+        }
+        return stays;
     }
 
     private boolean isForeign(DroneState state, String mode) {
@@ -43,7 +79,8 @@ final class ModeWatch {
                 && isNeverEnteredByItself(state.capabilities(), by)
                 && !gate.mayHaveChangedTo(drone, mode, by)
                 && state.messages().stream()
-                        .filter(message -> message.at().isAfter(clock.instant().minus(SAID_WITH)))
+                        .filter(message ->
+                                message.at().isAfter(time.clock().instant().minus(SAID_WITH)))
                         .noneMatch(message ->
                                 message.text().toLowerCase(Locale.ROOT).contains("failsafe"));
     }

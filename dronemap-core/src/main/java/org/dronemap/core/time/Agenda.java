@@ -23,9 +23,14 @@ final class Agenda {
     /** Of all that belongs together: when it is over, nothing of it is done any more. */
     static final class Life {
         private boolean over;
+        private boolean stopped;
 
         void end() {
             over = true;
+        }
+
+        void stopped(boolean now) {
+            stopped = now;
         }
     }
 
@@ -79,7 +84,7 @@ final class Agenda {
                 entry != null && entry.dueNanos <= untilNanos && found == null;
                 entry = entries.peek()) {
             entries.remove();
-            if (entry.owner.busy) {
+            if (entry.owner.busy || entry.owner.life.stopped) {
                 passed.add(entry);
             } else if (!entry.owner.life.over) {
                 found = entry;

@@ -26,7 +26,18 @@ final class SteppedProcess implements SteppedTime.Killable {
 
     @Override
     public void kill() {
+        life.stopped(false);
         life.end();
+    }
+
+    @Override
+    public void stop() {
+        life.stopped(true);
+    }
+
+    @Override
+    public void goOn() {
+        life.stopped(false);
     }
 
     void settle() {

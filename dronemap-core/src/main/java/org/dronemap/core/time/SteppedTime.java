@@ -33,6 +33,12 @@ public final class SteppedTime implements Time {
     public interface Killable extends Time {
         /** Nothing that waits here, or is due later, is done any more. */
         void kill();
+
+        /** Stands still from now on, as by SIGSTOP, while time goes on. */
+        void stop();
+
+        /** Does all that has been due since. */
+        void goOn();
     }
 
     /** It is {@code began} until it is stepped. */

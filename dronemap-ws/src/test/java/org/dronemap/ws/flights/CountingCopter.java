@@ -16,6 +16,7 @@ import org.dronemap.ws.lab.ScriptedPeer;
 final class CountingCopter {
     static final int GUIDED = 4;
     static final int RTL = 6;
+    static final int LAND = 9;
 
     /** Doing these twice is once too often. */
     static final Map<Integer, String> ONCE = Map.of(2000, "takePicture", 181, "setRelay", 115, "turn");

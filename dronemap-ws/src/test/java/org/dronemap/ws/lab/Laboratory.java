@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -83,6 +84,14 @@ public final class Laboratory implements AutoCloseable {
         hoverers.forEach(peer -> peer.wire().attach(server().links()));
         robots.forEach(robot -> robot.attach(server().robots()));
         lines.forEach(line -> line.attach(server));
+    }
+
+    /** As by SIGSTOP: nothing is done for so long, while time and vehicles go on. */
+    public void stopServer(Duration howLong) {
+        SteppedTime.Killable standing = Objects.requireNonNull(process);
+        standing.stop();
+        goOn(howLong);
+        standing.goOn();
     }
 
     /** As by kill -9: nothing more is done, written or said. */

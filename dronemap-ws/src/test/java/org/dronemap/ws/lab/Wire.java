@@ -41,6 +41,7 @@ public final class Wire {
     private final Map<Integer, Long> leftAt = new HashMap<>();
     private Kind kind = Kind.UDP;
     private Quality quality = Quality.GOOD;
+    private final List<Capture> captures = new ArrayList<>();
     private final List<WireTap> taps = new ArrayList<>();
     private double doubled;
     private boolean cut;
@@ -206,6 +207,15 @@ public final class Wire {
         return counters.counts();
     }
 
+    /** Hears the very bytes that come out at the vehicle's socket from now on, with the time in ns. */
+    public interface Capture {
+        void told(long nanos, byte[] bytes);
+    }
+
+    public void capturedBy(Capture socket) {
+        captures.add(socket);
+    }
+
     /** All that goes over it from now on. */
     public WireLog log() {
         WireLog begun = new WireLog(time);
@@ -254,6 +264,7 @@ public final class Wire {
 
     private void down(byte[] bytes) {
         record.told(name, bytes);
+        captures.forEach(capture -> capture.told(time.nanos(), bytes));
         taps.forEach(tap -> tap.told(bytes));
         note(false, bytes);
         traffic.add(false, time.nanos(), bytes);
