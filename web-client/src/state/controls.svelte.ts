@@ -78,7 +78,7 @@ export class Controls {
       return null;
     }
     if (standing === 'pilot') {
-      return 'The pilot at the vehicle has control; take control to command it.';
+      return 'A pilot at the vehicle or another ground station has control; take control to command it.';
     }
     return standing === 'other' ? `${drone.control?.holder ?? 'Somebody else'} has control.` : null;
   }

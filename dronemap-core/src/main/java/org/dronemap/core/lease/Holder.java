@@ -12,7 +12,7 @@ public sealed interface Holder {
      */
     record Operation(String id, String user, String words) implements Holder {}
 
-    /** Whoever flies it with a remote control or on board: goes before everybody here. */
+    /** Whoever flies it with a remote control, on board or by another ground station: goes before everybody here. */
     record Pilot() implements Holder {}
 
     /** The beginning of a sentence. */
@@ -20,7 +20,7 @@ public sealed interface Holder {
         if (this instanceof Person person) {
             return person.name();
         }
-        return this instanceof Operation operation ? operation.words() : "The pilot at the vehicle";
+        return this instanceof Operation operation ? operation.words() : "A pilot at the vehicle or another ground station";
     }
 
     /** The same operation, whatever it is called by now. */
