@@ -15,6 +15,7 @@ export interface Beginning {
 export const METERS_PER_DEGREE = 111_320;
 const SPEED = 8;
 const CLIMB = 2.5;
+const PATIENCE_MILLISECONDS = 30_000;
 
 interface Goal {
   north: number;
@@ -42,6 +43,7 @@ export class MockDrone {
   version = 1;
   messages: Drone['messages'] = [];
   lastHeard = Date.now();
+  commandedAt = Date.now();
 
   constructor(beginning: Beginning) {
     this.beginning = beginning;
@@ -70,7 +72,16 @@ export class MockDrone {
     if (this.goal !== null) {
       this.#approach(this.goal, seconds);
     }
+    if ((this.returnsAt() ?? Infinity) <= Date.now()) {
+      this.#changeMode('returnToLaunch');
+    }
     this.#settle();
+  }
+
+  /** Nobody has control of a mock vehicle: it comes home half a minute after its last command; null: not now. */
+  returnsAt(): number | null {
+    const waits = this.up > 0.3 && !['AUTO', 'RTL', 'LAND'].includes(this.mode);
+    return waits ? this.commandedAt + PATIENCE_MILLISECONDS : null;
   }
 
   #approach(goal: Goal, seconds: number): void {
@@ -178,6 +189,7 @@ export class MockDrone {
   }
 
   act(request: CommandRequest): Command['outcome'] {
+    this.commandedAt = Date.now();
     switch (request.type) {
       case 'arm':
         return this.#arm();

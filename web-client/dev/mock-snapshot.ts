@@ -1,3 +1,4 @@
+import type { Outlook } from '../src/api/control';
 import type { Action, CommandKind, Drone } from '../src/api/types';
 import { METERS_PER_DEGREE, type MockDrone } from './mock-drone';
 
@@ -59,8 +60,25 @@ export function snapshotOf(drone: MockDrone): Drone {
     },
     messages: drone.messages,
     actions: actionsOf(drone),
+    outlook: flying ? outlookOf(drone) : null,
     lastUpdate: new Date(drone.lastHeard).toISOString(),
     version: drone.version,
+  };
+}
+
+function outlookOf(drone: MockDrone): Outlook {
+  const returnsAt = drone.returnsAt();
+  const { latitude, longitude } = drone.beginning;
+  return {
+    then:
+      returnsAt === null
+        ? 'Nobody has control of it; it is on its way home or down.'
+        : 'Nobody has control of it; it is brought home unless somebody takes control.',
+    returnsAt: returnsAt === null ? null : new Date(returnsAt).toISOString(),
+    latitude,
+    longitude,
+    comesDown: 'home',
+    emptyAt: new Date(Date.now() + drone.battery * 20_000).toISOString(),
   };
 }
 

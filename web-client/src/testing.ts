@@ -1,3 +1,4 @@
+import type { Outlook } from './api/control';
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Command, Drone } from './api/types';
@@ -35,8 +36,22 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
     mission: null,
     messages: [],
     actions: { arm: { allowed: true, why: null }, takeOff: { allowed: false, why: 'Arm first.' } },
+    outlook: null,
     lastUpdate: '2026-01-01T12:00:00Z',
     version: 1,
+    ...change,
+  };
+}
+
+/** Nobody has it, at noon: it is brought home, half a kilometre away, in 12 s, and its battery lasts for 32 min. */
+export function anOutlook(change: Partial<Outlook> = {}): Outlook {
+  return {
+    then: 'Nobody has control of it; it is brought home unless somebody takes control.',
+    returnsAt: '2026-01-01T12:00:12Z',
+    latitude: 47.4022,
+    longitude: 8.5456,
+    comesDown: 'home',
+    emptyAt: '2026-01-01T12:32:00Z',
     ...change,
   };
 }

@@ -15,6 +15,19 @@ export interface Control {
   requests: ControlRequest[];
 }
 
+/** What becomes of a drone in the air when whoever has it has it no more. */
+export interface Outlook {
+  /** A sentence. */
+  then: string;
+  /** When it is brought home unless somebody takes control; null: it does not come to that now. */
+  returnsAt: string | null;
+  latitude: number | null;
+  longitude: number | null;
+  /** What the place is called; null: it would not be brought down. */
+  comesDown: string | null;
+  emptyAt: string | null;
+}
+
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
 /** The calls around control of a drone; each answers with how it is then. */

@@ -1,7 +1,7 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
 
 import type { Role } from './accounts';
-import type { Control } from './control';
+import type { Control, Outlook } from './control';
 import type { AltitudeReference, MissionItem } from './items';
 import type { FleetPlan } from './plans';
 import type { Follow, FollowNow, Positions, Receipt } from './follows';
@@ -160,8 +160,7 @@ export interface Drone {
   mode: string | null;
   modes: string[];
   armed: boolean | null;
-  /** What the vehicle's own pre-arm checks say. */
-  readyToArm?: boolean | null;
+  readyToArm?: boolean | null; // what the vehicle's own pre-arm checks say
   flight: FlightState | null;
   position: Position | null;
   local?: LocalPosition | null;
@@ -177,6 +176,7 @@ export interface Drone {
   messages: VehicleMessage[];
   actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>; // forceDisarm: even in the air
   control?: Control;
+  outlook: Outlook | null; // null: it is not in the air
   lastUpdate: string | null;
   version: number;
 }

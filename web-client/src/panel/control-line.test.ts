@@ -1,10 +1,11 @@
 import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
+import { tick } from 'svelte';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { Role } from '../api/accounts';
 import type { Control } from '../api/control';
 import { Problem } from '../api/problem';
 import { STATION, Station } from '../state/station.svelte';
-import { aDrone } from '../testing';
+import { aDrone, anOutlook } from '../testing';
 import ControlLine from './ControlLine.svelte';
 
 function held(change: Partial<Control> = {}): Control {
@@ -74,6 +75,60 @@ describe('control line', () => {
     expect(await screen.findByText(detail)).toBeDefined();
     await fireEvent.click(screen.getByRole('button', { name: 'Grant' }));
     expect(grant).toHaveBeenCalledWith('d1', 'bob');
+  });
+
+  it('counts down beside the button that stops it, and tells where the drone comes down', async () => {
+    const made = station();
+    made.clock.now = Date.parse('2026-01-01T12:00:00Z');
+    const take = vi.spyOn(made.rest.control, 'take').mockResolvedValue(held({ holder: 'olga' }));
+    const nobody = held({ state: 'free', holder: null, explicit: false });
+    const drone = aDrone({ control: nobody, outlook: anOutlook() });
+    const { rerender } = render(ControlLine, { props: { drone }, context: new Map([[STATION, made]]) });
+
+    expect(screen.getByRole('timer').textContent).toBe('Brought home in 12 s');
+    expect(screen.getByText('Brought home within 20 s unless somebody takes control.').role).toBe('status');
+    expect(screen.getByText(anOutlook().then)).toBeDefined();
+    expect(screen.getByText(/home, 500 m away/)).toBeDefined();
+    expect(screen.getByText(/until about .* \(32 min\)/)).toBeDefined();
+
+    made.clock.now += 3000;
+    await tick();
+    expect(screen.getByRole('timer').textContent).toBe('Brought home in 9 s');
+    await fireEvent.click(screen.getByRole('button', { name: 'Take control' }));
+    expect(take).toHaveBeenCalledWith('d1');
+
+    await rerender({ drone: aDrone({ control: nobody, outlook: null }) });
+    expect(screen.queryByRole('timer')).toBeNull();
+    expect(screen.queryByRole('group', { name: 'What becomes of it' })).toBeNull();
+  });
+
+  it('tells what happens when the holder is gone, and counts nothing', () => {
+    const then = 'When ann gives no sign for 6 s, it is brought home 30 s later.';
+    const drone = aDrone({ control: held(), outlook: anOutlook({ then, returnsAt: null }) });
+    render(ControlLine, { props: { drone }, context: new Map([[STATION, station()]]) });
+
+    expect(screen.getByText(then)).toBeDefined();
+    expect(screen.queryByRole('timer')).toBeNull();
+  });
+
+  it('promises no end of 30 s to whoever flies', () => {
+    const mine = held({ holder: 'olga', explicit: false });
+    show(station(), mine);
+    expect(screen.getByText('You have control until 30 s after your last command')).toBeDefined();
+    cleanup();
+
+    const drone = aDrone({ control: mine, outlook: anOutlook({ returnsAt: null }) });
+    render(ControlLine, { props: { drone }, context: new Map([[STATION, station()]]) });
+    expect(screen.getByText('You have control')).toBeDefined();
+  });
+
+  it('counts nothing down without a line', () => {
+    const made = station();
+    made.connection.down();
+    const drone = aDrone({ control: held({ state: 'free' }), outlook: anOutlook() });
+    render(ControlLine, { props: { drone }, context: new Map([[STATION, made]]) });
+
+    expect(screen.queryByRole('timer')).toBeNull();
   });
 
   it('offers viewers nothing to press', () => {

@@ -1,0 +1,135 @@
+import type { Outlook } from '../api/control';
+import type { Drone } from '../api/types';
+import { distanceMeters } from '../geo/distance';
+import type { Coordinates } from '../geo/coordinates';
+import { distance, minuteOfDay, span } from '../ui/format';
+import { placeOf } from './place';
+
+/** Nearer than this it comes down where it is. */
+const ELSEWHERE_METERS = 5;
+/** Whoever listens to the page is told so often how long there is left. */
+const SPOKEN_SECONDS = 10;
+
+/**
+ * How the server's sentences end where it does nothing. It tells then, too, what it would find best, which would look as
+ * if it did that.
+ */
+export const DOES_NOTHING = ['leaves it alone.', 'that is how this server is set.', 'it holds.'] as const;
+/** How its sentence begins once the time to take control is over. */
+export const TIME_IS_OVER = 'Nobody took control of it';
+
+/** Something that wants somebody: a drone in the air that nobody has. */
+export interface Notice {
+  words: string;
+  tone: 'amber' | 'red';
+}
+
+/** Where a drone would be brought down. */
+export interface Landing {
+  place: Coordinates;
+  /** From where it is; null: not known. */
+  meters: number | null;
+}
+
+const doesNothing = ({ then }: Outlook): boolean => DOES_NOTHING.some((end) => then.endsWith(end));
+
+export function landingOf(drone: Drone | null): Landing | null {
+  const { latitude = null, longitude = null } = drone?.outlook ?? {};
+  if (!drone?.outlook || latitude === null || longitude === null || doesNothing(drone.outlook)) {
+    return null;
+  }
+  const place = { latitude, longitude };
+  const here = placeOf(drone);
+  return { place, meters: here === null ? null : distanceMeters(here, place) };
+}
+
+/** Where it would come down, as far as that is somewhere else. */
+export function landsElsewhere(drone: Drone | null): Coordinates | null {
+  const landing = landingOf(drone);
+  return landing !== null && (landing.meters ?? 0) > ELSEWHERE_METERS ? landing.place : null;
+}
+
+/** "home, 320 m away"; null: nowhere that is known. */
+export function landingWords(drone: Drone): string | null {
+  const { outlook } = drone;
+  if (!outlook?.comesDown || doesNothing(outlook)) {
+    return null;
+  }
+  const meters = landingOf(drone)?.meters ?? 0;
+  return meters > ELSEWHERE_METERS ? `${outlook.comesDown}, ${distance(meters)} away` : outlook.comesDown;
+}
+
+/** "until about 14:32 (11 min)"; null: not known. */
+export function batteryWords({ emptyAt }: Outlook, now: number): string | null {
+  if (emptyAt === null) {
+    return null;
+  }
+  const minutes = Math.floor((Date.parse(emptyAt) - now) / 60_000);
+  return `until about ${minuteOfDay(emptyAt)} (${minutes < 1 ? 'less than 1' : minutes} min)`;
+}
+
+/**
+ * What comes of a drone that nobody has, as it is counted down; null: somebody has it, or nothing comes of it. `now`: the
+ * cloud's time; null: there is no line to it, so that nothing can be counted.
+ */
+export function countdownOf(drone: Drone, now: number | null): Notice | null {
+  const { outlook } = drone;
+  if (!outlook) {
+    return null;
+  }
+  if (outlook.comesDown === null && (outlook.returnsAt !== null || isAlarming(drone, outlook))) {
+    return { words: 'No safe way down is known', tone: 'red' };
+  }
+  if (outlook.returnsAt === null || now === null) {
+    return null;
+  }
+  return { words: `${broughtWhere(outlook)} ${inSeconds(secondsTo(outlook.returnsAt, now))}`, tone: 'amber' };
+}
+
+/** The same for the ear: it changes every ten seconds. */
+export function spokenCountdown(drone: Drone, now: number | null): string {
+  const counted = countdownOf(drone, now);
+  if (counted === null) {
+    return '';
+  }
+  const { outlook } = drone;
+  if (counted.tone === 'red' || !outlook?.returnsAt || now === null) {
+    return `${counted.words}: take control of it.`;
+  }
+  const seconds = Math.ceil(secondsTo(outlook.returnsAt, now) / SPOKEN_SECONDS) * SPOKEN_SECONDS;
+  return seconds === 0
+    ? `${broughtWhere(outlook)} now.`
+    : `${broughtWhere(outlook)} within ${span(seconds)} unless somebody takes control.`;
+}
+
+/** What marks a drone in the list; null: somebody has it. */
+export function noticeOf(drone: Drone, now: number | null): Notice | null {
+  const { outlook } = drone;
+  const counted = countdownOf(drone, now);
+  if (counted?.tone === 'red') {
+    return { ...counted, words: 'Nobody’s · no safe way down' };
+  }
+  if (!outlook?.returnsAt) {
+    return null;
+  }
+  const where = outlook.comesDown === 'home' ? 'home' : 'down';
+  const when = now === null ? '' : ` ${inSeconds(secondsTo(outlook.returnsAt, now))}`;
+  return { words: `Nobody’s · ${where}${when}`, tone: 'amber' };
+}
+
+/** In the air, nobody's, and the server found no way to bring it down. */
+function isAlarming({ control }: Drone, { then }: Outlook): boolean {
+  return (control === undefined || control.state === 'free') && then.startsWith(TIME_IS_OVER);
+}
+
+function broughtWhere({ comesDown }: Outlook): string {
+  return comesDown === 'home' ? 'Brought home' : 'Brought down';
+}
+
+function secondsTo(iso: string, now: number): number {
+  return Math.max(0, Math.ceil((Date.parse(iso) - now) / 1000));
+}
+
+function inSeconds(seconds: number): string {
+  return seconds === 0 ? 'now' : `in ${span(seconds)}`;
+}
