@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { aDrone } from '../testing';
-import { draftFeatures, droneFeatures, missionFeatures, trailFeatures } from './features';
+import { aDrone, anOutlook } from '../testing';
+import { draftFeatures, droneFeatures, landingFeatures, missionFeatures, trailFeatures } from './features';
 import { gridLines, gridStep } from './grid';
 import { addWaypoint, emptyDraft } from '../plan/draft';
 
@@ -67,6 +67,19 @@ describe('map features', () => {
         [8.5456, 47.3977],
       ],
     });
+  });
+
+  it('leads to where the drone would be brought down, unless that is where it is', () => {
+    const [way, place] = landingFeatures(aDrone({ outlook: anOutlook() })).features;
+    const coordinates = [
+      [8.5456, 47.3977],
+      [8.5456, 47.4022],
+    ];
+    expect(way?.geometry).toEqual({ type: 'LineString', coordinates });
+    expect(place?.properties).toEqual({ label: 'comes down here' });
+    expect(landingFeatures(aDrone({ outlook: anOutlook({ latitude: 47.39772 }) })).features).toEqual([]);
+    expect(landingFeatures(aDrone()).features).toEqual([]);
+    expect(landingFeatures(null).features).toEqual([]);
   });
 
   it('draws a trail only from two points on', () => {

@@ -1,5 +1,6 @@
 import type { Feature, FeatureCollection, Geometry, Point, Position } from 'geojson';
 import type { Drone, Home, MissionItem } from '../api/types';
+import { landsElsewhere } from '../fleet/outlook';
 import { placeOf } from '../fleet/place';
 import { standingOf } from '../fleet/standing';
 import type { Coordinates } from '../geo/coordinates';
@@ -123,6 +124,20 @@ export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered 
         label: String(waypointNumber(draft, drone, index)),
       }),
     ),
+  ]);
+}
+
+/** Where a drone in the air would be brought down, and the way there; nothing where that is where it is. */
+export function landingFeatures(drone: Drone | null): FeatureCollection {
+  const here = placeOf(drone);
+  const there = landsElsewhere(drone);
+  if (here === null || there === null) {
+    return collect([]);
+  }
+  const end: Position = [there.longitude, there.latitude];
+  return collect([
+    line([[here.longitude, here.latitude], end], {}),
+    point(end, { label: 'comes down here' }),
   ]);
 }
 

@@ -28,6 +28,7 @@ export function missionLayers(palette: Palette): LayerSpecification[] {
     ]),
     wayLayer('draft', palette.violet, [2, 1.5]),
     ...numberLayers('draft', palette, palette.violet),
+    ...landingLayers(palette),
     {
       id: 'home',
       type: 'symbol',
@@ -39,6 +40,46 @@ export function missionLayers(palette: Palette): LayerSpecification[] {
       type: 'symbol',
       source: 'target',
       layout: { 'icon-image': 'target', 'icon-allow-overlap': true, 'icon-ignore-placement': true },
+    },
+  ];
+}
+
+/** Violet as all that is not yet true, and thin: nobody has asked for it. Under the home, which it mostly is. */
+function landingLayers(palette: Palette): LayerSpecification[] {
+  return [
+    {
+      id: 'landing-way',
+      type: 'line',
+      source: 'landing',
+      filter: ['==', ['geometry-type'], 'LineString'],
+      paint: { 'line-color': palette.violet, 'line-width': 1.5, 'line-dasharray': [4, 4] },
+    },
+    {
+      id: 'landing-place',
+      type: 'circle',
+      source: 'landing',
+      filter: ['==', ['geometry-type'], 'Point'],
+      paint: {
+        'circle-radius': 6,
+        'circle-color': palette.surface,
+        'circle-stroke-color': palette.violet,
+        'circle-stroke-width': 2,
+      },
+    },
+    {
+      id: 'landing-label',
+      type: 'symbol',
+      source: 'landing',
+      filter: ['==', ['geometry-type'], 'Point'],
+      layout: {
+        'text-field': ['get', 'label'],
+        'text-font': MAP_FONT,
+        'text-size': 12,
+        'text-anchor': 'top',
+        'text-offset': [0, 1.2],
+        'text-optional': true,
+      },
+      paint: { 'text-color': palette.violet, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
     },
   ];
 }

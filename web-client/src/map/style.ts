@@ -16,6 +16,7 @@ export type LiveSource =
   | 'trails'
   | 'tours'
   | 'runs'
+  | 'landing'
   | 'home'
   | 'mission'
   | 'draft'
@@ -32,6 +33,7 @@ const LIVE_SOURCES: LiveSource[] = [
   'trails',
   'tours',
   'runs',
+  'landing',
   'home',
   'mission',
   'draft',
