@@ -26,8 +26,6 @@ export default defineConfig({
     host: '127.0.0.1',
     port,
     strictPort: true,
-    // A test compares sentences with those of the server.
-    fs: { allow: ['.', '../dronemap-core/src/main'] },
     proxy: { '/api': { target: server, changeOrigin: true } },
   },
   test: {

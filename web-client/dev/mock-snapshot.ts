@@ -70,6 +70,7 @@ function outlookOf(drone: MockDrone): Outlook {
   const returnsAt = drone.returnsAt();
   const { latitude, longitude } = drone.beginning;
   return {
+    state: returnsAt === null ? 'returns' : 'waits',
     then:
       returnsAt === null
         ? 'Nobody has control of it; it is on its way home or down.'

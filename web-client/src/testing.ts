@@ -46,6 +46,7 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
 /** Nobody has it, at noon: it is brought home, half a kilometre away, in 12 s, and its battery lasts for 32 min. */
 export function anOutlook(change: Partial<Outlook> = {}): Outlook {
   return {
+    state: 'waits',
     then: 'Nobody has control of it; it is brought home unless somebody takes control.',
     returnsAt: '2026-01-01T12:00:12Z',
     latitude: 47.4022,

@@ -17,6 +17,8 @@ export interface Control {
 
 /** What becomes of a drone in the air when whoever has it has it no more. */
 export interface Outlook {
+  /** Whose it is: nobody has one that waits, returns or is helpless. */
+  state: 'kept' | 'waits' | 'returns' | 'helpless' | 'leftAlone';
   /** A sentence. */
   then: string;
   /** When it is brought home unless somebody takes control; null: it does not come to that now. */

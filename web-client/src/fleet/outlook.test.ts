@@ -1,6 +1,5 @@
 import { cleanup, render, screen } from '@testing-library/svelte';
 import { afterEach, describe, expect, it } from 'vitest';
-import sentences from '../../../dronemap-core/src/main/java/org/dronemap/core/cloud/OutlookWords.java?raw';
 import type { Outlook } from '../api/control';
 import { STATION, Station } from '../state/station.svelte';
 import { aDrone, anOutlook } from '../testing';
@@ -9,18 +8,15 @@ import FleetRow from './FleetRow.svelte';
 import {
   batteryWords,
   countdownOf,
-  DOES_NOTHING,
   landingWords,
   landsElsewhere,
   noticeOf,
   spokenCountdown,
-  TIME_IS_OVER,
 } from './outlook';
 
 const NOON = Date.parse('2026-01-01T12:00:00Z');
 
 const flying = (change: Partial<Outlook> = {}) => aDrone({ flight: 'inAir', outlook: anOutlook(change) });
-const over = `${TIME_IS_OVER}; it is brought home.`;
 
 afterEach(cleanup);
 
@@ -51,29 +47,25 @@ describe('what becomes of a drone', () => {
     expect(spokenCountdown(flying({ returnsAt: null }), NOON)).toBe('');
   });
 
-  it('is red where there is no way down, before its time and after it', () => {
-    const nowhere = { comesDown: null, latitude: null, longitude: null };
-    for (const outlook of [nowhere, { ...nowhere, returnsAt: null, then: over }]) {
-      expect(countdownOf(flying(outlook), NOON)).toEqual({ words: 'No safe way down is known', tone: 'red' });
-      expect(noticeOf(flying(outlook), null)?.words).toBe('Nobody’s · no safe way down');
-      expect(spokenCountdown(flying(outlook), NOON)).toBe('No safe way down is known: take control of it.');
-    }
-    expect(landingWords(flying(nowhere))).toBeNull();
+  it('is red where nothing can be done for it', () => {
+    const helpless = flying({
+      state: 'helpless',
+      comesDown: null,
+      latitude: null,
+      longitude: null,
+      returnsAt: null,
+    });
+    expect(countdownOf(helpless, NOON)).toEqual({ words: 'No safe way down is known', tone: 'red' });
+    expect(noticeOf(helpless, null)?.words).toBe('Nobody’s · no safe way down');
+    expect(spokenCountdown(helpless, NOON)).toBe('No safe way down is known: take control of it.');
+    expect(landingWords(helpless)).toBeNull();
   });
 
   it('is no alarm where somebody has it, or where it is not for this cloud to bring down', () => {
-    const nowhere = { comesDown: null, returnsAt: null, then: over };
-    const control = {
-      state: 'held',
-      holder: 'ann',
-      explicit: true,
-      since: null,
-      epoch: 7,
-      requests: [],
-    } as const;
-    expect(noticeOf({ ...flying(nowhere), control: { ...control, requests: [] } }, NOON)).toBeNull();
-    const foreign = 'It was not commanded from here; this server leaves it alone.';
-    expect(noticeOf(flying({ ...nowhere, then: foreign }), NOON)).toBeNull();
+    const nowhere = { comesDown: null, latitude: null, longitude: null, returnsAt: null };
+    expect(noticeOf(flying({ ...nowhere, state: 'kept' }), NOON)).toBeNull();
+    expect(noticeOf(flying({ ...nowhere, state: 'leftAlone' }), NOON)).toBeNull();
+    expect(landsElsewhere(flying(nowhere))).toBeNull();
   });
 
   it('tells how far away it comes down, but not of a place where it is', () => {
@@ -83,20 +75,6 @@ describe('what becomes of a drone', () => {
     expect(landingWords({ ...flying(), position: null })).toBe('home');
     expect(landsElsewhere(flying())).toEqual({ latitude: 47.4022, longitude: 8.5456 });
     expect(landsElsewhere(flying({ latitude: 47.39771 }))).toBeNull();
-  });
-
-  it('tells of no place where the server does nothing', () => {
-    for (const end of DOES_NOTHING) {
-      const left = flying({ then: `When ann gives no sign for 6 s, ${end}`, returnsAt: null });
-      expect(landingWords(left)).toBeNull();
-      expect(landsElsewhere(left)).toBeNull();
-    }
-  });
-
-  it('knows the sentences of the server', () => {
-    [...DOES_NOTHING.map((end) => `${end}"`), `"${TIME_IS_OVER}`].forEach((part) =>
-      expect(sentences).toContain(part),
-    );
   });
 
   it('tells until when its battery lasts, in the time of day and in minutes', () => {

@@ -10,14 +10,6 @@ const ELSEWHERE_METERS = 5;
 /** Whoever listens to the page is told so often how long there is left. */
 const SPOKEN_SECONDS = 10;
 
-/**
- * How the server's sentences end where it does nothing. It tells then, too, what it would find best, which would look as
- * if it did that.
- */
-export const DOES_NOTHING = ['leaves it alone.', 'that is how this server is set.', 'it holds.'] as const;
-/** How its sentence begins once the time to take control is over. */
-export const TIME_IS_OVER = 'Nobody took control of it';
-
 /** Something that wants somebody: a drone in the air that nobody has. */
 export interface Notice {
   words: string;
@@ -31,11 +23,9 @@ export interface Landing {
   meters: number | null;
 }
 
-const doesNothing = ({ then }: Outlook): boolean => DOES_NOTHING.some((end) => then.endsWith(end));
-
 export function landingOf(drone: Drone | null): Landing | null {
   const { latitude = null, longitude = null } = drone?.outlook ?? {};
-  if (!drone?.outlook || latitude === null || longitude === null || doesNothing(drone.outlook)) {
+  if (!drone?.outlook || latitude === null || longitude === null) {
     return null;
   }
   const place = { latitude, longitude };
@@ -52,7 +42,7 @@ export function landsElsewhere(drone: Drone | null): Coordinates | null {
 /** "home, 320 m away"; null: nowhere that is known. */
 export function landingWords(drone: Drone): string | null {
   const { outlook } = drone;
-  if (!outlook?.comesDown || doesNothing(outlook)) {
+  if (!outlook?.comesDown) {
     return null;
   }
   const meters = landingOf(drone)?.meters ?? 0;
@@ -77,7 +67,7 @@ export function countdownOf(drone: Drone, now: number | null): Notice | null {
   if (!outlook) {
     return null;
   }
-  if (outlook.comesDown === null && (outlook.returnsAt !== null || isAlarming(drone, outlook))) {
+  if (outlook.state === 'helpless') {
     return { words: 'No safe way down is known', tone: 'red' };
   }
   if (outlook.returnsAt === null || now === null) {
@@ -115,11 +105,6 @@ export function noticeOf(drone: Drone, now: number | null): Notice | null {
   const where = outlook.comesDown === 'home' ? 'home' : 'down';
   const when = now === null ? '' : ` ${inSeconds(secondsTo(outlook.returnsAt, now))}`;
   return { words: `Nobody’s · ${where}${when}`, tone: 'amber' };
-}
-
-/** In the air, nobody's, and the server found no way to bring it down. */
-function isAlarming({ control }: Drone, { then }: Outlook): boolean {
-  return (control === undefined || control.state === 'free') && then.startsWith(TIME_IS_OVER);
 }
 
 function broughtWhere({ comesDown }: Outlook): string {

@@ -14,8 +14,23 @@ import org.jspecify.annotations.Nullable;
  * @param emptyAt when its battery is empty, as it has been used up so far; null: not known
  */
 public record Outlook(
+        State state,
         String then,
         @Nullable Instant returnsAt,
         @Nullable Geodetic comesDown,
         @Nullable String comesDownWords,
-        @Nullable Instant emptyAt) {}
+        @Nullable Instant emptyAt) {
+    /** Whose it is. */
+    public enum State {
+        /** A user or an operation has it. */
+        KEPT,
+        /** Nobody has it; somebody may take it before it is brought home. */
+        WAITS,
+        /** Nobody has it, and it is on its way home or down. */
+        RETURNS,
+        /** Nobody has it, and nothing can be done for it. */
+        HELPLESS,
+        /** This cloud does nothing about it: a pilot or another station flies it, or the rules say so. */
+        LEFT_ALONE
+    }
+}

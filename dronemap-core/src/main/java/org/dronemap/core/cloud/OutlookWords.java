@@ -6,6 +6,7 @@ import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.Lapse;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.Tenure;
+import org.jspecify.annotations.Nullable;
 
 /** What happens to a drone in the air when whoever has it has it no more, as a sentence. */
 final class OutlookWords {
@@ -15,31 +16,55 @@ final class OutlookWords {
         this.rules = rules;
     }
 
-    /** {@code ours}: this cloud was the last that commanded it; {@code inMission}: it flies one that is not over. */
-    String of(Control control, DroneState state, boolean ours, boolean inMission) {
+    /** {@code ours}: this cloud was the last that commanded it; {@code way}: there is one to bring it down. */
+    Outlook.State state(Control control, DroneState state, boolean ours, boolean way) {
         Tenure tenure = control.tenure();
+        if (!ours || (tenure != null && tenure.holder() instanceof Holder.Pilot)) {
+            return Outlook.State.LEFT_ALONE;
+        }
+        if (tenure != null) {
+            return Outlook.State.KEPT;
+        }
+        if (state.capabilities().isSafe(state.mode())) {
+            return Outlook.State.RETURNS;
+        }
+        Lapse lapse = control.lapse();
+        if (lapse == null || !returns()) {
+            return Outlook.State.LEFT_ALONE;
+        }
+        if (!way) {
+            return Outlook.State.HELPLESS;
+        }
+        return lapse.returned() && !FlightFacts.isInMission(state) ? Outlook.State.RETURNS : Outlook.State.WAITS;
+    }
+
+    /** Whether a drone that nobody has is brought home at all. */
+    boolean returns() {
+        return rules.onLoss() == LeaseRules.OnLoss.RETURN;
+    }
+
+    String of(Outlook.State is, Control control, DroneState state) {
+        Tenure tenure = control.tenure();
+        boolean inMission = FlightFacts.isInMission(state);
+        return switch (is) {
+            case KEPT -> tenure == null ? "" : ofHolder(tenure, inMission);
+            case WAITS ->
+                inMission
+                        ? "Nobody has control of it; it flies its mission, and is brought home when that is over."
+                        : "Nobody has control of it; it is brought home unless somebody takes control.";
+            case RETURNS -> "Nobody has control of it; it is on its way home or down.";
+            case HELPLESS -> "Nobody has control of it, and it cannot be brought home or down: take control of it.";
+            case LEFT_ALONE -> leftAlone(tenure, control.lapse() != null && !returns());
+        };
+    }
+
+    private static String leftAlone(@Nullable Tenure tenure, boolean byRule) {
         if (tenure != null && tenure.holder() instanceof Holder.Pilot) {
             return "A pilot at the vehicle or another ground station flies it; this server leaves it alone.";
         }
-        if (!ours) {
-            return "It was not commanded from here; this server leaves it alone.";
-        }
-        if (tenure != null) {
-            return ofHolder(tenure, inMission);
-        }
-        if (state.capabilities().isSafe(state.mode())) {
-            return "Nobody has control of it; it is on its way home or down.";
-        }
-        Lapse lapse = control.lapse();
-        if (lapse == null || rules.onLoss() != LeaseRules.OnLoss.RETURN) {
-            return "Nobody has control of it, and it is not brought home: that is how this server is set.";
-        }
-        if (inMission) {
-            return "Nobody has control of it; it flies its mission, and is brought home when that is over.";
-        }
-        return lapse.returned()
-                ? "Nobody took control of it; it is brought home."
-                : "Nobody has control of it; it is brought home unless somebody takes control.";
+        return byRule
+                ? "Nobody has control of it, and it is not brought home: that is how this server is set."
+                : "It was not commanded from here; this server leaves it alone.";
     }
 
     private String ofHolder(Tenure tenure, boolean inMission) {
@@ -56,8 +81,7 @@ final class OutlookWords {
 
     private String home(boolean inMission) {
         if (inMission) {
-            return "it flies its mission to the end"
-                    + (rules.onLoss() == LeaseRules.OnLoss.RETURN ? " and is brought home then." : ".");
+            return "it flies its mission to the end" + (returns() ? " and is brought home then." : ".");
         }
         return switch (rules.onLoss()) {
             case NOTHING -> "nothing happens: that is how this server is set.";

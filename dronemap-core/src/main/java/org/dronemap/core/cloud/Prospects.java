@@ -48,24 +48,24 @@ final class Prospects {
         Instant at = time.clock().instant();
         Control control = drone.control().control();
         Lapse lapse = control.lapse();
-        boolean inMission = FlightFacts.isInMission(state);
         String user = control.people().stream().findFirst().orElse(lapse == null ? "" : lapse.user());
         ReturnLadder.Step step = wayHome.next(state, user, secondsLeft);
+        Outlook.State is = words.state(control, state, drone.isOurs(), step.rung() != null);
+        // Where nothing is done about it, it comes down nowhere that is known here.
+        boolean brought = is != Outlook.State.LEFT_ALONE && words.returns();
         drone.outlook(new Outlook(
-                words.of(control, state, drone.isOurs(), inMission),
-                lapse == null ? null : returnsAt(lapse, state, at, now),
-                place(step, state),
-                words(step),
+                is,
+                words.of(is, control, state),
+                lapse == null || is != Outlook.State.WAITS ? null : returnsAt(lapse, state, at, now),
+                brought ? place(step, state) : null,
+                brought ? words(step) : null,
                 secondsLeft.isEmpty() ? null : at.plusMillis((long) (secondsLeft.getAsDouble() * 1_000))));
     }
 
     private @Nullable Instant returnsAt(Lapse lapse, DroneState state, Instant at, long now) {
-        boolean waits = drone.isOurs()
-                && !lapse.returned()
-                && rules.onLoss() == LeaseRules.OnLoss.RETURN
-                && !FlightFacts.isInMission(state)
-                && !state.capabilities().isSafe(state.mode());
-        return waits ? at.plusNanos(rules.untilReturn().toNanos() - (now - lapse.sinceNanos())) : null;
+        return FlightFacts.isInMission(state)
+                ? null
+                : at.plusNanos(rules.untilReturn().toNanos() - (now - lapse.sinceNanos()));
     }
 
     private static @Nullable Geodetic place(ReturnLadder.Step step, DroneState state) {

@@ -20,7 +20,9 @@ public sealed interface Holder {
         if (this instanceof Person person) {
             return person.name();
         }
-        return this instanceof Operation operation ? operation.words() : "A pilot at the vehicle or another ground station";
+        return this instanceof Operation operation
+                ? operation.words()
+                : "A pilot at the vehicle or another ground station";
     }
 
     /** The same operation, whatever it is called by now. */

@@ -224,8 +224,9 @@ class LeaseMachineTest {
         granted(new LeaseEvent.PilotActed("LOITER"));
 
         assertThat(denied(new LeaseEvent.Command("ann", null)))
-                .isEqualTo("A pilot at the vehicle or another ground station has had control of it since 2026-05-01 12:00:00 UTC; take control"
-                        + " to command it again.");
+                .isEqualTo(
+                        "A pilot at the vehicle or another ground station has had control of it since 2026-05-01 12:00:00 UTC; take control"
+                                + " to command it again.");
         after(100, new LeaseEvent.Tick(false, true));
         assertThat(control.tenure()).isNotNull();
 

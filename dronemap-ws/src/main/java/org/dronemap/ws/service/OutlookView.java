@@ -10,6 +10,13 @@ import org.jspecify.annotations.Nullable;
 /** What becomes of a drone in the air when whoever has it has it no more, as clients see it. */
 @Schema(description = "What becomes of a drone in the air when whoever has it has it no more.")
 public record OutlookView(
+        @Schema(
+                description =
+                        "kept: somebody has it; waits: nobody has, and it is brought home unless somebody takes it;"
+                                + " returns: it is on its way home or down; helpless: nobody has it, and nothing can be done for"
+                                + " it; leftAlone: a pilot or another ground station flies it, or the rules say so")
+        String state,
+
         @Schema(description = "A sentence: what happens then")
         String then,
 
@@ -32,6 +39,7 @@ public record OutlookView(
     static OutlookView of(Outlook outlook) {
         Geodetic place = outlook.comesDown();
         return new OutlookView(
+                WireNames.camel(outlook.state()),
                 outlook.then(),
                 seconds(outlook.returnsAt()),
                 place == null ? null : place.latitudeDegrees(),

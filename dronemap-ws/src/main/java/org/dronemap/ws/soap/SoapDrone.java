@@ -57,6 +57,7 @@ public class SoapDrone {
     private @Nullable Integer missionCurrent;
     private @Nullable Integer missionTotal;
     private @Nullable String lastUpdate;
+    private @Nullable String outlook;
     private @Nullable String then;
     private @Nullable String returnsAt;
     private @Nullable String comesDown;
@@ -128,6 +129,7 @@ public class SoapDrone {
 
     private void outlook(@Nullable OutlookView outlook) {
         if (outlook != null) {
+            this.outlook = outlook.state();
             then = outlook.then();
             returnsAt = outlook.returnsAt() == null ? null : Objects.toString(outlook.returnsAt());
             comesDown = outlook.comesDown();
