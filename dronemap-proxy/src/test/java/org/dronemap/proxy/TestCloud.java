@@ -31,6 +31,8 @@ import org.dronemap.core.drone.DroneRecord;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.KnownMission;
+import org.dronemap.core.drone.OwnersStore;
+import org.dronemap.core.drone.OwnersValues;
 import org.dronemap.core.lease.LeaseStore;
 import org.dronemap.core.lease.SavedLease;
 import org.dronemap.core.time.SystemTime;
@@ -86,7 +88,7 @@ public final class TestCloud implements AutoCloseable {
                 lanes,
                 Watchdog.DEFAULT,
                 time,
-                new CloudManager.Keeping(new Drones(), commands, new Leases(), journal),
+                new CloudManager.Keeping(new Drones(), commands, new Leases(), new Owners(), journal),
                 () -> new DroneId(UUID.randomUUID().toString()));
         proxy = new Proxy(
                 cloud,
@@ -290,6 +292,25 @@ public final class TestCloud implements AutoCloseable {
         @Override
         public int endUnfinished(Outcome outcome, Instant at) {
             return 0;
+        }
+    }
+
+    private static final class Owners implements OwnersStore {
+        private final ConcurrentHashMap<DroneId, OwnersValues> kept = new ConcurrentHashMap<>();
+
+        @Override
+        public List<OwnersValues> all() {
+            return List.copyOf(kept.values());
+        }
+
+        @Override
+        public void save(OwnersValues values) {
+            kept.put(values.drone(), values);
+        }
+
+        @Override
+        public void delete(DroneId drone) {
+            kept.remove(drone);
         }
     }
 

@@ -10,6 +10,7 @@ import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.drone.OwnersStore;
 import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
@@ -40,6 +41,8 @@ public interface Stores extends AutoCloseable {
     LinkStore links();
 
     LeaseStore leases();
+
+    OwnersStore owners();
 
     VirtualDroneStore virtualDrones();
 

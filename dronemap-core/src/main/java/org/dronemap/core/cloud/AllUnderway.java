@@ -56,6 +56,16 @@ final class AllUnderway {
                 .findFirst();
     }
 
+    /** What writes parameters of its drone, other than that one, as people call it. */
+    Optional<String> writingParameters(Underway except) {
+        return open(except.drone())
+                .filter(entry -> !entry.equals(except)
+                        && contention(entry) == Contention.PARAMETERS
+                        && entry.open().command().kind() != CommandKind.READ_PARAMETERS)
+                .map(entry -> entry.open().record().summary())
+                .findFirst();
+    }
+
     /** Something that may put the drone into that mode. */
     boolean mayLeadTo(ManagedDrone drone, String mode, @Nullable Steering by) {
         return of(drone).stream()

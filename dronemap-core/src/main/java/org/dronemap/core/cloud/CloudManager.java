@@ -2,6 +2,7 @@ package org.dronemap.core.cloud;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -11,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.dronemap.core.audit.Activity;
 import org.dronemap.core.command.CommandStore;
+import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneRecord;
@@ -18,13 +20,13 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.DroneStore;
 import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.KnownMission;
-import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.OnBoard;
+import org.dronemap.core.drone.OwnersStore;
+import org.dronemap.core.drone.OwnersValues;
 import org.dronemap.core.drone.Sensed;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.Standing;
-import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.Epochs;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseRules;
@@ -56,18 +58,27 @@ public final class CloudManager {
     private final ControlDesk controls;
     private final DroneControl.Keeping leases;
     private final LeaseMachine leaseMachine;
+    private final LossDesk losses;
     private final ZoneBook zones = new ZoneBook();
+    private final BoundLink.Registrations registrations = new Registered();
     private volatile BiConsumer<DroneId, LinkSession> registrar = (drone, session) -> {};
 
     /** Where the manager keeps things: the stores, and the thread that writes to them. */
-    public record Keeping(DroneStore drones, CommandStore commands, LeaseStore leases, Journal journal) {}
+    public record Keeping(
+            DroneStore drones, CommandStore commands, LeaseStore leases, OwnersStore owners, Journal journal) {}
 
-    /** What the manager goes by: when a drone is called lost, and how control of one lasts. */
-    public record Rules(Watchdog watchdog, LeaseRules leases) {}
+    /**
+     * What the manager goes by: when a drone is called lost, how control of one lasts, and after how many seconds one that does
+     * not hear the cloud any more shall come home.
+     */
+    public record Rules(Watchdog watchdog, LeaseRules leases, int lossSeconds) {
+        /** As long as a vehicle waits where nobody has said otherwise. */
+        public static final int USUAL_LOSS_SECONDS = 20;
+    }
 
     /** With the usual rules of control. */
     public CloudManager(Lanes lanes, Watchdog watchdog, Time time, Keeping keeping, Supplier<DroneId> newIds) {
-        this(lanes, new Rules(watchdog, LeaseRules.DEFAULT), time, keeping, newIds);
+        this(lanes, new Rules(watchdog, LeaseRules.DEFAULT, Rules.USUAL_LOSS_SECONDS), time, keeping, newIds);
     }
 
     public CloudManager(Lanes lanes, Rules rules, Time time, Keeping keeping, Supplier<DroneId> newIds) {
@@ -89,6 +100,7 @@ public final class CloudManager {
         this.leases = new DroneControl.Keeping(keeping.leases(), journal);
         Epochs epochs = new Epochs(keeping.leases(), task -> journal.write("more epochs", task, () -> {}));
         this.leaseMachine = new LeaseMachine(rules.leases(), epochs::next);
+        this.losses = new LossDesk(keeping.owners(), journal, rules.lossSeconds(), new ReturnHeightDesk(registry));
         store.drones()
                 .forEach(record ->
                         manage(record, false, store.knownMission(record.id()).orElse(null)));
@@ -151,6 +163,19 @@ public final class CloudManager {
         return registry.find(id).map(managed -> managed.drone().sensed()).orElse(Sensed.NOTHING);
     }
 
+    /** What is known of what a drone does without the cloud; nothing when there is no such drone. */
+    public CloudLossState cloudLoss(DroneId id) {
+        return registry.find(id).map(managed -> managed.loss().state()).orElse(CloudLossState.UNKNOWN);
+    }
+
+    /** What the owners of drones that were removed since had set, and was not put back. */
+    public List<OwnersValues> leftBehind() {
+        return losses.all().stream()
+                .filter(values -> registry.find(values.drone()).isEmpty())
+                .sorted(Comparator.comparing(OwnersValues::since))
+                .toList();
+    }
+
     /** The drone that a vehicle would be taken for by what it says of itself alone. */
     public Optional<DroneId> recognise(DroneKey key, Identification identification) {
         return registry.saidToBe(key, identification.hardwareUid()).map(ManagedDrone::id);
@@ -170,7 +195,7 @@ public final class CloudManager {
             drone.heard();
             remember(drone);
         });
-        return new Admission.Bound(new BoundLink(drone, claim.session()));
+        return new Admission.Bound(new BoundLink(drone, claim.session(), registrations));
     }
 
     /** Vehicles that wait to be let in, longest first. */
@@ -289,6 +314,9 @@ public final class CloudManager {
                 new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
         WayHome wayHome = new WayHome(drone, gate, new ZoneRules(zones), time);
         drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, wayHome, time));
+        if (!replay) {
+            drone.preparedBy(new LossPreparation(drone, gate, losses, clock));
+        }
         registry.add(drone);
         lane.execute(() -> lane.addTicker(drone));
         return drone;
@@ -308,84 +336,27 @@ public final class CloudManager {
         }
     }
 
-    /** One session's way up to its drone. */
-    private final class BoundLink implements DroneLink {
-        private final ManagedDrone drone;
-        private final LinkSession session;
-
-        BoundLink(ManagedDrone drone, LinkSession session) {
-            this.drone = drone;
-            this.session = session;
+    /** What the session of a drone may ask of the manager. */
+    private final class Registered implements BoundLink.Registrations {
+        @Override
+        public boolean contains(ManagedDrone drone) {
+            return registry.contains(drone);
         }
 
         @Override
-        public DroneId id() {
-            return drone.id();
+        public void remember(ManagedDrone drone) {
+            CloudManager.this.remember(drone);
         }
 
         @Override
-        public Lane lane() {
-            return drone.lane();
+        public void drop(ManagedDrone drone) {
+            CloudManager.this.drop(drone);
         }
 
         @Override
-        public boolean isGone() {
-            return !registry.contains(drone) || !drone.isAttachedTo(session);
-        }
-
-        @Override
-        public void heard() {
-            if (drone.isAttachedTo(session)) {
-                drone.heard();
-            }
-        }
-
-        @Override
-        public void accept(DroneEvent event) {
-            if (!drone.isAttachedTo(session)) {
-                return;
-            }
-            drone.accept(event);
-            if (drone.drone().leftTheGround() || event instanceof DroneEvent.Identified) {
-                remember(drone);
-            }
-        }
-
-        @Override
-        public void reached(LinkReport report) {
-            if (drone.isAttachedTo(session)) {
-                drone.reached(report);
-            }
-        }
-
-        @Override
-        public void proved(Proof proof) {
-            if (drone.isAttachedTo(session)) {
-                drone.proved(proof);
-                remember(drone);
-            }
-        }
-
-        @Override
-        public void withdraw() {
-            if (drone.isOnlyJustKnown()) {
-                drop(drone);
-                journal.write("that " + drone.id() + " was nobody", () -> store.delete(drone.id()), () -> {});
-            }
-        }
-
-        @Override
-        public void played() {
-            if (drone.isAttachedTo(session)) {
-                drone.played();
-            }
-        }
-
-        @Override
-        public void disconnect() {
-            if (session.replay()) {
-                drop(drone);
-            }
+        public void forget(ManagedDrone nobody) {
+            CloudManager.this.drop(nobody);
+            journal.write("that " + nobody.id() + " was nobody", () -> store.delete(nobody.id()), () -> {});
         }
     }
 }

@@ -14,13 +14,13 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
-import org.dronemap.core.command.Contention;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.lease.Holder;
-import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
@@ -30,20 +30,20 @@ import org.jspecify.annotations.Nullable;
  * ends in exactly one outcome. Any thread; what is under way belongs to the drone's lane.
  */
 public final class CommandGate {
-    private static final String GATE = "gate";
+    static final String GATE = "gate";
 
     private final DroneRegistry registry;
     private final CommandStore store;
-    private final Journal journal;
     private final Intents intents;
     private final Time time;
     private final Clock clock;
     private final CloudListener listener;
     private final ZoneRules zones;
     private final AllUnderway underway = new AllUnderway();
+    private final Dispatch dispatch;
 
     /** What safety rules are called in the log, and their face. */
-    private static final Source SAFETY = new Source(new Principal("dronemap", Role.SUPERVISOR), "rule");
+    static final Source SAFETY = new Source(new Principal("dronemap", Role.SUPERVISOR), "rule");
 
     /**
      * Who asks, through which face.
@@ -72,11 +72,11 @@ public final class CommandGate {
         this.zones = zones;
         this.registry = registry;
         this.store = store;
-        this.journal = journal;
         this.intents = new Intents(store, journal, time);
         this.time = time;
         this.clock = time.clock();
         this.listener = listener;
+        this.dispatch = new Dispatch(underway, this::whyNotThere, journal, store, time, listener);
     }
 
     /**
@@ -238,31 +238,50 @@ public final class CommandGate {
     private void hand(Underway entry) {
         listener.commandChanged(entry.open().record());
         try {
-            entry.drone().lane().execute(() -> perform(entry));
+            entry.drone().lane().execute(() -> dispatch.perform(entry));
         } catch (RejectedExecutionException e) {
-            end(entry, new Outcome.Failed("The server is overloaded; nothing was sent."));
+            dispatch.end(entry, new Outcome.Failed("The server is overloaded; nothing was sent."));
         }
     }
 
     // From here on: the drone's lane.
 
-    /** Ends what was given under control that somebody else has now. */
-    void stopOutdated(ManagedDrone drone) {
-        for (Underway entry : underway.of(drone)) {
-            if (entry.open().record().outcome() == null && entry.isOutdated()) {
-                drone.channel()
-                        .ifPresent(
-                                channel -> channel.cancel(entry.open().record().id()));
-                endOutdated(entry);
-            }
-        }
+    /** What a rule has a vehicle do beside what it is told by others, by that passage. */
+    Underway begin(ManagedDrone managed, Command command, Passage.Open passage) {
+        CommandRecord given = intent(SAFETY, managed.id(), new CommandId(time.newId()), command, command);
+        Underway entry = underway(managed, command, given, passage, SAFETY.principal());
+        underway.add(entry);
+        intents.writeLater(entry.open().record());
+        listener.commandChanged(entry.open().record());
+        return entry;
     }
 
-    private void endOutdated(Underway entry) {
-        end(
-                entry,
-                new Outcome.Superseded("Control has changed hands. "
-                        + entry.drone().control().control().sentence()));
+    /** Carries out what is under way. */
+    Dispatch dispatch() {
+        return dispatch;
+    }
+
+    /** Ends what was given under control that somebody else has now. */
+    void stopOutdated(ManagedDrone drone) {
+        dispatch.stopOutdated(drone);
+    }
+
+    /** What else writes parameters of that drone now, as people call it. */
+    Optional<String> writingParameters(Underway except) {
+        return underway.writingParameters(except);
+    }
+
+    /** Whether zones let it fly home at that height, from where it stands. */
+    boolean mayFlyHomeAt(DroneState drone, double meters) {
+        Position here = drone.position();
+        return here == null
+                || here.point() == null
+                || zones.whyNot(
+                                SAFETY.principal().name(),
+                                drone,
+                                new Command.GoTo(here.point(), Altitude.aboveHome(meters)),
+                                clock.instant())
+                        .isEmpty();
     }
 
     /** Something that was given under the control of now is under way. */
@@ -285,122 +304,5 @@ public final class CommandGate {
         return underway.mayLeadTo(drone, mode, by)
                 || drone.moves().at(drone.lane().activeNanos()).stream()
                         .anyMatch(command -> RecentMoves.mayLeadTo(command, mode, by));
-    }
-
-    private void perform(Underway entry) {
-        if (entry.isOutdated()) {
-            endOutdated(entry);
-            return;
-        }
-        if (!entry.open().record().face().equals(SAFETY.face()) && entry.open().isLate(time.nanos())) {
-            end(entry, OpenCommand.LATE);
-            return;
-        }
-        DroneState now = entry.drone().drone().state();
-        Command command = entry.open().command();
-        Optional<String> why = OwnFaults.judging(
-                command.summary(),
-                () -> CommandRules.whyNot(now, command).or(() -> whyNotThere(entry.principal(), now, command)));
-        Optional<VehicleChannel> channel = entry.drone().channel();
-        if (why.isPresent() || channel.isEmpty()) {
-            end(entry, new Outcome.Refused(GATE, why.orElse("There is no link to the drone.")));
-            return;
-        }
-        String busy = makeRoom(entry, channel.get());
-        if (busy != null) {
-            end(entry, new Outcome.Refused(GATE, busy));
-            return;
-        }
-        if (command.kind().purpose() != CommandKind.Purpose.READ) {
-            entry.drone().ours(true);
-        }
-        if (command.kind().contention() == Contention.FLIGHT) {
-            entry.drone().helm().commanded(entry.open().record().summary());
-        }
-        Lane.Ticker guard =
-                new Overdue(entry.open(), entry.drone().lane(), outcome -> giveUp(entry, channel.get(), outcome));
-        entry.drone().lane().addTicker(guard);
-        OwnFaults.doing(
-                        command.summary(),
-                        () -> channel.get().perform(entry.mandate(), command, new Reporter(entry, guard)))
-                .ifPresent(fault -> giveUp(entry, channel.get(), new Outcome.Refused(GATE, fault)));
-    }
-
-    private void giveUp(Underway entry, VehicleChannel channel, Outcome outcome) {
-        channel.cancel(entry.open().record().id());
-        end(entry, outcome);
-    }
-
-    /** Newer flight commands replace older ones; of all others the first one goes on. */
-    private @Nullable String makeRoom(Underway entry, VehicleChannel channel) {
-        Contention contention = entry.open().command().kind().contention();
-        for (Underway other : underway.before(entry)) {
-            if (!contention.newerWins()) {
-                return contention == Contention.TRANSFER
-                        ? "Another mission transfer with this drone is under way; wait for its end."
-                        : "Wait for the end of what is under way: "
-                                + other.open().record().summary() + ".";
-            }
-            channel.cancel(other.open().record().id());
-            end(
-                    other,
-                    new Outcome.Superseded(
-                            "Replaced by: " + entry.open().record().summary() + "."));
-        }
-        return null;
-    }
-
-    private void end(Underway entry, Outcome outcome) {
-        CommandRecord before = entry.open().record();
-        if (before.outcome() != null) {
-            return;
-        }
-        entry.drone().moves().ended(entry.open().command(), entry.drone().lane().activeNanos());
-        if (entry.isUnderControl()) {
-            // Idle counts from here.
-            entry.drone().control().apply(new LeaseEvent.Tick(true, false));
-        }
-        CommandRecord done = before.ended(outcome, clock.instant());
-        entry.open().ended(done, entry.drone().lane().activeNanos());
-        journal.write("the outcome of " + done.summary(), () -> store.finish(done), () -> {
-            entry.open().written();
-            listener.commandChanged(done);
-            underway.remove(entry);
-            entry.end().complete(done);
-        });
-    }
-
-    /** What the channel says of one command. */
-    private final class Reporter implements VehicleChannel.Report {
-        private final Underway entry;
-        private final Lane.Ticker guard;
-
-        Reporter(Underway entry, Lane.Ticker guard) {
-            this.entry = entry;
-            this.guard = guard;
-        }
-
-        @Override
-        public void accepted() {
-            update(entry.open().record().withPhase(CommandPhase.ACCEPTED));
-        }
-
-        @Override
-        public void progress(int done, int total) {
-            update(entry.open().record().withProgress(new CommandRecord.Progress(done, total)));
-        }
-
-        @Override
-        public void ended(Outcome outcome) {
-            entry.drone().lane().removeTicker(guard);
-            end(entry, outcome);
-        }
-
-        private void update(CommandRecord newer) {
-            if (entry.open().record().outcome() == null) {
-                entry.open().update(newer, entry.drone().lane().activeNanos());
-                listener.commandChanged(newer);
-            }
-        }
     }
 }

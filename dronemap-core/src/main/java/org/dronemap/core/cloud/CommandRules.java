@@ -84,6 +84,8 @@ public final class CommandRules {
                     SET_PARAMETERS,
                     SET_RETURN_HEIGHT,
                     RETURN_ON_LOSS,
+                    SET_CLOUD_LOSS,
+                    PUT_BACK,
                     READ_LOGS,
                     DOWNLOAD_LOG,
                     READ_FENCE,

@@ -136,6 +136,11 @@ final class DroneControl {
         return Optional.of(fenced());
     }
 
+    /** For what a rule does while nobody has control, and only as long as nobody takes it; empty when somebody has. */
+    synchronized Optional<Passage.Open> enterWhileFree() {
+        return control.tenure() == null ? Optional.of(fenced()) : Optional.empty();
+    }
+
     private void interrupt(Principal by, Command command) {
         apply(new LeaseEvent.Interrupt(by.name() + " told the drone: " + command.summary() + "."));
     }

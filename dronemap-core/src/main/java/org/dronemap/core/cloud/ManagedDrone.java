@@ -33,6 +33,7 @@ final class ManagedDrone implements Lane.Ticker {
     private @Nullable LinkSession session;
     private boolean played;
     private Lane.Ticker watch = () -> {};
+    private volatile Preparation loss = Preparation.NONE;
     private final Helm helm;
 
     ManagedDrone(
@@ -77,6 +78,16 @@ final class ManagedDrone implements Lane.Ticker {
     /** Ticks along with it. */
     void watchedBy(Lane.Ticker ticker) {
         watch = ticker;
+    }
+
+    /** Has it do something when it does not hear the cloud any more. */
+    void preparedBy(Preparation preparation) {
+        loss = preparation;
+    }
+
+    /** What it is prepared by. Any thread for what that tells. */
+    Preparation loss() {
+        return loss;
     }
 
     /** What it was told lately. Any thread. */
@@ -232,6 +243,7 @@ final class ManagedDrone implements Lane.Ticker {
             channel().ifPresent(VehicleChannel::probe);
         }
         watch.tick();
+        loss.tick();
         helm.tick();
     }
 

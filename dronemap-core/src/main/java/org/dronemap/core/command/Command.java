@@ -371,7 +371,9 @@ public sealed interface Command {
                     ReadFence,
                     ReadRallyPoints,
                     ReturnOnLoss,
-                    SetReturnHeight {}
+                    SetReturnHeight,
+                    SetCloudLoss,
+                    PutBack {}
 
     /** What the vehicle must be able to do for it. */
     default Capability needs() {

@@ -32,6 +32,8 @@ public enum CommandKind {
     SET_PARAMETERS("SetParameters", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
     SET_RETURN_HEIGHT("SetReturnHeight", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
     RETURN_ON_LOSS("ReturnOnLoss", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
+    SET_CLOUD_LOSS("SetCloudLoss", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
+    PUT_BACK("PutBack", Capability.SET_PARAMETERS, Contention.PARAMETERS, Purpose.CHANGE),
     READ_LOGS("ReadLogs", Capability.READ_LOGS, Contention.LOGS, Purpose.READ),
     DOWNLOAD_LOG("DownloadLog", Capability.READ_LOGS, Contention.LOGS, Purpose.READ),
     READ_FENCE("ReadFence", Capability.FENCE, Contention.TRANSFER, Purpose.READ),

@@ -51,6 +51,8 @@ record Loopholes(@Nullable String why, Route refuges) {
                     SET_RELAY,
                     READ_PARAMETERS,
                     RETURN_ON_LOSS,
+                    SET_CLOUD_LOSS,
+                    PUT_BACK,
                     READ_LOGS,
                     DOWNLOAD_LOG,
                     READ_FENCE,

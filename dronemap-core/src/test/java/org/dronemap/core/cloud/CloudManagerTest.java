@@ -158,7 +158,11 @@ class CloudManagerTest {
                 QUICK,
                 new SystemTime(),
                 new CloudManager.Keeping(
-                        store, new Fixtures.HeapCommandStore(), new Fixtures.HeapLeaseStore(), journal),
+                        store,
+                        new Fixtures.HeapCommandStore(),
+                        new Fixtures.HeapLeaseStore(),
+                        new Fixtures.HeapOwnersStore(),
+                        journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 

@@ -55,7 +55,12 @@ class CommandGateTest {
             lanes,
             Watchdog.DEFAULT,
             new SystemTime(),
-            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, new Fixtures.HeapLeaseStore(), journal),
+            new CloudManager.Keeping(
+                    new Fixtures.HeapDroneStore(),
+                    store,
+                    new Fixtures.HeapLeaseStore(),
+                    new Fixtures.HeapOwnersStore(),
+                    journal),
             () -> new DroneId("drone-" + numbers.incrementAndGet()));
     private final CommandGate gate = cloud.gate();
     private DroneLink link;

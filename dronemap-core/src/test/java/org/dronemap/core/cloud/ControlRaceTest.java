@@ -44,7 +44,12 @@ class ControlRaceTest {
             lanes,
             Watchdog.DEFAULT,
             new SystemTime(),
-            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, new Fixtures.HeapLeaseStore(), journal),
+            new CloudManager.Keeping(
+                    new Fixtures.HeapDroneStore(),
+                    store,
+                    new Fixtures.HeapLeaseStore(),
+                    new Fixtures.HeapOwnersStore(),
+                    journal),
             () -> new DroneId("drone-1"));
 
     /** What was seen on the wire: whose command, of which epoch. */

@@ -64,6 +64,7 @@ abstract class GuidedFlight {
     final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
     final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
     final Fixtures.HeapLeaseStore leases = new Fixtures.HeapLeaseStore();
+    final Fixtures.HeapOwnersStore owners = new Fixtures.HeapOwnersStore();
     final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
     final List<ControlChange.Kind> changes = new CopyOnWriteArrayList<>();
     final CloudManager cloud = cloud();
@@ -81,9 +82,9 @@ abstract class GuidedFlight {
     CloudManager cloud(Watchdog watchdog) {
         return new CloudManager(
                 lanes,
-                new CloudManager.Rules(watchdog, RULES),
+                new CloudManager.Rules(watchdog, RULES, 20),
                 stalling.time(),
-                new CloudManager.Keeping(drones, commands, leases, journal),
+                new CloudManager.Keeping(drones, commands, leases, owners, journal),
                 () -> new DroneId("drone-1"));
     }
 

@@ -41,7 +41,11 @@ class IdentityTest {
                 new Watchdog(Duration.ofMinutes(1), Duration.ofMinutes(1), Duration.ofMinutes(2)),
                 time,
                 new CloudManager.Keeping(
-                        store, new Fixtures.HeapCommandStore(), new Fixtures.HeapLeaseStore(), journal),
+                        store,
+                        new Fixtures.HeapCommandStore(),
+                        new Fixtures.HeapLeaseStore(),
+                        new Fixtures.HeapOwnersStore(),
+                        journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 

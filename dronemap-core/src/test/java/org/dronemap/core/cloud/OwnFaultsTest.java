@@ -34,7 +34,12 @@ class OwnFaultsTest {
             lanes,
             Watchdog.DEFAULT,
             new SystemTime(),
-            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), store, new Fixtures.HeapLeaseStore(), journal),
+            new CloudManager.Keeping(
+                    new Fixtures.HeapDroneStore(),
+                    store,
+                    new Fixtures.HeapLeaseStore(),
+                    new Fixtures.HeapOwnersStore(),
+                    journal),
             () -> new DroneId("drone-1"));
     private final CommandGate gate = cloud.gate();
     private DroneLink link;

@@ -32,6 +32,7 @@ class RoleRulesTest {
                     new Fixtures.HeapDroneStore(),
                     new Fixtures.HeapCommandStore(),
                     new Fixtures.HeapLeaseStore(),
+                    new Fixtures.HeapOwnersStore(),
                     journal),
             () -> new DroneId("drone"));
 

@@ -116,12 +116,13 @@ class SafetyTimesTest {
         LeaseRules rules = new LeaseRules(SILENCE, SHORT, Duration.ofSeconds(60), LeaseRules.OnLoss.RETURN, SHORT);
         return new CloudManager(
                 lanes,
-                new CloudManager.Rules(watchdog, rules),
+                new CloudManager.Rules(watchdog, rules, 20),
                 time,
                 new CloudManager.Keeping(
                         new Fixtures.HeapDroneStore(),
                         new Fixtures.HeapCommandStore(),
                         new Fixtures.HeapLeaseStore(),
+                        new Fixtures.HeapOwnersStore(),
                         journal),
                 () -> new DroneId("drone-1"));
     }

@@ -64,7 +64,12 @@ class SetpointGateTest {
             lanes,
             new Watchdog(Duration.ofMinutes(5), Duration.ofMinutes(5), Duration.ofMinutes(10)),
             time,
-            new CloudManager.Keeping(new Fixtures.HeapDroneStore(), log, new Fixtures.HeapLeaseStore(), journal),
+            new CloudManager.Keeping(
+                    new Fixtures.HeapDroneStore(),
+                    log,
+                    new Fixtures.HeapLeaseStore(),
+                    new Fixtures.HeapOwnersStore(),
+                    journal),
             () -> new DroneId("drone-1"));
     private final SetpointGate setpoints = cloud.setpoints();
     private DroneLink link;

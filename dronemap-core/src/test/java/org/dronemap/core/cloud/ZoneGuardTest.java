@@ -54,6 +54,7 @@ class ZoneGuardTest {
                     new Fixtures.HeapDroneStore(),
                     new Fixtures.HeapCommandStore(),
                     new Fixtures.HeapLeaseStore(),
+                    new Fixtures.HeapOwnersStore(),
                     journal),
             () -> new DroneId("drone-1"));
     private DroneLink link;

@@ -44,6 +44,7 @@ abstract class WatchHouse {
     final Fixtures.HeapCommandStore commands = new Fixtures.HeapCommandStore();
     final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
     final Fixtures.HeapLeaseStore leases = new Fixtures.HeapLeaseStore();
+    final Fixtures.HeapOwnersStore owners = new Fixtures.HeapOwnersStore();
     final Fixtures.RecordingChannel vehicle = new Fixtures.RecordingChannel();
     final HeapOperationStore store = new HeapOperationStore();
     final AtomicInteger numbers = new AtomicInteger();
@@ -87,7 +88,7 @@ abstract class WatchHouse {
                 lanes,
                 Watchdog.DEFAULT,
                 new SystemTime(),
-                new CloudManager.Keeping(drones, commands, leases, journal),
+                new CloudManager.Keeping(drones, commands, leases, owners, journal),
                 () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 

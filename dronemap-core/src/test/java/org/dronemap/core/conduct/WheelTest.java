@@ -37,6 +37,7 @@ class WheelTest {
                     new Fixtures.HeapDroneStore(),
                     new Fixtures.HeapCommandStore(),
                     new Fixtures.HeapLeaseStore(),
+                    new Fixtures.HeapOwnersStore(),
                     journal),
             () -> new DroneId("d1"));
     private final List<Long> guided = new ArrayList<>();

@@ -2,6 +2,7 @@ package org.dronemap.proxy.fuzz;
 
 import java.util.BitSet;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
@@ -9,6 +10,8 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.LogSink;
+import org.dronemap.core.command.OwnersKeeper;
+import org.dronemap.core.command.PutBack;
 import org.dronemap.core.command.ReadFence;
 import org.dronemap.core.command.ReadHome;
 import org.dronemap.core.command.ReadLogs;
@@ -16,6 +19,7 @@ import org.dronemap.core.command.ReadMap;
 import org.dronemap.core.command.ReadRallyPoints;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.command.ReturnOnLoss;
+import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
@@ -24,6 +28,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.core.parameter.OwnersValue;
 import org.dronemap.core.parameter.ParameterValue;
 
 /** Commands of each kind. */
@@ -32,6 +37,9 @@ public final class CommandSamples {
     private static final MissionItem WAYPOINT = new MissionItem.Waypoint(HERE, Altitude.aboveHome(30), 0);
     private static final FenceZone FENCE =
             new FenceZone.Polygon(true, List.of(HERE, new Geodetic(47.5, 8.5), new Geodetic(47.4, 8.6)));
+
+    private static final List<OwnersValue> KEPT =
+            List.of(new OwnersValue("FS_GCS_ENABLE", 0, 1), new OwnersValue("FS_OPTIONS", 0, 16, 18));
 
     private CommandSamples() {}
 
@@ -65,6 +73,8 @@ public final class CommandSamples {
             case SET_PARAMETERS -> Stream.of(new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 1_500))));
             case SET_RETURN_HEIGHT -> Stream.of(new SetReturnHeight(30, true));
             case RETURN_ON_LOSS -> Stream.of(new ReturnOnLoss());
+            case SET_CLOUD_LOSS -> Stream.of(new SetCloudLoss(20, KEPT, new Agreeing()));
+            case PUT_BACK -> Stream.of(new PutBack(KEPT, new Agreeing()));
             case READ_LOGS -> Stream.of(new ReadLogs());
             case DOWNLOAD_LOG -> Stream.of(new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()));
             case READ_FENCE -> Stream.of(new ReadFence());
@@ -73,6 +83,24 @@ public final class CommandSamples {
             case SET_RALLY_POINTS -> Stream.of(new Command.SetRallyPoints(List.of(new RallyPoint(HERE, 30))));
             case READ_MAP -> Stream.of(new ReadMap());
         };
+    }
+
+    /** Keeps nothing, and says that it does. */
+    private static final class Agreeing implements OwnersKeeper {
+        @Override
+        public double returnMeters(double owners) {
+            return owners + 5;
+        }
+
+        @Override
+        public CompletableFuture<Void> keep(Plan plan) {
+            return CompletableFuture.completedFuture(null);
+        }
+
+        @Override
+        public void leftAlone(List<ParameterValue> shown) {
+            // Nobody asks.
+        }
     }
 
     /** Takes every piece of a log and keeps none. */

@@ -19,6 +19,7 @@ import org.dronemap.core.audit.AuditChain;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.drone.DroneStore;
+import org.dronemap.core.drone.OwnersStore;
 import org.dronemap.core.history.FlightStore;
 import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.lease.LeaseStore;
@@ -149,6 +150,11 @@ public final class Database implements Stores {
     @Override
     public LeaseStore leases() {
         return new PostgresLeaseStore(sql);
+    }
+
+    @Override
+    public OwnersStore owners() {
+        return new PostgresOwnersStore(sql);
     }
 
     /** From now on each change takes along the record of the call that it belongs to. Once. */

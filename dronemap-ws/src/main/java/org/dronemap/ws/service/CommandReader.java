@@ -69,7 +69,9 @@ final class CommandReader {
                     SET_RALLY_POINTS,
                     DOWNLOAD_LOG,
                     SET_RETURN_HEIGHT,
-                    RETURN_ON_LOSS -> throw unknown(type);
+                    RETURN_ON_LOSS,
+                    SET_CLOUD_LOSS,
+                    PUT_BACK -> throw unknown(type);
         };
     }
 

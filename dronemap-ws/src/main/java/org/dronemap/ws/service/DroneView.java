@@ -36,6 +36,7 @@ public record DroneView(
         @Nullable BatteryView battery,
         @Nullable GpsView gps,
         @Nullable HomeView home,
+        CloudLossView cloudLoss,
         MissionView mission,
         List<MessageView> messages,
 
@@ -120,6 +121,23 @@ public record DroneView(
 
     /** Where it returns to; degrees and metres above sea level. */
     public record HomeView(double latitude, double longitude, double altitudeAmsl) {}
+
+    /**
+     * What it does by itself when it does not hear the cloud any more. {@code state} is set, notSet or cannotBeSet;
+     * {@code sentence} says it for people; {@code returnHeight} is metres above home, where the cloud chose it.
+     */
+    public record CloudLossView(
+            String state,
+            @Nullable String action,
+            @Nullable Double afterSeconds,
+            @Nullable Double returnHeight,
+            String sentence,
+
+            @Schema(description = "What its owner had set, and is put back once nobody uses it")
+            List<OutstandingView> outstanding) {}
+
+    /** A parameter that the cloud has changed, with what its owner had set. */
+    public record OutstandingView(String name, double owners, double now) {}
 
     /**
      * The mission that is on the vehicle; indices are into the items. {@code state} is stopped, running, paused or

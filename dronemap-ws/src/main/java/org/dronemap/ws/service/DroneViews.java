@@ -14,6 +14,7 @@ import org.dronemap.core.cloud.RoleRules;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
@@ -22,6 +23,7 @@ import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.LocalPosition;
+import org.dronemap.core.drone.LossAction;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Position;
@@ -35,9 +37,18 @@ public final class DroneViews {
     private final DronePlaces places;
     private final ControlDesk controls;
     private final Function<DroneId, Sensed> sensed;
+    private final Function<DroneId, CloudLossState> losses;
 
-    /** {@code controls} knows who commands a drone now, {@code sensed} what its sensors brought last. */
-    public DroneViews(DronePlaces places, ControlDesk controls, Function<DroneId, Sensed> sensed) {
+    /**
+     * {@code controls} knows who commands a drone now, {@code sensed} what its sensors brought last, {@code losses} what it does
+     * without the cloud.
+     */
+    public DroneViews(
+            DronePlaces places,
+            ControlDesk controls,
+            Function<DroneId, Sensed> sensed,
+            Function<DroneId, CloudLossState> losses) {
+        this.losses = losses;
         this.sensed = sensed;
         this.places = places;
         this.controls = controls;
@@ -68,6 +79,7 @@ public final class DroneViews {
                 battery(state),
                 gps(state),
                 home(state),
+                loss(losses.apply(state.id())),
                 mission(state),
                 messages(state),
                 actions(state, principal),
@@ -75,6 +87,19 @@ public final class DroneViews {
                 controls.outlook(state.id()).map(OutlookView::of).orElse(null),
                 millis(state.lastUpdate()),
                 state.version());
+    }
+
+    private static DroneView.CloudLossView loss(CloudLossState loss) {
+        LossAction action = loss.action();
+        return new DroneView.CloudLossView(
+                WireNames.camel(loss.state()),
+                action == null ? null : action.action(),
+                action == null ? null : action.afterSeconds(),
+                loss.returnMeters(),
+                loss.sentence(),
+                loss.outstanding().stream()
+                        .map(value -> new DroneView.OutstandingView(value.name(), value.owners(), value.ours()))
+                        .toList());
     }
 
     private static DroneView.LinkView link(LinkStatus link) {

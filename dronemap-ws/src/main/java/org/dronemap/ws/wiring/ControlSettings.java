@@ -2,6 +2,7 @@ package org.dronemap.ws.wiring;
 
 import java.time.Duration;
 import java.util.Map;
+import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.virtual.RunMachine;
 
@@ -13,6 +14,8 @@ final class ControlSettings {
     private static final String VIRTUAL_SILENCE = "DRONEMAP_VIRTUAL_SILENT_SECONDS";
     private static final String UNTIL_RETURN = "DRONEMAP_CONTROL_RETURN_SECONDS";
 
+    private static final String CLOUD_LOSS = "DRONEMAP_CLOUD_LOSS_SECONDS";
+
     private ControlSettings() {}
 
     static LeaseRules of(Map<String, String> environment) {
@@ -23,6 +26,12 @@ final class ControlSettings {
                 otherwise.asking(),
                 onLoss(environment.getOrDefault(ON_LOSS, "").strip()),
                 seconds(environment, UNTIL_RETURN, otherwise.untilReturn(), 0, 600));
+    }
+
+    /** After so long a vehicle that does not hear the cloud any more comes home by itself. */
+    static int lossSeconds(Map<String, String> environment) {
+        Duration usual = Duration.ofSeconds(CloudManager.Rules.USUAL_LOSS_SECONDS);
+        return (int) seconds(environment, CLOUD_LOSS, usual, 5, 120).toSeconds();
     }
 
     static Duration virtualSilence(Map<String, String> environment) {

@@ -190,9 +190,9 @@ final class HouseBuilder {
         closing.add("the lanes", lanes);
         return new CloudManager(
                 lanes,
-                new CloudManager.Rules(settings.watchdog(), settings.control()),
+                new CloudManager.Rules(settings.watchdog(), settings.control(), settings.lossSeconds()),
                 time,
-                new CloudManager.Keeping(stores.drones(), commands, stores.leases(), journal),
+                new CloudManager.Keeping(stores.drones(), commands, stores.leases(), stores.owners(), journal),
                 new DroneIds(time.random()));
     }
 

@@ -194,7 +194,8 @@ public class ServiceConfiguration {
     DroneViews droneViews(House house) {
         DronePlaces places = new DronePlaces(PlaceNames.load()::near);
         house.cloud().addListener(places);
-        return new DroneViews(places, house.cloud().controls(), house.cloud()::sensed);
+        return new DroneViews(
+                places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
     }
 
     @Bean

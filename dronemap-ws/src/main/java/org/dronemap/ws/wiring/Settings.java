@@ -29,6 +29,7 @@ import org.jspecify.annotations.Nullable;
  * @param tls null: plain HTTP and WebSocket
  * @param tileAddress null: only the base map that ships
  * @param control how long control of a drone lasts, and what happens when its holder is lost
+ * @param lossSeconds after which a vehicle that does not hear the cloud any more comes home by itself
  * @param history how much of drones is remembered, and for how long
  * @param mongodbUrl where telemetry is kept; null: beside everything else
  * @param linkSecret seals the keys of vehicles; null: it lies in a file of the data directory
@@ -54,6 +55,7 @@ public record Settings(
         @Nullable String tileAddress,
         Watchdog watchdog,
         LeaseRules control,
+        int lossSeconds,
         RecordingPolicy recording,
         HistoryPolicy history,
         @Nullable Hidden mongodbUrl,
@@ -141,6 +143,7 @@ public record Settings(
                 tile,
                 watchdog(environment),
                 ControlSettings.of(environment),
+                ControlSettings.lossSeconds(environment),
                 RecordingSettings.of(environment),
                 HistorySettings.of(environment),
                 mongodb(environment),

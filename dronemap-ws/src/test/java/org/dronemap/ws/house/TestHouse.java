@@ -210,6 +210,7 @@ public final class TestHouse implements AutoCloseable {
                 stores.drones,
                 new AuditedCommands(stores.commands, audit.store(), System::nanoTime),
                 stores.leases,
+                stores.owners,
                 journal);
     }
 
@@ -243,6 +244,7 @@ public final class TestHouse implements AutoCloseable {
                 "https://tiles.example/{z}/{x}/{y}",
                 PATIENT,
                 LeaseRules.DEFAULT,
+                CloudManager.Rules.USUAL_LOSS_SECONDS,
                 RecordingPolicy.DEFAULT,
                 HistoryPolicy.DEFAULT,
                 null,

@@ -104,7 +104,7 @@ class CommandKindsTest {
             case READ_HOME, READ_LOGS, DOWNLOAD_LOG, READ_FENCE, SET_FENCE, READ_RALLY_POINTS, SET_RALLY_POINTS ->
                 Optional.empty();
             // Given by the cloud alone.
-            case SET_RETURN_HEIGHT, RETURN_ON_LOSS -> Optional.empty();
+            case SET_RETURN_HEIGHT, RETURN_ON_LOSS, SET_CLOUD_LOSS, PUT_BACK -> Optional.empty();
         };
     }
 

@@ -27,6 +27,7 @@ import org.dronemap.core.time.SteppedTime;
 import org.dronemap.store.memory.MemoryCommandStore;
 import org.dronemap.store.memory.MemoryDroneStore;
 import org.dronemap.store.memory.MemoryLeaseStore;
+import org.dronemap.store.memory.MemoryOwnersStore;
 import org.junit.jupiter.api.Test;
 
 class SystemServiceTest {
@@ -40,7 +41,11 @@ class SystemServiceTest {
             Watchdog.DEFAULT,
             time,
             new CloudManager.Keeping(
-                    new MemoryDroneStore(), new MemoryCommandStore(), new MemoryLeaseStore(), new Journal(time)),
+                    new MemoryDroneStore(),
+                    new MemoryCommandStore(),
+                    new MemoryLeaseStore(),
+                    new MemoryOwnersStore(),
+                    new Journal(time)),
             () -> new DroneId("drone-1"));
 
     private SystemService service(Beginning beginning) {

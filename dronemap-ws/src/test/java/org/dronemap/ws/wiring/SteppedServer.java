@@ -3,6 +3,7 @@ package org.dronemap.ws.wiring;
 import java.nio.file.Path;
 import java.util.List;
 import org.dronemap.cognitive.follow.Apart;
+import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
@@ -80,7 +81,8 @@ public final class SteppedServer implements AutoCloseable {
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);
-        DroneViews shown = new DroneViews(places, house.cloud().controls(), house.cloud()::sensed);
+        DroneViews shown = new DroneViews(
+                places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
         drones = new DroneService(house.cloud(), shown);
         commands = new ServiceConfiguration().commandService(house, drones, budgets);
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);
@@ -131,6 +133,7 @@ public final class SteppedServer implements AutoCloseable {
                 null,
                 Watchdog.DEFAULT,
                 LeaseRules.DEFAULT,
+                CloudManager.Rules.USUAL_LOSS_SECONDS,
                 RecordingPolicy.DEFAULT,
                 HistoryPolicy.DEFAULT,
                 null,

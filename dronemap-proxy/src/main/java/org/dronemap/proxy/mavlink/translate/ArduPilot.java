@@ -8,6 +8,8 @@ import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.PutBack;
+import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -179,6 +181,9 @@ final class ArduPilot implements Autopilot {
             case SET_RELAY -> Maneuvers.relay(cockpit, (Command.SetRelay) command);
             case SET_RETURN_HEIGHT -> ReturnHeights.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
             case RETURN_ON_LOSS -> CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
+            case SET_CLOUD_LOSS ->
+                CloudLosses.set(cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
+            case PUT_BACK -> CloudLosses.putBack(cockpit, (PutBack) command);
             case ARM -> Maneuvers.arm(cockpit);
             case DISARM -> Maneuvers.disarm(cockpit, ((Command.Disarm) command).force());
             case TAKE_PICTURE -> Maneuvers.picture(cockpit);
@@ -323,23 +328,35 @@ final class ArduPilot implements Autopilot {
         return new Sequence(steps);
     }
 
+    private @Nullable LossPolicy policy(int seconds) {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> LossPolicies.copter(seconds, RETURN_HEIGHT);
+            case FIXED_WING, VTOL -> LossPolicies.plane(seconds);
+            case ROVER, BOAT -> LossPolicies.rover(seconds);
+            case SUBMARINE, AIRSHIP, UNKNOWN -> null;
+        };
+    }
+
+    /**
+     * Only what is said about missions: all else was set before it was armed, and what planes and rovers do they do without their
+     * remote control as well.
+     */
     private List<Sequence.Step> cloudLoss(Cockpit cockpit, CloudLoss onCloudLoss) {
         boolean goOn = onCloudLoss == CloudLoss.CONTINUE;
         return switch (kind) {
             case MULTICOPTER, HELICOPTER ->
-                List.of(
-                        wish(cockpit, "FS_GCS_ENABLE", 1),
-                        Maneuvers.wish(
-                                cockpit,
-                                new ParameterChange.Wanted("FS_OPTIONS", old -> goOn ? old | 2 : old & ~2, false)));
-            case FIXED_WING, VTOL ->
-                List.of(wish(cockpit, "FS_GCS_ENABL", 1), wish(cockpit, "FS_LONG_ACTN", goOn ? 0 : 1));
-            case ROVER, BOAT -> List.of(wish(cockpit, "FS_GCS_ENABLE", goOn ? 2 : 1), wish(cockpit, "FS_ACTION", 1));
+                List.of(Maneuvers.wish(
+                        cockpit, new ParameterChange.Wanted("FS_OPTIONS", old -> goOn ? old | 2 : old & ~2, false)));
+            case FIXED_WING, VTOL, ROVER, BOAT -> {
+                if (goOn) {
+                    cockpit.warning()
+                            .accept(
+                                    "Whether this vehicle goes on with its mission when the cloud falls silent is as its"
+                                            + " owner has set it: it cannot be told so without its remote control being meant, too.");
+                }
+                yield List.of();
+            }
             case SUBMARINE, AIRSHIP, UNKNOWN -> List.of();
         };
-    }
-
-    private static Sequence.Step wish(Cockpit cockpit, String name, int value) {
-        return Maneuvers.wish(cockpit, new ParameterChange.Wanted(name, old -> value, false));
     }
 }

@@ -1,16 +1,33 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OwnersKeeper;
+import org.dronemap.core.command.PutBack;
+import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.parameter.OwnersValue;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterValue;
+import org.dronemap.proxy.mavlink.procedure.Awaiting;
+import org.dronemap.proxy.mavlink.procedure.Conclusion;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ParameterChange;
+import org.dronemap.proxy.mavlink.procedure.ParameterReading;
+import org.dronemap.proxy.mavlink.procedure.ParameterWriting;
+import org.dronemap.proxy.mavlink.procedure.Sequence;
+import org.jspecify.annotations.Nullable;
 
-/** Sets the parameter by which a copter that waits comes home, or down, when no ground station is heard any more. */
+/** Sets what a vehicle does by itself when no ground station is heard any more, and puts back what was there before. */
 final class CloudLosses {
     private CloudLosses() {}
 
     /**
-     * The parameter of one autopilot.
+     * The parameter of one autopilot by which a copter that waits comes home, or down.
      *
      * @param stays its values by which the vehicle stays where it is
      */
@@ -26,5 +43,148 @@ final class CloudLosses {
                         setting.name(),
                         old -> setting.stays().contains(old) ? setting.comesHome() : old,
                         setting.bytewise()));
+    }
+
+    /** Reads, has the owner's values kept, writes and reads back. {@code policy}: null where there is nothing to set. */
+    static Exchange set(Cockpit cockpit, SetCloudLoss command, @Nullable LossPolicy policy) {
+        if (policy == null) {
+            return Maneuvers.refuse("What this vehicle does without the cloud cannot be set.");
+        }
+        ParameterReading reading =
+                new ParameterReading(cockpit.target(), cockpit.parameters().codec(), policy.names());
+        List<OwnersValue> values = new ArrayList<>();
+        return new Sequence(List.of(
+                Sequence.Step.of(() -> reading),
+                Sequence.Step.of(() -> new Conclusion(() -> missing(policy, reading))),
+                Sequence.Step.of(() -> {
+                    OwnersKeeper.Plan plan = plan(command, policy, reading);
+                    values.addAll(plan.values());
+                    return new Awaiting(
+                            command.keeper().keep(plan),
+                            "What its owner had set could not be kept, so nothing was changed on it.");
+                }),
+                Sequence.Step.of(() -> writing(
+                        cockpit,
+                        values.stream()
+                                .filter(value -> shown(reading, value.name()) != value.ours())
+                                .map(value -> new ParameterValue(value.name(), value.ours()))
+                                .toList(),
+                        reading))));
+    }
+
+    private static Outcome missing(LossPolicy policy, ParameterReading reading) {
+        return policy.settings().stream()
+                .filter(setting ->
+                        setting.needed() && reading.told(setting.names()).isEmpty())
+                .findFirst()
+                .<Outcome>map(setting ->
+                        new Outcome.TimedOut("The vehicle did not tell its parameter " + setting.name() + "."))
+                .orElseGet(Outcome.Succeeded::new);
+    }
+
+    private static OwnersKeeper.Plan plan(SetCloudLoss command, LossPolicy policy, ParameterReading reading) {
+        List<OwnersValue> values = new ArrayList<>();
+        Map<String, Double> shown = new HashMap<>();
+        Map<String, Double> owners = new HashMap<>();
+        Map<String, Double> ours = new HashMap<>();
+        for (LossPolicy.Setting setting : policy.settings()) {
+            reading.told(setting.names()).ifPresent(found -> {
+                double owner = owners(command, found);
+                double wanted = found.type().held(setting.wanted().applyAsDouble(owner));
+                OwnersValue value = new OwnersValue(found.name(), owner, wanted, setting.bits());
+                shown.put(setting.name(), found.value());
+                owners.put(setting.name(), owner);
+                ours.put(setting.name(), wanted);
+                if (value.isToBeWritten() || setting.bits() != 0 || found.value() != wanted) {
+                    values.add(value);
+                }
+            });
+        }
+        Double returns = height(command, policy.height(), reading, values);
+        return new OwnersKeeper.Plan(
+                policy.action().of(shown, owners), policy.action().of(ours, owners), values, returns);
+    }
+
+    private static @Nullable Double height(
+            SetCloudLoss command,
+            ReturnHeights.@Nullable Setting setting,
+            ParameterReading reading,
+            List<OwnersValue> values) {
+        Parameter found =
+                setting == null ? null : reading.told(List.of(setting.name())).orElse(null);
+        if (setting == null || found == null) {
+            return null;
+        }
+        double owner = owners(command, found);
+        double meters = command.keeper().returnMeters(owner / setting.perMeter());
+        double wanted = found.type().held(meters * setting.perMeter());
+        if (owner != wanted || found.value() != wanted) {
+            values.add(new OwnersValue(found.name(), owner, wanted));
+        }
+        return meters;
+    }
+
+    /** What the vehicle shows may be what the cloud had written earlier. */
+    private static double owners(SetCloudLoss command, Parameter shown) {
+        return command.kept().stream()
+                .filter(kept -> kept.name().equals(shown.name()) && kept.isAsLeft(shown.value()))
+                .map(kept -> kept.putBack(shown.value()))
+                .findFirst()
+                .orElse(shown.value());
+    }
+
+    private static double shown(ParameterReading reading, String name) {
+        return reading.told(List.of(name)).map(Parameter::value).orElse(Double.NaN);
+    }
+
+    private static Exchange writing(Cockpit cockpit, List<ParameterValue> values, ParameterReading reading) {
+        return values.isEmpty()
+                ? new Conclusion(Outcome.Succeeded::new)
+                : new ParameterWriting(
+                        cockpit.target(),
+                        cockpit.parameters().codec(),
+                        values,
+                        name -> reading.told(List.of(name)).orElse(null),
+                        cockpit.observer());
+    }
+
+    /** What somebody else has changed since stays. */
+    static Exchange putBack(Cockpit cockpit, PutBack command) {
+        ParameterReading reading = new ParameterReading(
+                cockpit.target(),
+                cockpit.parameters().codec(),
+                command.values().stream().map(value -> List.of(value.name())).toList());
+        return new Sequence(List.of(
+                Sequence.Step.of(() -> reading),
+                Sequence.Step.of(() -> new Conclusion(() -> untold(command, reading))),
+                Sequence.Step.of(() -> writing(cockpit, toPutBack(command, reading), reading)),
+                Sequence.Step.of(() -> new Conclusion(() -> {
+                    command.keeper().leftAlone(others(command, reading));
+                    return new Outcome.Succeeded();
+                }))));
+    }
+
+    private static Outcome untold(PutBack command, ParameterReading reading) {
+        return command.values().stream()
+                .filter(value -> reading.told(List.of(value.name())).isEmpty())
+                .findFirst()
+                .<Outcome>map(
+                        value -> new Outcome.TimedOut("The vehicle did not tell its parameter " + value.name() + "."))
+                .orElseGet(Outcome.Succeeded::new);
+    }
+
+    private static List<ParameterValue> toPutBack(PutBack command, ParameterReading reading) {
+        return command.values().stream()
+                .filter(value -> value.isAsLeft(shown(reading, value.name())))
+                .filter(value -> value.putBack(shown(reading, value.name())) != shown(reading, value.name()))
+                .map(value -> new ParameterValue(value.name(), value.putBack(shown(reading, value.name()))))
+                .toList();
+    }
+
+    private static List<ParameterValue> others(PutBack command, ParameterReading reading) {
+        return command.values().stream()
+                .filter(value -> !value.isAsLeft(shown(reading, value.name())))
+                .map(value -> new ParameterValue(value.name(), shown(reading, value.name())))
+                .toList();
     }
 }

@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.PutBack;
+import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -194,6 +196,9 @@ final class Px4 implements Autopilot {
             case CLEAR_MISSION -> new MissionPlans(cockpit, 0).clear();
             case SET_RETURN_HEIGHT -> ReturnHeights.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
             case RETURN_ON_LOSS -> CloudLosses.comeHome(cockpit, kind, CLOUD_LOSS);
+            case SET_CLOUD_LOSS ->
+                CloudLosses.set(cockpit, (SetCloudLoss) command, policy(((SetCloudLoss) command).afterSeconds()));
+            case PUT_BACK -> CloudLosses.putBack(cockpit, (PutBack) command);
             case ARM -> Maneuvers.arm(cockpit);
             case DISARM -> Maneuvers.disarm(cockpit, ((Command.Disarm) command).force());
             case TAKE_PICTURE -> Maneuvers.picture(cockpit);
@@ -282,10 +287,17 @@ final class Px4 implements Autopilot {
                 cockpit.target(), CommandRequest.ofInt(message, CommandRequest.Retry.REPEATABLE), cockpit.observer());
     }
 
+    private @Nullable LossPolicy policy(int seconds) {
+        return switch (kind) {
+            case MULTICOPTER, HELICOPTER -> LossPolicies.px4(seconds, RETURN_HEIGHT);
+            case FIXED_WING, VTOL, ROVER, BOAT -> LossPolicies.px4(seconds, null);
+            case SUBMARINE, AIRSHIP, UNKNOWN -> null;
+        };
+    }
+
     private static Exchange start(Cockpit cockpit, Command.StartMission start) {
         boolean goOn = start.onCloudLoss() == CloudLoss.CONTINUE;
         List<Sequence.Step> steps = new ArrayList<>();
-        steps.add(Maneuvers.wish(cockpit, new ParameterChange.Wanted("NAV_DLL_ACT", old -> 2, true)));
         steps.add(Maneuvers.wish(
                 cockpit,
                 new ParameterChange.Wanted(

@@ -1,0 +1,100 @@
+package org.dronemap.core.cloud;
+
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.LinkReport;
+import org.dronemap.core.event.DroneEvent;
+
+/** One session's way up to its drone. */
+final class BoundLink implements DroneLink {
+    private final ManagedDrone drone;
+    private final LinkSession session;
+    private final Registrations registrations;
+
+    /** Where drones are registered. */
+    interface Registrations {
+        boolean contains(ManagedDrone drone);
+
+        /** Writes down what is new about it. */
+        void remember(ManagedDrone drone);
+
+        void drop(ManagedDrone drone);
+
+        /** As if it had never been. */
+        void forget(ManagedDrone nobody);
+    }
+
+    BoundLink(ManagedDrone drone, LinkSession session, Registrations registrations) {
+        this.drone = drone;
+        this.session = session;
+        this.registrations = registrations;
+    }
+
+    @Override
+    public DroneId id() {
+        return drone.id();
+    }
+
+    @Override
+    public Lane lane() {
+        return drone.lane();
+    }
+
+    @Override
+    public boolean isGone() {
+        return !registrations.contains(drone) || !drone.isAttachedTo(session);
+    }
+
+    @Override
+    public void heard() {
+        if (drone.isAttachedTo(session)) {
+            drone.heard();
+        }
+    }
+
+    @Override
+    public void accept(DroneEvent event) {
+        if (!drone.isAttachedTo(session)) {
+            return;
+        }
+        drone.accept(event);
+        if (drone.drone().leftTheGround() || event instanceof DroneEvent.Identified) {
+            registrations.remember(drone);
+        }
+    }
+
+    @Override
+    public void reached(LinkReport report) {
+        if (drone.isAttachedTo(session)) {
+            drone.reached(report);
+        }
+    }
+
+    @Override
+    public void proved(Proof proof) {
+        if (drone.isAttachedTo(session)) {
+            drone.proved(proof);
+            registrations.remember(drone);
+        }
+    }
+
+    @Override
+    public void withdraw() {
+        if (drone.isOnlyJustKnown()) {
+            registrations.forget(drone);
+        }
+    }
+
+    @Override
+    public void played() {
+        if (drone.isAttachedTo(session)) {
+            drone.played();
+        }
+    }
+
+    @Override
+    public void disconnect() {
+        if (session.replay()) {
+            registrations.drop(drone);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package org.dronemap.core.cloud;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.OwnersStore;
+import org.dronemap.core.drone.OwnersValues;
+
+/**
+ * What owners had set of what the cloud has changed on their drones: as it is kept, and at hand. Any thread; each drone's
+ * belongs to its lane.
+ */
+final class LossDesk {
+    private final OwnersStore store;
+    private final Journal journal;
+    private final int afterSeconds;
+    private final ReturnHeightDesk heights;
+    private final ConcurrentHashMap<DroneId, OwnersValues> kept = new ConcurrentHashMap<>();
+
+    LossDesk(OwnersStore store, Journal journal, int afterSeconds, ReturnHeightDesk heights) {
+        this.store = store;
+        this.journal = journal;
+        this.afterSeconds = afterSeconds;
+        this.heights = heights;
+        store.all().forEach(values -> {
+            kept.put(values.drone(), values);
+            if (values.returnMeters() != null) {
+                heights.reserve(values.drone(), values.returnMeters());
+            }
+        });
+    }
+
+    int afterSeconds() {
+        return afterSeconds;
+    }
+
+    ReturnHeightDesk heights() {
+        return heights;
+    }
+
+    Optional<OwnersValues> kept(DroneId drone) {
+        return Optional.ofNullable(kept.get(drone));
+    }
+
+    List<OwnersValues> all() {
+        return List.copyOf(kept.values());
+    }
+
+    /** Ends when it is durable, and at hand. */
+    CompletableFuture<Void> keep(OwnersValues values) {
+        return journal.written("what the owner of " + values.droneName() + " had set", () -> {
+            store.save(values);
+            kept.put(values.drone(), values);
+        });
+    }
+
+    /** The cloud's values are on board. */
+    void written(OwnersValues values) {
+        OwnersValues now = values.asWritten();
+        kept.put(now.drone(), now);
+        journal.write("what was set on " + now.droneName(), () -> store.save(now), () -> {});
+    }
+
+    /** It is put back. Where that cannot be written down, it is done once more after a restart, which changes nothing. */
+    void done(DroneId drone) {
+        kept.remove(drone);
+        heights.release(drone);
+        journal.write("that what the owner of " + drone + " had set is put back", () -> store.delete(drone), () -> {});
+    }
+}

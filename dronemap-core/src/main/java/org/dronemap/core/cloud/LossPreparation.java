@@ -1,0 +1,274 @@
+package org.dronemap.core.cloud;
+
+import java.time.Clock;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.CommandKind;
+import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OwnersKeeper;
+import org.dronemap.core.command.PutBack;
+import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.CloudLossState;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.OwnersValues;
+import org.dronemap.core.drone.Severity;
+import org.dronemap.core.parameter.OwnersValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Has one vehicle come home by itself when it does not hear the cloud any more: before it is armed from here for the first time,
+ * and as its owner had it again once nobody has control of it. Both only while it stands disarmed. Owned by the drone's lane.
+ */
+final class LossPreparation implements Preparation {
+    /** Longer nobody waits for it who wants to fly. */
+    private static final long LONGEST_NANOS = Duration.ofSeconds(7).toNanos();
+
+    private static final long LONGEST_BACK_NANOS = Duration.ofSeconds(30).toNanos();
+    /** Who has just landed may go on. */
+    private static final long UNUSED_NANOS = Duration.ofSeconds(10).toNanos();
+
+    private static final long BETWEEN_TRIES_NANOS = Duration.ofMinutes(1).toNanos();
+
+    private final ManagedDrone drone;
+    private final CommandGate gate;
+    private final LossDesk desk;
+    private final Clock clock;
+    private @Nullable Work work;
+    private boolean prepared;
+    private boolean toldOfFailure;
+    private @Nullable Long unusedSince;
+    private long notBefore;
+    private volatile CloudLossState state = CloudLossState.UNKNOWN;
+
+    /** A command of this rule that is under way, and those that wait for its end. */
+    private record Work(Underway own, LossNotes notes, long since, Map<Underway, Runnable> waiting) {}
+
+    LossPreparation(ManagedDrone drone, CommandGate gate, LossDesk desk, Clock clock) {
+        this.drone = drone;
+        this.gate = gate;
+        this.desk = desk;
+        this.clock = clock;
+        this.notBefore = drone.lane().activeNanos();
+        // What was written in an earlier run of the server, for a use that is not over, is not written once more.
+        this.prepared = desk.kept(drone.id()).filter(OwnersValues::written).isPresent();
+    }
+
+    @Override
+    public CloudLossState state() {
+        return state.withOutstanding(desk.kept(drone.id())
+                .map(kept -> kept.values().stream()
+                        .filter(OwnersValue::isToBeWritten)
+                        .toList())
+                .orElse(List.of()));
+    }
+
+    @Override
+    public boolean holdsBack(Underway entry, Runnable goOn) {
+        if (!leadsToFlight(entry.open().command().kind()) || !stands()) {
+            return false;
+        }
+        Work now = work;
+        if (now != null && now.own().open().command() instanceof PutBack) {
+            gate.dispatch().giveUp(now.own(), replaced(entry));
+            now = null;
+        }
+        if (now != null) {
+            now.waiting().put(entry, goOn);
+            return true;
+        }
+        if (prepared || !canBeSet() || isWrittenToByOthers(entry)) {
+            return false;
+        }
+        prepare(entry, goOn);
+        return true;
+    }
+
+    private static boolean leadsToFlight(CommandKind kind) {
+        return kind == CommandKind.ARM
+                || kind == CommandKind.TAKE_OFF
+                || kind == CommandKind.START_MISSION
+                || kind == CommandKind.SET_RETURN_HEIGHT
+                || kind == CommandKind.RETURN_ON_LOSS;
+    }
+
+    /** For certain: what has not said so may be flown by anybody. */
+    private boolean stands() {
+        DroneState now = drone.drone().state();
+        return Boolean.FALSE.equals(now.armed()) && !now.airborne();
+    }
+
+    private boolean canBeSet() {
+        DroneState now = drone.drone().state();
+        if (now.capabilities().commands().contains(Capability.SET_PARAMETERS)) {
+            return true;
+        }
+        state = LossWords.cannotBeSet("What this vehicle does without the cloud cannot be set.");
+        return false;
+    }
+
+    /** Two who write parameters at once would read back each other's. */
+    private boolean isWrittenToByOthers(Underway entry) {
+        Optional<String> other = gate.writingParameters(entry);
+        other.ifPresent(what -> failed(null, "Wait for the end of what is under way: " + what + "."));
+        return other.isPresent();
+    }
+
+    private void prepare(Underway entry, Runnable goOn) {
+        LossNotes notes = notes();
+        Command command = new SetCloudLoss(desk.afterSeconds(), notes.earlier(), notes);
+        Map<Underway, Runnable> waiting = new LinkedHashMap<>();
+        waiting.put(entry, goOn);
+        begin(command, entry.passage(), notes, waiting);
+    }
+
+    private LossNotes notes() {
+        return new LossNotes(
+                drone.drone().state(),
+                desk,
+                height -> gate.mayFlyHomeAt(drone.drone().state(), height),
+                clock);
+    }
+
+    private void begin(Command command, Passage.Open passage, LossNotes notes, Map<Underway, Runnable> waiting) {
+        Underway own = gate.begin(drone, command, passage);
+        work = new Work(own, notes, drone.lane().activeNanos(), waiting);
+        gate.dispatch().performFirst(own);
+    }
+
+    @Override
+    public void ended(Underway entry, Outcome outcome) {
+        Work now = work;
+        if (now == null) {
+            return;
+        }
+        if (entry.equals(now.own())) {
+            work = null;
+            if (entry.open().command() instanceof PutBack) {
+                putBack(now, outcome);
+            } else {
+                set(now, outcome);
+            }
+            drone.news();
+            new ArrayList<>(now.waiting().values()).forEach(Runnable::run);
+        } else if (now.waiting().remove(entry) != null && now.waiting().isEmpty()) {
+            gate.dispatch().giveUp(now.own(), new Outcome.Superseded("What it was set for is not wanted any more."));
+        }
+    }
+
+    private void set(Work done, Outcome outcome) {
+        OwnersKeeper.@Nullable Plan plan = done.notes().plan();
+        if (outcome instanceof Outcome.Succeeded) {
+            prepared = true;
+            desk.kept(drone.id()).ifPresent(desk::written);
+            if (plan != null) {
+                state = LossWords.set(plan, done.notes().crossing());
+                LossWords.worthSaying(plan, done.notes().crossing())
+                        .ifPresent(sentence -> drone.say(Severity.NOTICE, sentence));
+            }
+        } else if (outcome instanceof Outcome.Refused refused) {
+            prepared = true;
+            state = LossWords.cannotBeSet(refused.reason());
+            drone.say(Severity.NOTICE, refused.reason());
+        } else if (!(outcome instanceof Outcome.Superseded)) {
+            failed(plan, outcome.reason());
+        }
+        if (desk.kept(drone.id()).isEmpty() && !prepared) {
+            desk.heights().release(drone.id());
+        }
+    }
+
+    private void failed(OwnersKeeper.@Nullable Plan plan, @Nullable String why) {
+        state = LossWords.notSet(plan, why);
+        drone.say(Severity.WARNING, state.sentence());
+    }
+
+    private void putBack(Work done, Outcome outcome) {
+        if (outcome instanceof Outcome.Succeeded) {
+            done.notes().left().forEach(sentence -> drone.say(Severity.WARNING, sentence));
+            over();
+            return;
+        }
+        notBefore = drone.lane().activeNanos() + BETWEEN_TRIES_NANOS;
+        if (!toldOfFailure && !(outcome instanceof Outcome.Superseded)) {
+            toldOfFailure = true;
+            drone.say(Severity.WARNING, LossWords.notPutBack(outcome.reason()));
+        }
+    }
+
+    /** The next one who uses it prepares it anew. */
+    private void over() {
+        prepared = false;
+        toldOfFailure = false;
+        unusedSince = null;
+        state = CloudLossState.UNKNOWN;
+        if (desk.kept(drone.id()).isPresent()) {
+            desk.done(drone.id());
+        } else {
+            desk.heights().release(drone.id());
+        }
+    }
+
+    @Override
+    public void tick() {
+        Work now = work;
+        long nanos = drone.lane().activeNanos();
+        if (now != null) {
+            watch(now, nanos);
+        } else if (prepared || desk.kept(drone.id()).isPresent()) {
+            awaitEndOfUse(nanos);
+        }
+    }
+
+    /** Nothing more is written to what somebody else has armed meanwhile. */
+    private void watch(Work now, long nanos) {
+        boolean back = now.own().open().command() instanceof PutBack;
+        long longest = back ? LONGEST_BACK_NANOS : LONGEST_NANOS;
+        if (!stands()) {
+            gate.dispatch().giveUp(now.own(), new Outcome.Failed("It was armed meanwhile."));
+        } else if (nanos - now.since() > longest) {
+            gate.dispatch()
+                    .giveUp(
+                            now.own(),
+                            new Outcome.TimedOut("It was not done within "
+                                    + Duration.ofNanos(longest).toSeconds() + " s."));
+        }
+    }
+
+    private void awaitEndOfUse(long nanos) {
+        boolean unused = drone.control().control().tenure() == null
+                && drone.drone().state().link().state() == LinkState.LIVE
+                && stands()
+                && !gate.isBusy(drone);
+        if (!unused) {
+            unusedSince = null;
+        } else if (unusedSince == null) {
+            unusedSince = nanos;
+        } else if (nanos - unusedSince > UNUSED_NANOS && nanos - notBefore >= 0) {
+            endUse();
+        }
+    }
+
+    private void endUse() {
+        List<OwnersValue> values =
+                desk.kept(drone.id()).map(OwnersValues::values).orElse(List.of());
+        if (values.isEmpty()) {
+            over();
+            return;
+        }
+        drone.control().enterWhileFree().ifPresent(passage -> {
+            LossNotes notes = notes();
+            begin(new PutBack(values, notes), passage, notes, new LinkedHashMap<>());
+        });
+    }
+
+    private static Outcome replaced(Underway entry) {
+        return new Outcome.Superseded("Replaced by: " + entry.open().record().summary() + ".");
+    }
+}

@@ -1,0 +1,58 @@
+package org.dronemap.core.cloud;
+
+import java.util.List;
+import java.util.Optional;
+import org.dronemap.core.command.OwnersKeeper;
+import org.dronemap.core.drone.CloudLossState;
+import org.jspecify.annotations.Nullable;
+
+/** What people are told of what a drone does without the cloud. */
+final class LossWords {
+    private static final String CROSSING =
+            "No height is free to fly home at: its way home may cross that of another drone.";
+
+    private LossWords() {}
+
+    static CloudLossState set(OwnersKeeper.Plan plan, boolean crossing) {
+        return new CloudLossState(
+                CloudLossState.State.SET,
+                plan.after(),
+                plan.returnMeters(),
+                plan.after().sentence() + (crossing ? " " + CROSSING : ""),
+                List.of());
+    }
+
+    /** Only what is not as everybody expects it. */
+    static Optional<String> worthSaying(OwnersKeeper.Plan plan, boolean crossing) {
+        return crossing || !plan.after().note().isEmpty()
+                ? Optional.of(plan.after().sentence() + (crossing ? " " + CROSSING : ""))
+                : Optional.empty();
+    }
+
+    static CloudLossState notSet(OwnersKeeper.@Nullable Plan plan, @Nullable String why) {
+        String then = plan == null
+                ? "It then does what its owner has set, and that is not known."
+                : "As its owner had set it: " + plan.before().sentence();
+        return new CloudLossState(
+                CloudLossState.State.NOT_SET,
+                plan == null ? null : plan.before(),
+                null,
+                "What it does without the cloud could not be set" + (why == null ? ". " : " (" + without(why) + "). ")
+                        + then,
+                List.of());
+    }
+
+    static CloudLossState cannotBeSet(String why) {
+        return new CloudLossState(CloudLossState.State.CANNOT_BE_SET, null, null, why, List.of());
+    }
+
+    static String notPutBack(@Nullable String why) {
+        return "What its owner had set could not be put back yet" + (why == null ? "" : " (" + without(why) + ")")
+                + "; it is tried again each minute while it stands disarmed.";
+    }
+
+    /** The sentence goes on. */
+    private static String without(String sentence) {
+        return sentence.endsWith(".") ? sentence.substring(0, sentence.length() - 1) : sentence;
+    }
+}

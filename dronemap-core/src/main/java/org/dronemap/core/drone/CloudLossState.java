@@ -1,0 +1,44 @@
+package org.dronemap.core.drone;
+
+import java.util.List;
+import org.dronemap.core.parameter.OwnersValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is known of what a drone does without the cloud.
+ *
+ * @param action null: not known
+ * @param returnMeters how high it flies home, where the cloud chose that
+ * @param outstanding what its owner had set and is to be put back
+ */
+public record CloudLossState(
+        State state,
+        @Nullable LossAction action,
+        @Nullable Double returnMeters,
+        String sentence,
+        List<OwnersValue> outstanding) {
+    /** How far the cloud has come with it. */
+    public enum State {
+        /** It does what it is told here. */
+        SET,
+        /** It does what its owner has set. */
+        NOT_SET,
+        /** There is nothing on this vehicle that the cloud could set. */
+        CANNOT_BE_SET
+    }
+
+    public static final CloudLossState UNKNOWN = new CloudLossState(
+            State.NOT_SET,
+            null,
+            null,
+            "What it does without the cloud is as its owner has set it, until it is armed from here.",
+            List.of());
+
+    public CloudLossState {
+        outstanding = List.copyOf(outstanding);
+    }
+
+    public CloudLossState withOutstanding(List<OwnersValue> values) {
+        return new CloudLossState(state, action, returnMeters, sentence, values);
+    }
+}

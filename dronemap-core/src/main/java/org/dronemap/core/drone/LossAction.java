@@ -1,0 +1,22 @@
+package org.dronemap.core.drone;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a vehicle does by itself when it does not hear the cloud any more.
+ *
+ * @param action in a few words, such as "it returns home"; "it goes on" when it does nothing
+ * @param afterSeconds null: nothing, or not known when
+ * @param note a sentence on what cannot be had otherwise; empty: nothing
+ */
+public record LossAction(String action, @Nullable Double afterSeconds, String note) {
+    /** For people. */
+    public String sentence() {
+        String when = afterSeconds == null
+                ? ""
+                : afterSeconds == Math.rint(afterSeconds)
+                        ? " after " + afterSeconds.longValue() + " s"
+                        : " after " + afterSeconds + " s";
+        return "When it does not hear the cloud any more, " + action + when + "." + (note.isEmpty() ? "" : " " + note);
+    }
+}

@@ -1,0 +1,29 @@
+package org.dronemap.core.drone;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.core.parameter.OwnersValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the owner of a drone had set of what the cloud has changed on it, until it is put back.
+ *
+ * @param droneName as it was called then: this outlives the drone
+ * @param returnMeters how high it flies home meanwhile; null: not known
+ * @param written the cloud's own values are on board: what they are found as from now on is no owner's
+ */
+public record OwnersValues(
+        DroneId drone,
+        String droneName,
+        Instant since,
+        @Nullable Double returnMeters,
+        boolean written,
+        List<OwnersValue> values) {
+    public OwnersValues {
+        values = List.copyOf(values);
+    }
+
+    public OwnersValues asWritten() {
+        return new OwnersValues(drone, droneName, since, returnMeters, true, values);
+    }
+}

@@ -1,0 +1,48 @@
+package org.dronemap.store.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.OwnersStore;
+import org.dronemap.core.drone.OwnersValues;
+import org.dronemap.core.parameter.OwnersValue;
+import org.junit.jupiter.api.Test;
+
+/** What every {@link OwnersStore} keeps to. */
+public abstract class OwnersStoreContract {
+    private static final Instant THEN = Instant.parse("2026-03-04T05:06:07.123456Z");
+    private static final DroneId ONE = new DroneId("copter-1");
+    private static final DroneId OTHER = new DroneId("copter-2");
+
+    /** Without anything, and without any drone. */
+    protected abstract OwnersStore emptyStore();
+
+    @Test
+    void keepsTheNewestOfEachDroneExactlyAndDroneOrNot() {
+        OwnersStore store = emptyStore();
+        OwnersValues first = new OwnersValues(
+                ONE,
+                "Falcon",
+                THEN,
+                15.25,
+                false,
+                List.of(
+                        new OwnersValue("FS_GCS_ENABLE", 0, 1),
+                        new OwnersValue("FS_OPTIONS", -2147483648, 18, 18),
+                        new OwnersValue("RTL_RETURN_ALT", 0.1f, 60.300000000000004)));
+        OwnersValues other = new OwnersValues(OTHER, "Kite", THEN, null, false, List.of());
+
+        store.save(other);
+        store.save(first);
+        assertThat(store.all()).containsExactly(first, other);
+
+        store.save(first.asWritten());
+        assertThat(store.all()).containsExactly(first.asWritten(), other);
+
+        store.delete(ONE);
+        store.delete(ONE);
+        assertThat(store.all()).containsExactly(other);
+    }
+}
