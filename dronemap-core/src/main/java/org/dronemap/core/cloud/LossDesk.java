@@ -56,9 +56,9 @@ final class LossDesk {
         });
     }
 
-    /** The cloud's values are on board. */
-    void written(OwnersValues values) {
-        OwnersValues now = values.asWritten();
+    /** The cloud's values are on board, or are not for certain any more. */
+    void written(OwnersValues values, boolean written) {
+        OwnersValues now = values.asWritten(written);
         kept.put(now.drone(), now);
         journal.write("what was set on " + now.droneName(), () -> store.save(now), () -> {});
     }

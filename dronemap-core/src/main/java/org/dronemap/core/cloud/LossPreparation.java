@@ -109,7 +109,7 @@ final class LossPreparation implements Preparation {
         if (now.capabilities().commands().contains(Capability.SET_PARAMETERS)) {
             return true;
         }
-        state = LossWords.cannotBeSet("What this vehicle does without the cloud cannot be set.");
+        state = LossWords.cannotBeSet(LossWords.CANNOT_BE_SET);
         return false;
     }
 
@@ -164,24 +164,30 @@ final class LossPreparation implements Preparation {
 
     private void set(Work done, Outcome outcome) {
         OwnersKeeper.@Nullable Plan plan = done.notes().plan();
-        if (outcome instanceof Outcome.Succeeded) {
-            prepared = true;
-            desk.kept(drone.id()).ifPresent(desk::written);
-            if (plan != null) {
-                state = LossWords.set(plan, done.notes().crossing());
-                LossWords.worthSaying(plan, done.notes().crossing())
-                        .ifPresent(sentence -> drone.say(Severity.NOTICE, sentence));
-            }
-        } else if (outcome instanceof Outcome.Refused refused) {
-            prepared = true;
-            state = LossWords.cannotBeSet(refused.reason());
-            drone.say(Severity.NOTICE, refused.reason());
-        } else if (!(outcome instanceof Outcome.Superseded)) {
-            failed(plan, outcome.reason());
+        switch (outcome.kind()) {
+            case SUCCEEDED -> isSet(plan, done.notes().crossing());
+            case REFUSED -> isNotToBeSet(outcome.reason());
+            case FAILED, TIMED_OUT, UNKNOWN -> failed(plan, outcome.reason());
+            case SUPERSEDED -> {}
         }
         if (desk.kept(drone.id()).isEmpty() && !prepared) {
             desk.heights().release(drone.id());
         }
+    }
+
+    private void isSet(OwnersKeeper.@Nullable Plan plan, boolean crossing) {
+        prepared = true;
+        desk.kept(drone.id()).ifPresent(kept -> desk.written(kept, true));
+        if (plan != null) {
+            state = LossWords.set(plan, crossing);
+            LossWords.worthSaying(plan, crossing).ifPresent(sentence -> drone.say(Severity.NOTICE, sentence));
+        }
+    }
+
+    private void isNotToBeSet(@Nullable String why) {
+        prepared = true;
+        state = LossWords.cannotBeSet(why == null ? LossWords.CANNOT_BE_SET : why);
+        drone.say(Severity.NOTICE, state.sentence());
     }
 
     private void failed(OwnersKeeper.@Nullable Plan plan, @Nullable String why) {
@@ -190,15 +196,19 @@ final class LossPreparation implements Preparation {
     }
 
     private void putBack(Work done, Outcome outcome) {
-        if (outcome instanceof Outcome.Succeeded) {
-            done.notes().left().forEach(sentence -> drone.say(Severity.WARNING, sentence));
-            over();
-            return;
-        }
-        notBefore = drone.lane().activeNanos() + BETWEEN_TRIES_NANOS;
-        if (!toldOfFailure && !(outcome instanceof Outcome.Superseded)) {
-            toldOfFailure = true;
-            drone.say(Severity.WARNING, LossWords.notPutBack(outcome.reason()));
+        switch (outcome.kind()) {
+            case SUCCEEDED -> {
+                done.notes().left().forEach(sentence -> drone.say(Severity.WARNING, sentence));
+                over();
+            }
+            case SUPERSEDED -> {}
+            case REFUSED, FAILED, TIMED_OUT, UNKNOWN -> {
+                notBefore = drone.lane().activeNanos() + BETWEEN_TRIES_NANOS;
+                if (!toldOfFailure) {
+                    toldOfFailure = true;
+                    drone.say(Severity.WARNING, LossWords.notPutBack(outcome.reason()));
+                }
+            }
         }
     }
 
@@ -263,6 +273,9 @@ final class LossPreparation implements Preparation {
             return;
         }
         drone.control().enterWhileFree().ifPresent(passage -> {
+            // Who arms it in the middle of that finds a part of them.
+            prepared = false;
+            desk.kept(drone.id()).filter(OwnersValues::written).ifPresent(kept -> desk.written(kept, false));
             LossNotes notes = notes();
             begin(new PutBack(values, notes), passage, notes, new LinkedHashMap<>());
         });

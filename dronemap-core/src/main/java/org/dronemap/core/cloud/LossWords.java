@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /** What people are told of what a drone does without the cloud. */
 final class LossWords {
+    static final String CANNOT_BE_SET = "What this vehicle does without the cloud cannot be set.";
     private static final String CROSSING =
             "No height is free to fly home at: its way home may cross that of another drone.";
 

@@ -23,7 +23,7 @@ public record OwnersValues(
         values = List.copyOf(values);
     }
 
-    public OwnersValues asWritten() {
-        return new OwnersValues(drone, droneName, since, returnMeters, true, values);
+    public OwnersValues asWritten(boolean nowWritten) {
+        return new OwnersValues(drone, droneName, since, returnMeters, nowWritten, values);
     }
 }

@@ -6,7 +6,7 @@ import org.dronemap.core.stored.Stored;
  * A parameter that the cloud changes while it uses a vehicle, with what its owner had set.
  *
  * @param ours what the cloud wrote
- * @param bits that the cloud may change besides, in flight: of such a one only these are put back, and all others stay as they
+ * @param bits that the cloud may change, also in flight: of such a one only these are put back, and all others stay as they
  *     are found; 0: the value is one
  */
 @Stored(names = "name owners ours bits")
@@ -21,7 +21,7 @@ public record OwnersValue(String name, double owners, double ours, long bits) {
 
     /** Whether the vehicle shows what the cloud left there, or its owner's value: else somebody else has changed it. */
     public boolean isAsLeft(double shown) {
-        return shown == ours || shown == owners || (bits != 0 && others(shown) == others(ours));
+        return shown == ours || shown == owners || bits != 0;
     }
 
     /** What is to be there again, where that is shown now. */

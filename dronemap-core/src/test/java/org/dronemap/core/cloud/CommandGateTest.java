@@ -251,6 +251,7 @@ class CommandGateTest {
 
         assertThat(gate.find(sent.id()).orElseThrow().outcome()).isNull();
         assertThat(gate.commandsOf(link.id(), 10))
+                .filteredOn(told -> told.id().equals(sent.id()))
                 .singleElement()
                 .satisfies(told -> assertThat(told.outcome()).isNull());
         store.disk.countDown();

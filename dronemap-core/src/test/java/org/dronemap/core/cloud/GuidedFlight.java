@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -59,6 +60,7 @@ abstract class GuidedFlight {
     /** The same, whose process may have stood still meanwhile. */
     final StallingTime stalling = new StallingTime(time);
 
+    private final AtomicInteger numbers = new AtomicInteger();
     final Lanes lanes = new Lanes(stalling.time(), 2);
     final Journal journal = new Journal(time);
     final Fixtures.HeapDroneStore drones = new Fixtures.HeapDroneStore();
@@ -85,7 +87,7 @@ abstract class GuidedFlight {
                 new CloudManager.Rules(watchdog, RULES, 20),
                 stalling.time(),
                 new CloudManager.Keeping(drones, commands, leases, owners, journal),
-                () -> new DroneId("drone-1"));
+                () -> new DroneId("drone-" + numbers.incrementAndGet()));
     }
 
     @BeforeEach

@@ -38,8 +38,8 @@ public abstract class OwnersStoreContract {
         store.save(first);
         assertThat(store.all()).containsExactly(first, other);
 
-        store.save(first.asWritten());
-        assertThat(store.all()).containsExactly(first.asWritten(), other);
+        store.save(first.asWritten(true));
+        assertThat(store.all()).containsExactly(first.asWritten(true), other);
 
         store.delete(ONE);
         store.delete(ONE);
