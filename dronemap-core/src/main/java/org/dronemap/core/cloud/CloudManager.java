@@ -35,10 +35,14 @@ import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.core.zone.ZoneRules;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The one registry of drones. Links bring vehicles in, faces read states, listeners hear of changes. Any thread. */
 public final class CloudManager {
     private static final Duration LONGEST_WRITE = Duration.ofSeconds(10);
+
+    private static final Logger LOG = LoggerFactory.getLogger(CloudManager.class);
 
     private final Lanes lanes;
     private final Rules rules;
@@ -278,6 +282,9 @@ public final class CloudManager {
                 return Optional.of("The drone is in contact; only a lost drone can be removed.");
             }
             store.delete(id);
+            losses.kept(id)
+                    .ifPresent(
+                            left -> LOG.warn("{} was removed; what its owner had set is not put back: {}", id, left));
         }
         drop(drone);
         return Optional.empty();

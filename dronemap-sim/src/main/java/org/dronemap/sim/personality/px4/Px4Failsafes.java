@@ -7,11 +7,13 @@ import org.dronemap.sim.flight.Severity;
 final class Px4Failsafes {
     private static final int RETURN_AT_CRITICAL = 3;
     private static final int LAND_AT_CRITICAL = 2;
+    private static final int EXCEPT_MISSION = 1;
 
     private final Px4 px4;
     private final Craft craft;
     private long groundStationHeardAt = -1;
     private boolean linkLost;
+    private boolean acted;
     private boolean positionLost;
     private boolean hadPosition;
     private int batteryLevel;
@@ -39,13 +41,22 @@ final class Px4Failsafes {
         int action = (int) px4.parameters().value("NAV_DLL_ACT");
         long timeout = (long) (px4.parameters().value("COM_DL_LOSS_T") * 1000);
         boolean lost = groundStationHeardAt >= 0 && nowMillis - groundStationHeardAt >= timeout;
-        if (lost && !linkLost && action > 0 && craft.armed() && !craft.landed()) {
+        boolean acts = lost && action > 0 && craft.armed() && !craft.landed() && !goesOn();
+        if (acts && !acted) {
+            acted = true;
             px4.say(Severity.WARNING, "Failsafe activated: Datalink lost");
             act(action);
         } else if (!lost && linkLost) {
             px4.say(Severity.INFO, "Data link regained");
         }
         linkLost = lost;
+        acted &= lost;
+    }
+
+    /** By COM_DLL_EXCEPT; once the mission is over, the link is missed. */
+    private boolean goesOn() {
+        int except = (int) px4.parameters().value("COM_DLL_EXCEPT");
+        return (except & EXCEPT_MISSION) != 0 && px4.flight().mode() == Px4Mode.MISSION;
     }
 
     /** NAV_DLL_ACT: 1 hold, 2 return, 3 land, 5 terminate. */

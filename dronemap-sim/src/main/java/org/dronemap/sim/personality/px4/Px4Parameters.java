@@ -15,6 +15,7 @@ final class Px4Parameters {
                 .add("MIS_TAKEOFF_ALT", REAL32, 2.5)
                 .add("NAV_DLL_ACT", INT32, 0)
                 .add("COM_DL_LOSS_T", INT32, 10)
+                .add("COM_DLL_EXCEPT", INT32, 0)
                 .add("COM_LOW_BAT_ACT", INT32, 0)
                 .add("BAT_LOW_THR", REAL32, 0.15)
                 .add("BAT_CRIT_THR", REAL32, 0.07)
