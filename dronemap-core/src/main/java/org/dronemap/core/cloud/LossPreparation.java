@@ -45,7 +45,7 @@ final class LossPreparation implements Preparation {
     private boolean toldOfFailure;
     private @Nullable Long unusedSince;
     private long notBefore;
-    private volatile CloudLossState state = CloudLossState.UNKNOWN;
+    private volatile CloudLossState state;
 
     /** A command of this rule that is under way, and those that wait for its end. */
     private record Work(Underway own, LossNotes notes, long since, Map<Underway, Runnable> waiting) {}
@@ -57,7 +57,9 @@ final class LossPreparation implements Preparation {
         this.clock = clock;
         this.notBefore = drone.lane().activeNanos();
         // What was written in an earlier run of the server, for a use that is not over, is not written once more.
-        this.prepared = desk.kept(drone.id()).filter(OwnersValues::written).isPresent();
+        Optional<OwnersValues> before = desk.kept(drone.id()).filter(OwnersValues::written);
+        this.prepared = before.isPresent();
+        this.state = before.map(LossWords::setBefore).orElse(CloudLossState.UNKNOWN);
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.command.OwnersKeeper;
 import org.dronemap.core.drone.CloudLossState;
+import org.dronemap.core.drone.OwnersValues;
 import org.jspecify.annotations.Nullable;
 
 /** What people are told of what a drone does without the cloud. */
@@ -40,6 +41,16 @@ final class LossWords {
                 null,
                 "What it does without the cloud could not be set" + (why == null ? ". " : " (" + without(why) + "). ")
                         + then,
+                List.of());
+    }
+
+    /** By an earlier run of the server, which knew what it does. */
+    static CloudLossState setBefore(OwnersValues kept) {
+        return new CloudLossState(
+                CloudLossState.State.SET,
+                null,
+                kept.returnMeters(),
+                "What it does without the cloud was set before this server was started; it is put back when nobody uses it.",
                 List.of());
     }
 

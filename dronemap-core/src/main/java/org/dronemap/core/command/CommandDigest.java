@@ -51,8 +51,8 @@ public final class CommandDigest {
         Stored stored = words.getClass().getAnnotation(Stored.class);
         text.append(stored == null ? "" : stored.as()).append('(');
         for (RecordComponent component : words.getClass().getRecordComponents()) {
-            // Where the bytes of a log go is no part of what is asked.
-            if (component.getType() != LogSink.class) {
+            // Where the bytes of a log go, or who keeps something, is no part of what is asked.
+            if (component.getType() != LogSink.class && component.getType() != OwnersKeeper.class) {
                 write(text, component(words, component));
             }
         }

@@ -27,6 +27,7 @@ import org.dronemap.ws.rest.FlightController;
 import org.dronemap.ws.rest.GrantController;
 import org.dronemap.ws.rest.GroupController;
 import org.dronemap.ws.rest.InvitationController;
+import org.dronemap.ws.rest.LeftBehindController;
 import org.dronemap.ws.rest.LinkController;
 import org.dronemap.ws.rest.LinkSecurityController;
 import org.dronemap.ws.rest.LogController;
@@ -108,6 +109,7 @@ import tools.jackson.databind.DeserializationFeature;
     SystemController.class,
     TelemetryController.class,
     WaitingController.class,
+    LeftBehindController.class,
     ZoneController.class,
     StreamTicketController.class,
     ProblemAdvice.class,

@@ -31,6 +31,7 @@ import org.dronemap.ws.service.GrantChanges;
 import org.dronemap.ws.service.HistoryService;
 import org.dronemap.ws.service.InvitationService;
 import org.dronemap.ws.service.JsonReader;
+import org.dronemap.ws.service.LeftBehindService;
 import org.dronemap.ws.service.LinkSecurityService;
 import org.dronemap.ws.service.LinkService;
 import org.dronemap.ws.service.LogService;
@@ -201,6 +202,11 @@ public class ServiceConfiguration {
     @Bean
     DroneService droneService(House house, DroneViews views) {
         return new DroneService(house.cloud(), views);
+    }
+
+    @Bean
+    LeftBehindService leftBehindService(House house) {
+        return new LeftBehindService(house.cloud());
     }
 
     @Bean
