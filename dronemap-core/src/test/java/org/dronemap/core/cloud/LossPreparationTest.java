@@ -35,12 +35,12 @@ class LossPreparationTest extends GuidedFlight {
     @BeforeEach
     void stand() {
         vehicle.settlesAtOnce = false;
-        isDown();
+        landed();
         // It says something all the time.
         link.lane().execute(() -> link.lane().addTicker(() -> link.heard()));
     }
 
-    private void isDown() {
+    private void landed() {
         hear(new DroneEvent.ModeHeard("GUIDED", false));
         hear(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
     }
@@ -259,7 +259,7 @@ class LossPreparationTest extends GuidedFlight {
         Steps.throughout(
                 time, Duration.ofSeconds(60), () -> vehicle.performed.stream().noneMatch(PutBack.class::isInstance));
 
-        isDown();
+        landed();
         rule(PutBack.class);
     }
 
@@ -336,7 +336,7 @@ class LossPreparationTest extends GuidedFlight {
         CloudManager next = cloud();
         link = bound(next);
         hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
-        isDown();
+        landed();
         next.gate().submit(ANN, link.id(), id("arm-00002"), new Command.Arm());
 
         assertThat(rule(SetCloudLoss.class).kept()).containsExactly(VALUE);
@@ -350,7 +350,7 @@ class LossPreparationTest extends GuidedFlight {
         assertThat(next.cloudLoss(link.id()).outstanding()).containsExactly(VALUE);
         link = bound(next);
         hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
-        isDown();
+        landed();
 
         assertThat(rule(PutBack.class).values()).containsExactly(VALUE);
     }
@@ -362,7 +362,7 @@ class LossPreparationTest extends GuidedFlight {
         CloudManager next = cloud();
         link = bound(next);
         hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
-        isDown();
+        landed();
         next.gate().submit(ANN, link.id(), id("height-02"), new SetReturnHeight(20, false));
 
         until(() -> !vehicle.performed.isEmpty());
