@@ -31,6 +31,7 @@ import org.dronemap.core.lease.Epochs;
 import org.dronemap.core.lease.LeaseMachine;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.LeaseStore;
+import org.dronemap.core.safety.Times;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneBook;
 import org.dronemap.core.zone.ZoneRules;
@@ -77,7 +78,7 @@ public final class CloudManager {
      */
     public record Rules(Watchdog watchdog, LeaseRules leases, int lossSeconds) {
         /** As long as a vehicle waits where nobody has said otherwise. */
-        public static final int USUAL_LOSS_SECONDS = 20;
+        public static final int USUAL_LOSS_SECONDS = (int) Times.VEHICLE_RETURNS.toSeconds();
     }
 
     /** With the usual rules of control. */

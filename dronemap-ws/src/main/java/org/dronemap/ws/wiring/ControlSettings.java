@@ -31,7 +31,8 @@ final class ControlSettings {
     /** After so long a vehicle that does not hear the cloud any more comes home by itself. */
     static int lossSeconds(Map<String, String> environment) {
         Duration usual = Duration.ofSeconds(CloudManager.Rules.USUAL_LOSS_SECONDS);
-        return (int) seconds(environment, CLOUD_LOSS, usual, 5, 120).toSeconds();
+        // What lies ahead of a silent vehicle is kept for it no longer than usual.
+        return (int) seconds(environment, CLOUD_LOSS, usual, 5, (int) usual.toSeconds()).toSeconds();
     }
 
     static Duration virtualSilence(Map<String, String> environment) {

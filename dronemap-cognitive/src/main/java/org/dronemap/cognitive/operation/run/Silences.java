@@ -9,12 +9,13 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.safety.Times;
 import org.jspecify.annotations.Nullable;
 
 /** Drones that are not heard: what they may still do, and what they did when they are heard again. */
 final class Silences {
-    /** Vehicles that miss the cloud for five seconds go home, if they were told to; with room for slow ones. */
-    private static final Duration UNTIL_FAIL_SAFE = Duration.ofSeconds(15);
+    /** Vehicles that miss the cloud go home, if they were told to. */
+    private static final Duration UNTIL_FAIL_SAFE = Times.CORRIDOR_KEPT;
     /** So far ahead a drone that flies on keeps its waypoints; what comes later is given to others. */
     private static final Duration FLIES_ON = Duration.ofSeconds(60);
     /** Beside what the way takes. */

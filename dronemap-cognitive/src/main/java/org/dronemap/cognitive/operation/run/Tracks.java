@@ -10,6 +10,7 @@ import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.Spot;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.safety.Times;
 import org.jspecify.annotations.Nullable;
 
 /** Where drones in the air will be in the next seconds, as far as that is known. */
@@ -17,8 +18,8 @@ final class Tracks {
     static final double STRIDE_SECONDS = 0.5;
     /** Vehicles that were told no other height climb to this before they fly home, in m over it. */
     private static final double RETURN_METERS = 15;
-    /** From when it was heard last until its fail-safe acts. */
-    private static final double UNTIL_HOMEWARD_SECONDS = 6;
+    /** From when it was heard last until its fail-safe acts: of firmware whose time cannot be set, and of all others. */
+    private static final List<Double> UNTIL_HOMEWARD_SECONDS = List.of(6.0, Times.VEHICLE_RETURNS.toSeconds() + 1.0);
     /** Beyond that an order may not have arrived. */
     private static final Duration UNTIL_OBEYED = Duration.ofMillis(1_500);
 
@@ -183,9 +184,6 @@ final class Tracks {
     /** Where a drone that is not heard may be: on its mission, sooner or later, or on its way home from where it missed us. */
     private List<Track> corridor(RunDrone drone, Place from, double gone) {
         double cruise = drone.craft().performance().speeds().cruise();
-        At missing = mission(drone, from, Math.min(gone, UNTIL_HOMEWARD_SECONDS), cruise)
-                .places()
-                .get(0);
         List<Track> ways = new ArrayList<>();
         double doubt = gone * (FASTER + SLOWER) * cruise;
         int steps = (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(doubt / STEP_METERS)));
@@ -193,7 +191,12 @@ final class Tracks {
             ways.add(mission(drone, from, gone * (1 + FASTER - (FASTER + SLOWER) * step / steps), cruise));
         }
         ways.add(homeward(drone, at(from), gone));
-        ways.add(homeward(drone, missing, Math.max(0, gone - UNTIL_HOMEWARD_SECONDS)));
+        for (double until : UNTIL_HOMEWARD_SECONDS) {
+            At missing = mission(drone, from, Math.min(gone, until), cruise)
+                    .places()
+                    .get(0);
+            ways.add(homeward(drone, missing, Math.max(0, gone - until)));
+        }
         return ways;
     }
 

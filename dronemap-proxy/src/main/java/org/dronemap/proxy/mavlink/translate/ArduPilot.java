@@ -170,7 +170,7 @@ final class ArduPilot implements Autopilot {
             case SET_MODE -> mode(cockpit, ((Command.SetMode) command).mode(), cockpit.observer());
             case TAKE_OFF -> takeOff(cockpit, (Command.TakeOff) command);
             case LAND -> mode(cockpit, kind == VehicleKind.VTOL ? "QLAND" : "LAND", cockpit.observer());
-            case RETURN_TO_LAUNCH -> mode(cockpit, RTL, cockpit.observer());
+            case RETURN_TO_LAUNCH -> returnToLaunch(cockpit);
             case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
             case GO_TO -> goTo(cockpit, (Command.GoTo) command);
             case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
@@ -328,10 +328,20 @@ final class ArduPilot implements Autopilot {
         return new Sequence(steps);
     }
 
+    private Exchange returnToLaunch(Cockpit cockpit) {
+        return switch (kind) {
+            case FIXED_WING -> PlaneReturns.begin(cockpit, () -> mode(cockpit, RTL, cockpit.observer()));
+            case VTOL -> mode(cockpit, "QRTL", cockpit.observer());
+            case MULTICOPTER, HELICOPTER, ROVER, BOAT, SUBMARINE, AIRSHIP, UNKNOWN ->
+                mode(cockpit, RTL, cockpit.observer());
+        };
+    }
+
     private @Nullable LossPolicy policy(int seconds) {
         return switch (kind) {
             case MULTICOPTER, HELICOPTER -> LossPolicies.copter(seconds, RETURN_HEIGHT);
-            case FIXED_WING, VTOL -> LossPolicies.plane(seconds);
+            case FIXED_WING -> LossPolicies.plane(seconds, "RTL_AUTOLAND");
+            case VTOL -> LossPolicies.plane(seconds, "Q_RTL_MODE");
             case ROVER, BOAT -> LossPolicies.rover(seconds);
             case SUBMARINE, AIRSHIP, UNKNOWN -> null;
         };

@@ -19,6 +19,8 @@ final class LossPolicies {
 
     private static final String FIXED = "Its time cannot be set.";
     private static final String ALSO_RC = "It does the same when it loses its remote control.";
+    private static final String CIRCLES =
+            "It lands there only by a landing sequence of its mission (DO_LAND_START), else it circles.";
     private static final int GO_ON_IN_AUTO = 2;
     private static final int GO_ON_WHEN_PILOTED = 16;
 
@@ -47,11 +49,13 @@ final class LossPolicies {
         return acting(words, now, "FS_GCS_TIMEOUT", action == 2 ? "On a mission it goes on." : "");
     }
 
-    static LossPolicy plane(int seconds) {
+    /** {@code lands}: by what it lands at home instead of circling there, where its mission or its rotors let it. */
+    static LossPolicy plane(int seconds, String lands) {
         return new LossPolicy(
                 List.of(
                         Setting.needed("FS_GCS_ENABL", LossPolicy.instead(1, 0.0, 3.0)),
                         Setting.needed("FS_LONG_ACTN", LossPolicy.instead(1, 0.0)),
+                        Setting.ifThere(LossPolicy.instead(1, 0.0), lands),
                         Setting.ifThere(old -> Math.min(old, seconds), "FS_LONG_TIMOUT", "FS_LONG_TIMEOUT")),
                 null,
                 LossPolicies::plane);
@@ -68,7 +72,9 @@ final class LossPolicies {
             case 4 -> "it flies its mission";
             default -> DOWN;
         };
-        return acting(words, now, "FS_LONG_TIMOUT", shared(now, owners, "FS_LONG_ACTN", "FS_LONG_TIMOUT"));
+        String note = shared(now, owners, "FS_LONG_ACTN", "FS_LONG_TIMOUT");
+        boolean circles = words.equals(HOME) && LossPolicy.find(now, "Q_RTL_MODE").isEmpty();
+        return acting(words, now, "FS_LONG_TIMOUT", circles ? (CIRCLES + " " + note).strip() : note);
     }
 
     static LossPolicy rover(int seconds) {

@@ -318,8 +318,30 @@ class LossPoliciesTest {
                 .containsEntry("FS_LONG_TIMOUT", 20.0)
                 .containsEntry("THR_FAILSAFE", 1.0);
         assertThat(keeper.plan().after().sentence())
-                .isEqualTo("When it does not hear the cloud any more, it returns home after 20 s."
+                .isEqualTo("When it does not hear the cloud any more, it returns home after 20 s. It lands there only by a landing"
+                        + " sequence of its mission (DO_LAND_START), else it circles."
                         + " It does the same when it loses its remote control.");
+    }
+
+    @Test
+    void hasAPlaneLandAtHomeWhereItsMissionLetsIt() {
+        isAPlane(1, 1, 5);
+        has("RTL_AUTOLAND", INT32, 0);
+
+        isSetAndPutBack();
+        assertThat(written()).containsExactly("RTL_AUTOLAND");
+    }
+
+    @Test
+    void hasAQuadPlaneLandOnItsRotors() {
+        isAPlane(1, 1, 5);
+        has("Q_RTL_MODE", INT32, 0);
+        bench(new Heartbeat(22, 3, 81, 0, 3, 3));
+
+        assertThat(set()).isEqualTo(DONE);
+        assertThat(held).containsEntry("Q_RTL_MODE", 1.0);
+        assertThat(keeper.plan().after().sentence())
+                .isEqualTo("When it does not hear the cloud any more, it returns home after 5 s.");
     }
 
     @Test

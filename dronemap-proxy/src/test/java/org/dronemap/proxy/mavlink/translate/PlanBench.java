@@ -22,6 +22,7 @@ final class PlanBench {
     final List<String> progress = new ArrayList<>();
     final List<DroneEvent> news = new ArrayList<>();
     private final Autopilot autopilot;
+    final List<String> warnings = new ArrayList<>();
     private final Cockpit cockpit;
 
     PlanBench(Heartbeat heartbeat) {
@@ -41,7 +42,7 @@ final class PlanBench {
                 observer,
                 news::add,
                 this::missionRead,
-                sentence -> {});
+                warnings::add);
     }
 
     private void missionRead(MissionDownload read) {

@@ -1,0 +1,15 @@
+package org.dronemap.core.safety;
+
+import java.time.Duration;
+
+/**
+ * The times that have to fit each other when somebody falls silent: docs/times.md has all of them in one table, with what was
+ * measured. The next one begins only after the one before is over, or nobody would know who acts.
+ */
+public final class Times {
+    /** Since a vehicle heard the cloud last, until it comes home by itself: longer than the server takes to be back. */
+    public static final Duration VEHICLE_RETURNS = Duration.ofSeconds(20);
+    /** A silent vehicle that is led, or waits, may go on for so long: what lies ahead of it is kept for it. */
+    public static final Duration CORRIDOR_KEPT = VEHICLE_RETURNS.plusSeconds(5);
+    private Times() {}
+}

@@ -1,0 +1,153 @@
+package org.dronemap.ws.flights;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.function.BooleanSupplier;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.Watchdog;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.safety.Times;
+import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.Pilot;
+import org.junit.jupiter.api.Test;
+
+/**
+ * How long each silence of the table of times truly lasts until somebody acts on it: the worst of twenty moments of chance, from
+ * the cause to what the server shows, the vehicle is told at its socket, or does. Printed for the table.
+ */
+class ReactionTimesTest {
+    private static final int MOMENTS = 20;
+    private static final long RTL = 6;
+    private static final Duration LONGEST = Duration.ofMinutes(2);
+    private static final Duration SLACK = Duration.ofSeconds(1);
+    private static final LeaseRules CONTROL = LeaseRules.DEFAULT;
+
+    /** One copter that hovers, and what happens to it. */
+    private interface Moment {
+        /** From the cause on; returns when it was acted on. */
+        Duration passes(Laboratory lab, LabDrone drone, Pilot ann);
+    }
+
+    private static Duration worst(String what, Duration least, Moment moment) {
+        SplittableRandom chance = new SplittableRandom(28);
+        Duration worst = Duration.ZERO;
+        Duration best = LONGEST;
+        for (int number = 0; number < MOMENTS; number++) {
+            try (Laboratory lab = new Laboratory(number + 1)) {
+                LabDrone drone = lab.copter();
+                Pilot ann = lab.pilot("ann", Role.OPERATOR);
+                ann.takesOff(drone, 20);
+                lab.until("it hovers", Duration.ofSeconds(40), () -> drone.height() > 19);
+                lab.goOn(Duration.ofMillis(chance.nextLong(2_000)));
+                Duration took = moment.passes(lab, drone, ann);
+                worst = took.compareTo(worst) > 0 ? took : worst;
+                best = took.compareTo(best) < 0 ? took : best;
+            }
+        }
+        System.out.printf(
+                Locale.ROOT, "%s: %.1f to %.1f s%n", what, best.toMillis() / 1_000.0, worst.toMillis() / 1_000.0);
+        assertThat(best).as(what + " no sooner").isGreaterThanOrEqualTo(least);
+        return worst;
+    }
+
+    private static Duration until(Laboratory lab, String what, BooleanSupplier holds) {
+        long since = lab.time().nanos();
+        lab.until(what, LONGEST, holds);
+        return Duration.ofNanos(lab.time().nanos() - since);
+    }
+
+    private static Duration toldAfter(Laboratory lab, LabDrone drone, String what) {
+        SocketJudge socket = new SocketJudge();
+        drone.wire().capturedBy(socket);
+        return until(lab, what, () -> !socket.ordersAfter(0).isEmpty());
+    }
+
+    private static boolean is(LabDrone drone, LinkState state) {
+        return drone.state().link().state() == state;
+    }
+
+    @Test
+    void aSilentVehicleIsSuspectThenLost() {
+        Duration suspect = worst("suspect", Duration.ofMillis(500), (lab, drone, ann) -> {
+            drone.wire().cut();
+            return until(lab, "it is suspect", () -> !is(drone, LinkState.LIVE));
+        });
+        Duration lost = worst("lost", Watchdog.DEFAULT.lostAfter().minus(SLACK), (lab, drone, ann) -> {
+            drone.wire().cut();
+            return until(lab, "it is lost", () -> is(drone, LinkState.LOST));
+        });
+
+        assertThat(suspect).isLessThan(Watchdog.DEFAULT.suspectAfter().plus(SLACK));
+        assertThat(lost).isLessThan(Watchdog.DEFAULT.lostAfter().plus(SLACK));
+    }
+
+    @Test
+    void theDroneOfWhoTookControlAndFellSilentIsToldToHold() {
+        Duration held = worst("holds", CONTROL.silence(), (lab, drone, ann) -> {
+            ann.takesControl(drone);
+            return toldAfter(lab, drone, "it is told to hold");
+        });
+
+        assertThat(held).isLessThan(CONTROL.silence().plus(SLACK));
+    }
+
+    @Test
+    void controlThatCameWithACommandEndsAndItIsBroughtHome() {
+        Duration ended = worst("control ends", CONTROL.idle(), (lab, drone, ann) -> {
+            ann.fliesTo(drone, drone.place(5, 0), 20);
+            return until(lab, "control has ended", () -> ann.control(drone).state().equals("free"));
+        });
+        Duration home = worst("brought home", CONTROL.untilReturn(), (lab, drone, ann) -> {
+            lab.until("control has ended", LONGEST, () -> ann.control(drone).state().equals("free"));
+            return toldAfter(lab, drone, "it is told to return");
+        });
+
+        assertThat(ended).isLessThan(CONTROL.idle().plus(SLACK));
+        assertThat(home).isLessThan(CONTROL.untilReturn().plus(SLACK));
+    }
+
+    @Test
+    void aVehicleComesHomeByItselfWithoutTheServer() {
+        Duration home = worst("comes home", Times.VEHICLE_RETURNS.minus(SLACK), (lab, drone, ann) -> {
+            lab.crashServer();
+            return until(lab, "it comes home", () -> drone.mode() == RTL);
+        });
+
+        assertThat(home).isLessThan(Times.VEHICLE_RETURNS.plus(SLACK));
+        assertThat(home).isLessThan(Times.CORRIDOR_KEPT);
+    }
+
+    @Test
+    void tenVehiclesSideBySideComeHomeWithoutTheServerEachAtItsHeight() {
+        try (Laboratory lab = new Laboratory(1)) {
+            List<LabDrone> drones = lab.copters(10);
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            drones.forEach(drone -> ann.takesOff(drone, 20));
+            // Side by side, each in the way of the others: the first is where the last has set off.
+            for (int number = 0; number < drones.size(); number++) {
+                LabDrone drone = drones.get(number);
+                ann.fliesTo(drone, drones.get(drones.size() - 1 - number).place(60 + 15 * number, 0), 20);
+            }
+            lab.goOn(Duration.ofSeconds(70));
+            lab.crashServer();
+
+            Separation separation = new Separation(drones);
+            lab.until("all come home", Duration.ofSeconds(30), () -> {
+                separation.look();
+                return drones.stream().allMatch(drone -> drone.mode() == RTL);
+            });
+            lab.until("all are down", Duration.ofMinutes(5), () -> {
+                separation.look();
+                return drones.stream().allMatch(LabDrone::isDown);
+            });
+            System.out.println(separation.words());
+            assertThat(separation.leastMeters()).as(separation.words()).isGreaterThan(4);
+        }
+    }
+}
