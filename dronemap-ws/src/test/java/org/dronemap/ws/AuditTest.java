@@ -161,8 +161,11 @@ class AuditTest {
         for (String type : types) {
             List<AuditEntry> left = left(() -> operator.post(
                     commands() + "?wait=30", "{\"type\":\"" + type + "\"" + MEMBERS.getOrDefault(type, "") + "}"));
-            assertThat(left).as(type).hasSize(1);
-            AuditEntry record = left.get(0);
+            // What a rule does before it is no call of anybody.
+            List<AuditEntry> asked =
+                    left.stream().filter(entry -> !entry.face().equals("rule")).toList();
+            assertThat(asked).as(type).hasSize(1);
+            AuditEntry record = asked.get(0);
             assertThat(record.operation()).isEqualTo(type);
             assertThat(record.drone()).isEqualTo(vehicle.id());
             assertThat(record.by()).startsWith("user");

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.net.http.HttpRequest;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.ws.house.Http;
@@ -65,7 +66,9 @@ class ControlTest {
         assertThat(second.text("heldSince")).startsWith("20");
         assertThat(bob.get("/api/v1/commands/" + second.text("commandId")).status())
                 .isEqualTo(200);
-        assertThat(vehicle.performed()).hasSize(1);
+        assertThat(vehicle.performed())
+                .filteredOn(Command.Arm.class::isInstance)
+                .hasSize(1);
         JsonNode seen = bob.get("/api/v1/drones/" + vehicle.id()).json().path("control");
         assertThat(seen.path("state").asString()).isEqualTo("held");
         assertThat(seen.path("holder").asString()).isEqualTo(annsName);

@@ -134,7 +134,7 @@ class FollowsTest {
 
         phone.post(follow + "/start", "");
         await(follow, "tracking");
-        assertThat(falcon.performed()).hasSize(3).last().isEqualTo(new Command.TakeOff(20));
+        assertThat(falcon.performed()).hasSize(4).last().isEqualTo(new Command.TakeOff(20));
         assertThat(says(phone, follow).status()).isEqualTo(200);
         Setpoint.Track track = Waiting.until(
                 "it is led north",

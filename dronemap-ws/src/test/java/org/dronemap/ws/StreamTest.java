@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
@@ -139,10 +140,14 @@ class StreamTest {
 
             List<String> phases = stream.heard().stream()
                     .filter(message -> isType(message, "command"))
-                    .map(message -> message.path("command").path("phase").asString())
+                    .map(message -> message.path("command"))
+                    .filter(command -> command.path("id").asString().equals(id))
+                    .map(command -> command.path("phase").asString())
                     .toList();
             assertThat(phases).containsExactly("sent", "accepted", "done");
-            assertThat(vehicle.performed()).hasSize(1);
+            assertThat(vehicle.performed())
+                    .filteredOn(Command.Arm.class::isInstance)
+                    .hasSize(1);
         }
     }
 

@@ -79,7 +79,7 @@ class VirtualDronesTest {
         assertThat(flying.path("run").path("why").asString()).startsWith("“Falcon” was chosen: no other drone");
         assertThat(falcon.performed())
                 .extracting(command -> command.getClass().getSimpleName())
-                .containsExactly("UploadMission", "Arm", "StartMission");
+                .containsExactly("UploadMission", "SetCloudLoss", "Arm", "StartMission");
         assertThat(run(operator, second).path("queue").path("position").asInt()).isEqualTo(1);
 
         falcon.reaches(0);

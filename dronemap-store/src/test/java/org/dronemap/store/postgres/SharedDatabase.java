@@ -32,7 +32,8 @@ final class SharedDatabase {
                 all_filled text[] := '{}';
             BEGIN
                 FOREACH name IN ARRAY ARRAY['drone', 'known_mission', 'saved_mission', 'command', 'account', 'sign_in',
-                        'access_key', 'link_security', 'recording', 'link', 'link_key', 'control_lease', 'organisation',
+                        'access_key', 'link_security', 'recording', 'link', 'link_key', 'control_lease', 'owners_values',
+                        'organisation',
                         'drone_owner', 'drone_gift', 'user_group', 'user_group_member', 'fleet', 'access_grant', 'only_granted',
                         'invitation', 'virtual_drone', 'warehouse_drone', 'audit', 'telemetry', 'drone_event', 'flight',
                         'operation', 'operation_journal', 'outlet_key', 'outlet_number', 'robot_key',

@@ -147,7 +147,7 @@ class FollowFlightTest {
         Phone phone = follows(copter);
 
         lab.crashServer();
-        lab.until("it misses the cloud", Duration.ofSeconds(10), () -> copter.mode() == RTL);
+        lab.until("it misses the cloud", Duration.ofSeconds(25), () -> copter.mode() == RTL);
         lab.startServer();
         lab.untilSeen("it is told", Duration.ofSeconds(30), () -> phone.wasTold("it follows again"));
         phone.awaits("tracking", Duration.ofSeconds(60));

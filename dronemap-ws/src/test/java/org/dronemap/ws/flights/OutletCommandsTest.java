@@ -90,7 +90,7 @@ class OutletCommandsTest {
             Set<String> faces = administrator.account().commandsOf(copter).stream()
                     .map(CommandView::face)
                     .collect(Collectors.toSet());
-            assertThat(faces).containsExactly("outlet");
+            assertThat(faces).containsExactlyInAnyOrder("outlet", "rule");
             pilot.controls(copter, ControlAction.RELEASE, ControlRequestView.NOTHING);
         }
     }

@@ -34,7 +34,7 @@ class LongCommandTest {
     void give() {
         ScriptedVehicle vehicle = ScriptedVehicle.connect(house.cloud(), 20_000 + house.number());
         vehicle.takesItsTime();
-        given = commands.submit(ANN, "rest", vehicle.id(), CommandRequest.simple("arm"));
+        given = commands.submit(ANN, "rest", vehicle.id(), CommandRequest.simple("takePicture"));
         report = Waiting.until("it is under way", () -> Optional.ofNullable(vehicle.underWay()));
     }
 
