@@ -11,5 +11,6 @@ public final class Times {
     public static final Duration VEHICLE_RETURNS = Duration.ofSeconds(20);
     /** A silent vehicle that is led, or waits, may go on for so long: what lies ahead of it is kept for it. */
     public static final Duration CORRIDOR_KEPT = VEHICLE_RETURNS.plusSeconds(5);
+
     private Times() {}
 }

@@ -32,7 +32,8 @@ final class ControlSettings {
     static int lossSeconds(Map<String, String> environment) {
         Duration usual = Duration.ofSeconds(CloudManager.Rules.USUAL_LOSS_SECONDS);
         // What lies ahead of a silent vehicle is kept for it no longer than usual.
-        return (int) seconds(environment, CLOUD_LOSS, usual, 5, (int) usual.toSeconds()).toSeconds();
+        return (int) seconds(environment, CLOUD_LOSS, usual, 5, (int) usual.toSeconds())
+                .toSeconds();
     }
 
     static Duration virtualSilence(Map<String, String> environment) {

@@ -195,8 +195,7 @@ public class ServiceConfiguration {
     DroneViews droneViews(House house) {
         DronePlaces places = new DronePlaces(PlaceNames.load()::near);
         house.cloud().addListener(places);
-        return new DroneViews(
-                places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
+        return new DroneViews(places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
     }
 
     @Bean

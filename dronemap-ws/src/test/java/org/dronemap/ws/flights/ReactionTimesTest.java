@@ -101,10 +101,14 @@ class ReactionTimesTest {
     void controlThatCameWithACommandEndsAndItIsBroughtHome() {
         Duration ended = worst("control ends", CONTROL.idle(), (lab, drone, ann) -> {
             ann.fliesTo(drone, drone.place(5, 0), 20);
-            return until(lab, "control has ended", () -> ann.control(drone).state().equals("free"));
+            return until(
+                    lab, "control has ended", () -> ann.control(drone).state().equals("free"));
         });
         Duration home = worst("brought home", CONTROL.untilReturn(), (lab, drone, ann) -> {
-            lab.until("control has ended", LONGEST, () -> ann.control(drone).state().equals("free"));
+            lab.until(
+                    "control has ended",
+                    LONGEST,
+                    () -> ann.control(drone).state().equals("free"));
             return toldAfter(lab, drone, "it is told to return");
         });
 

@@ -32,7 +32,13 @@ final class Separation {
         double meters = Math.hypot(Geodesy.distanceMeters(one.where(), other.where()), one.amsl() - other.amsl());
         if (meters < least) {
             least = meters;
-            where = one.words() + " and " + other.words();
+            where = String.format(
+                    Locale.ROOT,
+                    "%s %.0f m up and %s %.0f m up",
+                    one.name(),
+                    one.height(),
+                    other.name(),
+                    other.height());
         }
     }
 

@@ -81,8 +81,8 @@ public final class SteppedServer implements AutoCloseable {
         house = builder.open(stores);
         Budgets budgets = new Budgets(Rates.UNBOUNDED, time::nanos);
         DronePlaces places = new DronePlaces(point -> null);
-        DroneViews shown = new DroneViews(
-                places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
+        DroneViews shown =
+                new DroneViews(places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
         drones = new DroneService(house.cloud(), shown);
         commands = new ServiceConfiguration().commandService(house, drones, budgets);
         steering = new ServiceConfiguration().steeringService(house, drones, budgets);

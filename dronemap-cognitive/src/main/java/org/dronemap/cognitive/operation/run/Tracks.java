@@ -192,9 +192,8 @@ final class Tracks {
         }
         ways.add(homeward(drone, at(from), gone));
         for (double until : UNTIL_HOMEWARD_SECONDS) {
-            At missing = mission(drone, from, Math.min(gone, until), cruise)
-                    .places()
-                    .get(0);
+            At missing =
+                    mission(drone, from, Math.min(gone, until), cruise).places().get(0);
             ways.add(homeward(drone, missing, Math.max(0, gone - until)));
         }
         return ways;

@@ -73,7 +73,8 @@ final class LossPolicies {
             default -> DOWN;
         };
         String note = shared(now, owners, "FS_LONG_ACTN", "FS_LONG_TIMOUT");
-        boolean circles = words.equals(HOME) && LossPolicy.find(now, "Q_RTL_MODE").isEmpty();
+        boolean circles =
+                words.equals(HOME) && LossPolicy.find(now, "Q_RTL_MODE").isEmpty();
         return acting(words, now, "FS_LONG_TIMOUT", circles ? (CIRCLES + " " + note).strip() : note);
     }
 

@@ -318,9 +318,10 @@ class LossPoliciesTest {
                 .containsEntry("FS_LONG_TIMOUT", 20.0)
                 .containsEntry("THR_FAILSAFE", 1.0);
         assertThat(keeper.plan().after().sentence())
-                .isEqualTo("When it does not hear the cloud any more, it returns home after 20 s. It lands there only by a landing"
-                        + " sequence of its mission (DO_LAND_START), else it circles."
-                        + " It does the same when it loses its remote control.");
+                .isEqualTo(
+                        "When it does not hear the cloud any more, it returns home after 20 s. It lands there only by a landing"
+                                + " sequence of its mission (DO_LAND_START), else it circles."
+                                + " It does the same when it loses its remote control.");
     }
 
     @Test
