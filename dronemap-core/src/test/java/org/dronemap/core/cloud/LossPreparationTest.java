@@ -3,105 +3,20 @@ package org.dronemap.core.cloud;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.List;
-import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.core.command.OwnersKeeper;
-import org.dronemap.core.command.PutBack;
 import org.dronemap.core.command.SetCloudLoss;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.CloudLossState;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
-import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
-import org.dronemap.core.drone.LossAction;
-import org.dronemap.core.drone.OwnersValues;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.LeaseEvent;
-import org.dronemap.core.parameter.OwnersValue;
-import org.dronemap.core.parameter.ParameterValue;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What a drone does without the cloud: set before it is armed from here, and put back once its use is over. */
-class LossPreparationTest extends GuidedFlight {
-    private static final OwnersValue VALUE = new OwnersValue("FS_GCS_ENABLE", 0, 1);
-    private static final LossAction GOES_ON = new LossAction("it goes on", null, "");
-    private static final LossAction COMES_HOME = new LossAction("it returns home", 20.0, "");
-
-    @BeforeEach
-    void stand() {
-        vehicle.settlesAtOnce = false;
-        landed();
-        // It says something all the time.
-        link.lane().execute(() -> link.lane().addTicker(() -> link.heard()));
-    }
-
-    private void landed() {
-        hear(new DroneEvent.ModeHeard("GUIDED", false));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.ON_GROUND));
-    }
-
-    private CommandRecord arms(String id) {
-        return gate.submit(ANN, link.id(), id(id), new Command.Arm());
-    }
-
-    /** The command of the rule that the vehicle was given last. */
-    private <C extends Command> C rule(Class<C> kind) {
-        until(() -> vehicle.performed.stream().anyMatch(kind::isInstance));
-        return vehicle.performed.stream()
-                .filter(kind::isInstance)
-                .map(kind::cast)
-                .reduce((first, second) -> second)
-                .orElseThrow();
-    }
-
-    private VehicleChannel.Report ruleReport(Class<? extends Command> kind) {
-        until(() -> vehicle.performed.stream().anyMatch(kind::isInstance));
-        return commands.records.values().stream()
-                .filter(record ->
-                        record.by().equals("dronemap") && record.type().equals(kind.getSimpleName()))
-                .filter(record -> record.outcome() == null)
-                .map(this::report)
-                .findFirst()
-                .orElseThrow();
-    }
-
-    private CompletableFuture<Void> keeps(SetCloudLoss command, OwnersValue... values) {
-        CompletableFuture<Void> kept = command.keeper()
-                .keep(new OwnersKeeper.Plan(
-                        GOES_ON, COMES_HOME, List.of(values), command.keeper().returnMeters(15)));
-        time.settle();
-        return kept;
-    }
-
-    private void isSet() {
-        SetCloudLoss command = rule(SetCloudLoss.class);
-        assertThat(keeps(command, VALUE)).isCompleted();
-        ruleReport(SetCloudLoss.class).ended(new Outcome.Succeeded());
-        time.settle();
-    }
-
-    /** It was armed once from here, and stands again while nobody has control. */
-    private void wasUsed() {
-        CommandRecord arm = arms("arm-used1");
-        isSet();
-        report(arm).ended(new Outcome.Succeeded());
-        vehicle.performed.clear();
-    }
-
-    private CloudLossState shown() {
-        return cloud.cloudLoss(link.id());
-    }
-
-    private List<String> told() {
-        DroneState now = cloud.drone(link.id()).orElseThrow();
-        return now.messages().stream().map(message -> message.text()).toList();
-    }
-
+/** What a drone does without the cloud is set before it is armed from here. */
+class LossPreparationTest extends LossUse {
     @Test
     void setsItBeforeItIsArmedAndKeepsWhatItsOwnerHadFirst() {
         CommandRecord arm = arms("arm-00001");
@@ -236,98 +151,6 @@ class LossPreparationTest extends GuidedFlight {
     }
 
     @Test
-    void putsItBackOnceNobodyHasControlOfItAndItStands() {
-        wasUsed();
-
-        PutBack command = rule(PutBack.class);
-        assertThat(command.values()).containsExactly(VALUE);
-        assertThat(owners.kept).containsKey(link.id());
-        ruleReport(PutBack.class).ended(new Outcome.Succeeded());
-        until(owners.kept::isEmpty);
-
-        assertThat(shown()).isEqualTo(CloudLossState.UNKNOWN);
-        arms("arm-00002");
-        rule(SetCloudLoss.class);
-    }
-
-    @Test
-    void putsNothingBackInTheAirWhoeverHasControl() {
-        wasUsed();
-        hear(new DroneEvent.ModeHeard("AUTO", true));
-        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
-
-        Steps.throughout(
-                time, Duration.ofSeconds(60), () -> vehicle.performed.stream().noneMatch(PutBack.class::isInstance));
-
-        landed();
-        rule(PutBack.class);
-    }
-
-    @Test
-    void putsNothingBackWhileSomebodyHasControl() {
-        wasUsed();
-        apply(new LeaseEvent.Take("ann"));
-
-        Steps.throughout(time, Duration.ofSeconds(30), () -> {
-            apply(new LeaseEvent.Heartbeat("ann", control().epoch()));
-            return vehicle.performed.isEmpty();
-        });
-    }
-
-    @Test
-    void writesNoMoreBackWhenAPilotArmsIt() {
-        wasUsed();
-        rule(PutBack.class);
-
-        hear(new DroneEvent.ModeHeard("LOITER", true));
-
-        until(() -> !vehicle.cancelled.isEmpty());
-        assertThat(owners.kept).containsKey(link.id());
-    }
-
-    @Test
-    void triesAgainAMinuteLaterAndSaysSoOnce() {
-        wasUsed();
-        ruleReport(PutBack.class).ended(new Outcome.TimedOut("The vehicle did not tell it."));
-        long failed = time.nanos();
-        vehicle.performed.clear();
-
-        assertThat(time.advanceUntil(() -> !vehicle.performed.isEmpty(), Duration.ofMinutes(2)))
-                .isTrue();
-
-        assertThat(Duration.ofNanos(time.nanos() - failed)).isGreaterThan(Duration.ofSeconds(59));
-        ruleReport(PutBack.class).ended(new Outcome.TimedOut("The vehicle did not tell it."));
-        time.settle();
-        assertThat(owners.kept).containsKey(link.id());
-        assertThat(told())
-                .filteredOn(text -> text.contains("could not be put back yet"))
-                .hasSize(1);
-    }
-
-    @Test
-    void tellsWhatSomebodyElseHasChangedAndDropsIt() {
-        wasUsed();
-        rule(PutBack.class).keeper().leftAlone(List.of(new ParameterValue("FS_GCS_ENABLE", 5)));
-        ruleReport(PutBack.class).ended(new Outcome.Succeeded());
-        until(owners.kept::isEmpty);
-
-        assertThat(told())
-                .contains("FS_GCS_ENABLE = 5 was changed by somebody else meanwhile, so it stays; its owner had set"
-                        + " FS_GCS_ENABLE = 0.");
-    }
-
-    @Test
-    void givesWayToWhoArmsItWhileItIsPutBack() {
-        wasUsed();
-        rule(PutBack.class);
-
-        arms("arm-00002");
-
-        assertThat(rule(SetCloudLoss.class).kept()).containsExactly(VALUE);
-        assertThat(vehicle.cancelled).isNotEmpty();
-    }
-
-    @Test
     void knowsTheOwnersValuesAfterACrashBeforeTheyWereWritten() {
         arms("arm-00001");
         keeps(rule(SetCloudLoss.class), VALUE);
@@ -340,44 +163,6 @@ class LossPreparationTest extends GuidedFlight {
         next.gate().submit(ANN, link.id(), id("arm-00002"), new Command.Arm());
 
         assertThat(rule(SetCloudLoss.class).kept()).containsExactly(VALUE);
-    }
-
-    @Test
-    void putsThemBackAfterACrashBeforeThat() {
-        wasUsed();
-
-        CloudManager next = cloud();
-        assertThat(next.cloudLoss(link.id()).outstanding()).containsExactly(VALUE);
-        link = bound(next);
-        hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
-        landed();
-
-        assertThat(rule(PutBack.class).values()).containsExactly(VALUE);
-    }
-
-    @Test
-    void doesNotReadTheHeightOfARunForTheOwnersAfterACrash() {
-        wasUsed();
-
-        CloudManager next = cloud();
-        link = bound(next);
-        hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
-        landed();
-        next.gate().submit(ANN, link.id(), id("height-02"), new SetReturnHeight(20, false));
-
-        until(() -> !vehicle.performed.isEmpty());
-        assertThat(vehicle.performed).containsExactly(new SetReturnHeight(20, false));
-    }
-
-    @Test
-    void listsWhatIsOutstandingOnADroneThatWasRemoved() {
-        OwnersValues left = new OwnersValues(new DroneId("gone-1"), "Falcon", BEGAN, 15.0, true, List.of(VALUE));
-        owners.kept.put(left.drone(), left);
-
-        CloudManager next = cloud();
-
-        assertThat(next.leftBehind()).containsExactly(left);
-        assertThat(cloud.leftBehind()).isEmpty();
     }
 
     @Test

@@ -56,9 +56,7 @@ public final class CommandSamples {
             case GO_TO -> Stream.of(new Command.GoTo(HERE, Altitude.aboveHome(30)));
             case GO_TO_LOCAL -> Stream.of(new GoToLocal(1, 2, null));
             case TURN -> Stream.of(new Command.Turn(90));
-            case UPLOAD_MISSION ->
-                Stream.of(new Command.UploadMission(
-                        new Mission(List.of(new MissionItem.TakeOff(20), WAYPOINT, WAYPOINT))));
+            case UPLOAD_MISSION -> upload();
             case START_MISSION -> Stream.of(new Command.StartMission(CloudLoss.CONTINUE));
             case PAUSE_MISSION -> Stream.of(new Command.PauseMission());
             case CLEAR_MISSION -> Stream.of(new Command.ClearMission());
@@ -83,6 +81,11 @@ public final class CommandSamples {
             case SET_RALLY_POINTS -> Stream.of(new Command.SetRallyPoints(List.of(new RallyPoint(HERE, 30))));
             case READ_MAP -> Stream.of(new ReadMap());
         };
+    }
+
+    private static Stream<Command> upload() {
+        return Stream.of(
+                new Command.UploadMission(new Mission(List.of(new MissionItem.TakeOff(20), WAYPOINT, WAYPOINT))));
     }
 
     /** Keeps nothing, and says that it does. */

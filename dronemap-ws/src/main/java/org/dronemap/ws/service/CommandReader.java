@@ -37,7 +37,11 @@ final class CommandReader {
         if (type == null) {
             throw InvalidInput.missing("type", KINDS);
         }
-        return switch (kind(type).orElseThrow(() -> unknown(type))) {
+        return asked(kind(type).orElseThrow(() -> unknown(type)), request, drone, held);
+    }
+
+    private static Command asked(CommandKind kind, CommandRequest request, DroneState drone, ParameterSet held) {
+        return switch (kind) {
             case ARM -> new Command.Arm();
             case DISARM -> new Command.Disarm(Boolean.TRUE.equals(request.force()));
             case SET_MODE -> new Command.SetMode(mode(request.mode(), drone));
@@ -71,7 +75,7 @@ final class CommandReader {
                     SET_RETURN_HEIGHT,
                     RETURN_ON_LOSS,
                     SET_CLOUD_LOSS,
-                    PUT_BACK -> throw unknown(type);
+                    PUT_BACK -> throw unknown(String.valueOf(request.type()));
         };
     }
 

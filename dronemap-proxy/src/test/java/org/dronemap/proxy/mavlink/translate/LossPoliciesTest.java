@@ -2,182 +2,12 @@ package org.dronemap.proxy.mavlink.translate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.Objects;
-import java.util.concurrent.CompletableFuture;
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.Outcome;
-import org.dronemap.core.command.OwnersKeeper;
-import org.dronemap.core.command.PutBack;
-import org.dronemap.core.command.SetCloudLoss;
-import org.dronemap.core.parameter.OwnersValue;
-import org.dronemap.core.parameter.ParameterValue;
-import org.dronemap.mavlink.Message;
-import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.mavlink.message.ParamRequestRead;
-import org.dronemap.mavlink.message.ParamSet;
-import org.dronemap.mavlink.message.ParamValue;
-import org.dronemap.proxy.mavlink.procedure.Wire;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** What each kind of vehicle is set to, read back, and given back as its owner had it. */
-class LossPoliciesTest {
-    private static final Outcome DONE = new Outcome.Succeeded();
-    private static final Heartbeat PLANE = new Heartbeat(1, 3, 81, 0, 3, 3);
-    private static final Heartbeat ROVER = new Heartbeat(10, 3, 81, 0, 3, 3);
-    private static final Heartbeat SUB = new Heartbeat(12, 3, 81, 0, 3, 3);
-    private static final int INT32 = 6;
-    private static final int REAL32 = 9;
-
-    /** As the vehicle holds them; those of PX4 that are whole numbers travel as their bits. */
-    private final Map<String, Double> held = new LinkedHashMap<>();
-
-    private final Map<String, Integer> types = new HashMap<>();
-    private final Keeper keeper = new Keeper();
-    private boolean bytewise;
-    private int powerLostAfter = Integer.MAX_VALUE;
-    private int sets;
-    private @Nullable PlanBench bench;
-
-    /** Remembers what it was told, and says when that is kept. */
-    private static final class Keeper implements OwnersKeeper {
-        private CompletableFuture<Void> kept = CompletableFuture.completedFuture(null);
-        private double meters = Double.NaN;
-        private final List<ParameterValue> left = new ArrayList<>();
-        private @Nullable Plan plan;
-
-        @Override
-        public double returnMeters(double owners) {
-            return Double.isNaN(meters) ? owners : meters;
-        }
-
-        @Override
-        public CompletableFuture<Void> keep(Plan found) {
-            plan = found;
-            return kept;
-        }
-
-        @Override
-        public void leftAlone(List<ParameterValue> shown) {
-            left.addAll(shown);
-        }
-
-        Plan plan() {
-            return Objects.requireNonNull(plan);
-        }
-    }
-
-    private void has(String name, int type, double value) {
-        held.put(name, value);
-        types.put(name, type);
-    }
-
-    private PlanBench bench(Heartbeat heartbeat) {
-        PlanBench made = new PlanBench(heartbeat);
-        made.wire.peer(this::vehicle);
-        bench = made;
-        return made;
-    }
-
-    private void vehicle(Wire wire, Message message) {
-        if (message instanceof ParamSet set && sets++ < powerLostAfter && held.containsKey(set.paramId())) {
-            held.put(set.paramId(), decoded(set.paramId(), set.paramValue()));
-            tell(wire, set.paramId());
-        } else if (message instanceof ParamRequestRead question
-                && sets <= powerLostAfter
-                && held.containsKey(question.paramId())) {
-            tell(wire, question.paramId());
-        }
-    }
-
-    private void tell(Wire wire, String name) {
-        wire.answer(new ParamValue(name, encoded(name), types.getOrDefault(name, REAL32), 900, 1));
-    }
-
-    private boolean asBits(String name) {
-        return bytewise && types.getOrDefault(name, REAL32) == INT32;
-    }
-
-    private float encoded(String name) {
-        double value = held.getOrDefault(name, 0.0);
-        return asBits(name) ? Float.intBitsToFloat((int) value) : (float) value;
-    }
-
-    private double decoded(String name, float raw) {
-        return asBits(name) ? Float.floatToRawIntBits(raw) : raw;
-    }
-
-    private @Nullable Outcome set(OwnersValue... kept) {
-        return bench().perform(new SetCloudLoss(20, List.of(kept), keeper));
-    }
-
-    private @Nullable Outcome putBack() {
-        return bench().perform(new PutBack(keeper.plan().values(), keeper));
-    }
-
-    private PlanBench bench() {
-        return Objects.requireNonNull(bench);
-    }
-
-    private List<String> written() {
-        return bench().wire.sent(ParamSet.class).stream()
-                .map(ParamSet::paramId)
-                .distinct()
-                .sorted()
-                .toList();
-    }
-
-    private void isACopter() {
-        has("FS_GCS_ENABLE", INT32, 0);
-        has("FS_GCS_TIMEOUT", REAL32, 5);
-        has("FS_OPTIONS", INT32, 1);
-        has("FS_THR_ENABLE", INT32, 1);
-        has("RTL_ALT", INT32, 1_500);
-        bench(PlanBench.ARDUCOPTER);
-    }
-
-    private void isAPlane(double enabled, double action, double seconds) {
-        has("FS_GCS_ENABL", INT32, enabled);
-        has("FS_LONG_ACTN", INT32, action);
-        has("FS_LONG_TIMOUT", REAL32, seconds);
-        has("THR_FAILSAFE", INT32, 1);
-        bench(PLANE);
-    }
-
-    private void isARover() {
-        has("FS_GCS_ENABLE", INT32, 0);
-        has("FS_GCS_TIMEOUT", REAL32, 5);
-        has("FS_ACTION", INT32, 0);
-        has("FS_THR_ENABLE", INT32, 1);
-        bench(ROVER);
-    }
-
-    private void isPx4() {
-        bytewise = true;
-        has("NAV_DLL_ACT", INT32, 0);
-        has("COM_DL_LOSS_T", INT32, 10);
-        has("COM_DLL_EXCEPT", INT32, 0);
-        has("NAV_RCL_ACT", INT32, 2);
-        has("RTL_RETURN_ALT", REAL32, 30.5);
-        bench(PlanBench.PX4);
-    }
-
-    /** It is set, and then everything is again as it was. */
-    private void isSetAndPutBack() {
-        Map<String, Double> before = Map.copyOf(held);
-        assertThat(set()).isEqualTo(DONE);
-        assertThat(held).isNotEqualTo(before);
-        assertThat(putBack()).isEqualTo(DONE);
-        assertThat(held).isEqualTo(before);
-        assertThat(keeper.left).isEmpty();
-    }
-
+class LossPoliciesTest extends LossBench {
     @Test
     void setsACopterAndNothingOfItsRemoteControl() {
         isACopter();
@@ -206,17 +36,6 @@ class LossPoliciesTest {
     }
 
     @Test
-    void putsBackWhatAMissionHasChangedMeanwhile() {
-        isACopter();
-        assertThat(set()).isEqualTo(DONE);
-        held.put("FS_OPTIONS", 17.0 + 2 + 8);
-
-        assertThat(putBack()).isEqualTo(DONE);
-
-        assertThat(held).containsEntry("FS_OPTIONS", 1.0 + 8);
-    }
-
-    @Test
     void leavesWhatACopterDoesAlready() {
         isACopter();
         has("FS_GCS_ENABLE", INT32, 5);
@@ -236,74 +55,6 @@ class LossPoliciesTest {
         assertThat(keeper.plan().after().sentence())
                 .isEqualTo(
                         "When it does not hear the cloud any more, it returns home after 5 s. Its time cannot be set.");
-    }
-
-    @Test
-    void writesNothingBeforeTheOwnersValuesAreKept() {
-        isACopter();
-        keeper.kept = new CompletableFuture<>();
-
-        assertThat(bench().perform(new SetCloudLoss(20, List.of(), keeper), 2)).isNull();
-        assertThat(written()).isEmpty();
-    }
-
-    @Test
-    void writesNothingWhenTheyCannotBeKept() {
-        isACopter();
-        keeper.kept = CompletableFuture.failedFuture(new IllegalStateException("the disk is full"));
-
-        assertThat(set()).isInstanceOf(Outcome.Failed.class);
-        assertThat(written()).isEmpty();
-    }
-
-    @Test
-    void doesNotTakeWhatTheCloudHadWrittenForTheOwners() {
-        isACopter();
-        assertThat(set()).isEqualTo(DONE);
-        OwnersValue[] kept = keeper.plan().values().toArray(OwnersValue[]::new);
-
-        assertThat(set(kept)).isEqualTo(DONE);
-
-        assertThat(keeper.plan().values()).containsExactly(kept);
-        assertThat(putBack()).isEqualTo(DONE);
-        assertThat(held).containsEntry("FS_GCS_ENABLE", 0.0).containsEntry("FS_GCS_TIMEOUT", 5.0);
-    }
-
-    @Test
-    void takesWhatSomebodyElseHasSetSinceForTheOwners() {
-        isACopter();
-        assertThat(set()).isEqualTo(DONE);
-        OwnersValue[] kept = keeper.plan().values().toArray(OwnersValue[]::new);
-        held.put("FS_GCS_TIMEOUT", 8.0);
-
-        assertThat(set(kept)).isEqualTo(DONE);
-
-        assertThat(keeper.plan().values()).contains(new OwnersValue("FS_GCS_TIMEOUT", 8, 20));
-    }
-
-    @Test
-    void leavesWhatSomebodyElseHasSetSinceAndTellsSo() {
-        isACopter();
-        assertThat(set()).isEqualTo(DONE);
-        held.put("FS_GCS_TIMEOUT", 8.0);
-
-        assertThat(putBack()).isEqualTo(DONE);
-
-        assertThat(held).containsEntry("FS_GCS_TIMEOUT", 8.0).containsEntry("FS_GCS_ENABLE", 0.0);
-        assertThat(keeper.left).containsExactly(new ParameterValue("FS_GCS_TIMEOUT", 8));
-    }
-
-    @Test
-    void putsBackWhatWasWrittenWhenThePowerIsLostInTheMiddle() {
-        isACopter();
-        powerLostAfter = 1;
-
-        assertThat(set()).isNotEqualTo(DONE);
-        assertThat(held).containsEntry("FS_GCS_ENABLE", 1.0).containsEntry("FS_GCS_TIMEOUT", 5.0);
-        powerLostAfter = Integer.MAX_VALUE;
-
-        assertThat(putBack()).isEqualTo(DONE);
-        assertThat(held).containsEntry("FS_GCS_ENABLE", 0.0).containsEntry("FS_GCS_TIMEOUT", 5.0);
     }
 
     @Test
@@ -420,21 +171,6 @@ class LossPoliciesTest {
                 .containsEntry("COM_DL_LOSS_T", 10.0)
                 .containsEntry("COM_DLL_EXCEPT", 0.0)
                 .containsEntry("RTL_RETURN_ALT", 30.5);
-    }
-
-    @Test
-    void refusesWhereThereIsNothingToSet() {
-        bench(SUB);
-
-        assertThat(set()).isInstanceOf(Outcome.Refused.class);
-        assertThat(bench().wire.sent()).isEmpty();
-    }
-
-    @Test
-    void isNotHeldUpForLongByAVehicleThatTellsNothing() {
-        bench(PlanBench.ARDUCOPTER);
-
-        assertThat(bench().perform(new SetCloudLoss(20, List.of(), keeper), 4)).isInstanceOf(Outcome.TimedOut.class);
     }
 
     @Test
