@@ -1,5 +1,6 @@
 package org.dronemap.core.cloud;
 
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import org.dronemap.core.drone.DroneId;
@@ -199,7 +200,12 @@ final class ManagedDrone implements Lane.Ticker {
 
     void accept(DroneEvent event) {
         heard();
+        String mode = drone.state().mode();
         drone.apply(event);
+        if (!Objects.equals(mode, drone.state().mode())) {
+            // Who has chosen that mode is seen before anybody acts on it.
+            watch.tick();
+        }
         listener.droneChanged(drone.state());
     }
 

@@ -81,8 +81,12 @@ final class ModeWatch {
                 && state.messages().stream()
                         .filter(message ->
                                 message.at().isAfter(time.clock().instant().minus(SAID_WITH)))
-                        .noneMatch(message ->
-                                message.text().toLowerCase(Locale.ROOT).contains("failsafe"));
+                        .noneMatch(message -> changesModes(message.text().toLowerCase(Locale.ROOT)));
+    }
+
+    /** A fail-safe that is over, or lets the vehicle go on, explains no other mode. */
+    private static boolean changesModes(String text) {
+        return text.contains("failsafe") && !text.contains("continuing") && !text.contains("cleared");
     }
 
     /** Vehicles that have a mode to stand in go into that by themselves, and into the one that takes orders only when told. */

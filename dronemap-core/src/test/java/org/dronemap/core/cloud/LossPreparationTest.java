@@ -116,7 +116,7 @@ class LossPreparationTest extends LossUse {
         CommandRecord arm = arms("arm-00001");
         rule(SetCloudLoss.class);
 
-        hear(new DroneEvent.ModeHeard("LOITER", true));
+        hear(new DroneEvent.ModeHeard("GUIDED", true));
         until(() -> commands.records.get(arm.id()).outcome() != null);
 
         assertThat(vehicle.cancelled).hasSize(1);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.mavlink.message.Heartbeat;
 import org.junit.jupiter.api.Test;
 
 /** What each kind of vehicle is set to, read back, and given back as its owner had it. */
