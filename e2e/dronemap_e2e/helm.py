@@ -12,10 +12,20 @@ from .server import Server
 class Helm:
     """Steers as the page does, ten times a second; once cut, it says nothing and closes nothing."""
 
-    def __init__(self, server: Server, key: str, drone: str, forward: float = 0.4) -> None:
-        headers = {"Authorization": f"Bearer {key}"}
-        self._stream: ClientConnection = connect(server.stream_address, additional_headers=headers)
-        self._setpoint = json.dumps({"type": "steer", "drone": drone, "velocity": {"forward": forward}})
+    def __init__(
+        self,
+        server: Server,
+        key: str | None,
+        drone: str,
+        forward: float = 0.4,
+        by: str = "velocity",
+        ticket: str = "",
+    ) -> None:
+        """`by`: velocity or sticks; without a key, `ticket` is one of a session."""
+        headers = {"Authorization": f"Bearer {key}"} if key else {}
+        address = server.stream_address + (f"?ticket={ticket}" if ticket else "")
+        self._stream: ClientConnection = connect(address, additional_headers=headers)
+        self._setpoint = json.dumps({"type": "steer", "drone": drone, by: {"forward": forward}})
         self._cut = threading.Event()
         self._thread = threading.Thread(target=self._steer, daemon=True)
         self._thread.start()

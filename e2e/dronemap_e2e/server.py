@@ -63,8 +63,11 @@ class Server:
         assert self._process is not None
         return self._process.pid
 
+    def runs(self) -> bool:
+        return self._process is not None and self._process.poll() is None
+
     def start_unless_it_runs(self) -> None:
-        if self._process is None or self._process.poll() is not None:
+        if not self.runs():
             self.start()
 
     def start(self) -> None:
@@ -116,7 +119,7 @@ class Server:
         self._process.wait()
 
     def stop(self) -> None:
-        if self._process is not None and self._process.poll() is None:
+        if self._process is not None and self.runs():
             self._process.terminate()
             try:
                 self._process.wait(20)

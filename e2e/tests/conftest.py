@@ -27,6 +27,7 @@ LONGEST = (
     "test_accounts_in_browser",
     "test_flights_and_failures",
     "test_crash",
+    "test_moments",
     "test_flight_by_program",
     "test_plans_in_browser",
     "test_control",

@@ -1,0 +1,238 @@
+"""Drones in flight as their clients fly them: each in a thread of its own, until it is gone."""
+
+import math
+import threading
+import time
+from contextlib import suppress
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+
+import requests
+
+from .api import Api, Json
+from .flight import items
+from .ground import User
+from .helm import Helm
+from .moments import OPERATIONS, Moment
+from .runs import planned
+from .server import Server
+from .waiting import wait_for
+from .walker import beside
+
+EVERY = 1.0
+AWAY_METRES = 60.0
+SPEED = 2.0
+STICK = 0.4
+# There and back again, at what these vehicles fly.
+LEGS = 8
+LEG_METRES = 90.0
+PATIENCE = 10
+GUIDED_MODES = {"sticks": "LOITER"}
+
+
+@dataclass
+class Flyer:
+    """One drone, and the client that flies it."""
+
+    moment: Moment
+    system_id: int
+    drone: Json
+    server: Server
+    user: User
+    # None: by the session.
+    key: str | None
+    admin: Api
+    absent: str = ""
+    gone: threading.Event = field(default_factory=threading.Event)
+    thread: threading.Thread | None = None
+    helm: Helm | None = None
+    epoch: int = 0
+    follow: str = ""
+    run: str = ""
+    plan: str = ""
+    virtual: str = ""
+    cruises: bool = False
+    turn: int = 0
+
+    def __post_init__(self) -> None:
+        self.api = Api(self.server.address, self.key) if self.key else self.user.api
+
+    @property
+    def id(self) -> str:
+        return str(self.drone["id"])
+
+    @property
+    def height(self) -> float:
+        """Of its own, so that nobody gives way to anybody."""
+        return 15.0 + 4 * ((self.moment.number - 1) % 6)
+
+    @property
+    def direction(self) -> float:
+        return math.radians(60.0 * ((self.moment.number - 1) % 6))
+
+    def there(self, metres: float) -> Json:
+        east, north = metres * math.sin(self.direction), metres * math.cos(self.direction)
+        point = beside(self.drone["home"], east, north)
+        return {"latitude": point.latitude, "longitude": point.longitude}
+
+    def prepare(self) -> None:
+        """All that may take its time; it stands on the ground."""
+        kind = self.moment.kind
+        if kind == "mission":
+            self.api.do(self.id, type="uploadMission", items=self._items())
+        elif kind == "run":
+            self.plan = planned(self.api, [self.drone], self._waypoints())
+        elif kind == "virtual":
+            body = {"name": f"moment {self.moment.number}", "items": self._items()}
+            self.virtual = self._made("/virtual-drones", body)
+            assert self.admin.call("PUT", f"/warehouse/{self.id}", {}).ok
+        elif kind == "follow":
+            place = {"side": "fixed", "bearing": 180, "distance": 5, "height": self.height}
+            order = self.there(40) | {"drone": self.id, "place": place, "patience": PATIENCE}
+            self.follow = self._made("/follows", order)
+
+    def start(self) -> None:
+        """Into the air; goes on by itself then."""
+        kind = self.moment.kind
+        if kind in OPERATIONS:
+            self._start_operation()
+        else:
+            if self.moment.explicit:
+                self.epoch = int(self._taken()["epoch"])
+            self.thread = threading.Thread(target=self._talk, daemon=True)
+            self.thread.start()
+            self._take_off()
+
+    def _start_operation(self) -> None:
+        if self.moment.kind == "run":
+            asked = {"plan": self.plan, "onCloudLoss": "continue", "searchSeconds": 0}
+            self.run = self._made("/runs", asked)
+        elif self.moment.kind == "virtual":
+            answer = self.api.call("POST", f"/virtual-drones/{self.virtual}/start")
+            assert answer.status_code == 202, answer.text
+        else:
+            self._say_where()
+            answer = self.api.call("POST", f"/follows/{self.follow}/start")
+            assert answer.ok, answer.text
+        self.thread = threading.Thread(target=self._talk, daemon=True)
+        self.thread.start()
+
+    def _take_off(self) -> None:
+        # Its own connection: that of the session belongs to the thread that talks.
+        api = Api(self.server.address, self.key) if self.key else self.user.api
+        if self.moment.kind == "mission":
+            api.do(self.id, type="arm")
+            api.do(self.id, type="startMission")
+            return
+        api.do(self.id, type="setMode", mode="GUIDED")
+        api.do(self.id, type="arm")
+        api.do(self.id, type="takeOff", altitude=self.height)
+        wait_for(f"{self.moment} is up", lambda: self._above(self.height - 1), 60)
+        if self.moment.kind in GUIDED_MODES:
+            api.do(self.id, type="setMode", mode=GUIDED_MODES[self.moment.kind])
+        if self.moment.kind in ("velocity", "sticks"):
+            self.helm = self._steer(api)
+        self.cruises = True
+
+    def _steer(self, api: Api) -> Helm:
+        by = self.moment.kind
+        ticket = ""
+        if not self.key:
+            answer = api.call("POST", "/stream-tickets")
+            assert answer.ok, answer.text
+            ticket = answer.json()["ticket"]
+        forward = SPEED if by == "velocity" else STICK
+        return Helm(self.server, self.key, self.id, forward, by, ticket)
+
+    def flies(self) -> bool:
+        """In the air, and at what it is there for."""
+        now = self.admin.drone(self.id)
+        if not self._above(4) or not now["armed"]:
+            return False
+        mode = {"mission": "AUTO", "run": "AUTO", "virtual": "AUTO", "sticks": "LOITER"}
+        return bool(now["mode"] == mode.get(self.moment.kind, "GUIDED"))
+
+    def _above(self, metres: float) -> bool:
+        position = self.admin.drone(self.id)["position"]
+        return bool(position and position["altitudeAboveHome"] > metres)
+
+    def leave(self) -> None:
+        """Without a word: nothing is closed that an end of the program would not close."""
+        self.gone.set()
+        if self.thread is not None:
+            self.thread.join(10)
+        if self.helm is not None:
+            self.helm.kill()
+
+    def says_no_more(self) -> None:
+        """What it has open stays open: it is cut off."""
+        self.gone.set()
+        if self.thread is not None:
+            self.thread.join(10)
+        if self.helm is not None:
+            self.helm.cut()
+
+    def goes_to(self, metres: float) -> Json:
+        place = self.there(metres)
+        answer = self.api.call(
+            "POST", f"/drones/{self.id}/commands", {"type": "goTo", **place, "altitude": self.height}
+        )
+        assert answer.ok, answer.text
+        return place
+
+    def _taken(self) -> Json:
+        answer = self.api.call("POST", f"/drones/{self.id}/control/take")
+        assert answer.ok, answer.text
+        taken: Json = answer.json()
+        return taken
+
+    def _talk(self) -> None:
+        """Signs and commands once a second, whatever comes of them: whoever is refused insists."""
+        api = Api(self.server.address, self.key) if self.key else self.user.api
+        while not self.gone.wait(EVERY):
+            with suppress(requests.RequestException):
+                self._turn(api)
+
+    def _turn(self, api: Api) -> None:
+        self.turn += 1
+        if self.epoch:
+            api.call("POST", f"/drones/{self.id}/control/heartbeat", {"epoch": self.epoch})
+        if self.follow:
+            self._say_where()
+        elif self.moment.kind == "guided" and self.cruises:
+            place = self.there(AWAY_METRES + 20 * (self.turn % 2))
+            api.call(
+                "POST", f"/drones/{self.id}/commands", {"type": "goTo", **place, "altitude": self.height}
+            )
+
+    def _say_where(self) -> None:
+        at = datetime.fromtimestamp(time.time(), UTC).isoformat()
+        here = {"at": at, "accuracy": 4, **self.there(40)}
+        self.api.call("POST", f"/follows/{self.follow}/positions", {"sent": at, "positions": [here]})
+
+    def _made(self, path: str, body: Json) -> str:
+        answer = self.api.call("POST", path, body)
+        assert answer.status_code == 201, answer.text
+        made: str = answer.json()["id"]
+        return made
+
+    def _items(self) -> list[Json]:
+        points = [
+            beside(self.drone["home"], east, north)
+            for east, north in (
+                (metres * math.sin(self.direction), metres * math.cos(self.direction))
+                for metres in self._metres()
+            )
+        ]
+        return [{**one, "altitude": self.height} for one in items(points)]
+
+    def _waypoints(self) -> list[Json]:
+        above = self.drone["home"]["altitudeAmsl"] + self.height
+        # In a row: a plan would not fly there and back.
+        return [
+            {**self.there(LEG_METRES / 2 * (n + 1)), "altitude": above, "altitudeReference": "amsl"}
+            for n in range(LEGS)
+        ]
+
+    def _metres(self) -> list[float]:
+        return [LEG_METRES if n % 2 == 0 else 10.0 for n in range(LEGS)]

@@ -1,0 +1,241 @@
+"""Whoever is in the air is somebody's: judged by the bytes between vehicles and server alone."""
+
+import math
+from dataclasses import dataclass, field
+
+from pymavlink.dialects.v20 import ardupilotmega as mavlink
+
+from .moments import LED, OPERATIONS, Moment
+from .overheard import Log, Said, State
+
+AUTO, GUIDED, RTL, LAND = 3, 4, 6, 9
+HOMEWARD = (RTL, LAND)
+# Slack on every limit: two cores that do much else, news that comes once a second.
+SLACK = 8.0
+# After that the mode that a pilot chose was visible at the server.
+NOTICED = 1.0
+# From its way home to its motors off, from where these vehicles can be.
+DOWN = 90.0
+# No heartbeat of a server that is there comes later than this after the one before.
+BEAT = 4.0
+# After its time a setpoint leads nowhere: half a second, and what was on its way.
+LEADS = 2.0
+STANDS = 0.5
+UP_METRES = 1.0
+# After a restart, who took control has so long to come back before being silent counts.
+RETURNING = 15.0
+
+READS = {
+    mavlink.MAV_CMD_SET_MESSAGE_INTERVAL,
+    mavlink.MAV_CMD_REQUEST_MESSAGE,
+    mavlink.MAV_CMD_GET_HOME_POSITION,
+    mavlink.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES,
+}
+# What may be said to a vehicle that a pilot has; all else is forbidden.
+HARMLESS = {
+    *("HEARTBEAT", "TIMESYNC", "PING", "SYSTEM_TIME", "REQUEST_DATA_STREAM"),
+    *("PARAM_REQUEST_READ", "PARAM_REQUEST_LIST", "LOG_REQUEST_LIST"),
+    *("MISSION_REQUEST_LIST", "MISSION_REQUEST", "MISSION_REQUEST_INT", "MISSION_ACK"),
+}
+
+
+@dataclass(frozen=True)
+class Limits:
+    """As the server is set, and as it was asked for."""
+
+    lost: float
+    idle: float
+    until_return: float
+    patience: float
+
+
+@dataclass
+class Happened:
+    """When what happened, monotonic seconds; infinite: it did not."""
+
+    # Whoever had the drone did their last sign, or lost it.
+    left: float
+    # From when to when no server was there, or none that moved.
+    away: tuple[float, float] = (math.inf, math.inf)
+    stood_still: bool = False
+    # A pilot chose a mode at the vehicle.
+    piloted: float = math.inf
+    # Places that were commanded before the server stood still, and were to be forgotten since: degrees 1e7.
+    forgotten: list[tuple[int, int]] = field(default_factory=list)
+    until: float = math.inf
+
+
+@dataclass(frozen=True)
+class Judgement:
+    moment: Moment
+    faults: list[str]
+    # What became of it, in few words.
+    told: str
+
+
+def judge(moment: Moment, log: Log, happened: Happened, limits: Limits) -> Judgement:
+    faults, told = [], "never in the air"
+    was = log.at(happened.left)
+    if not was.armed or was.height < UP_METRES:
+        faults.append(f"it was not in the air when it was left: {was}")
+    elif happened.piloted < math.inf:
+        faults, told = _of_pilot(log, happened)
+    else:
+        faults, told = _of_nobody(moment, log, happened, limits)
+    faults += _forgotten(log, happened)
+    return Judgement(moment, faults, told)
+
+
+def _of_nobody(moment: Moment, log: Log, happened: Happened, limits: Limits) -> tuple[list[str], str]:
+    since = log.since(happened.left)
+    home = homeward(since)
+    if home is None:
+        return [f"it never went home; last {since[-1]}"], "stayed"
+    faults = []
+    limit = longest_alone(moment, happened, limits)
+    alone = waited(since, home.at)
+    if alone > limit:
+        faults.append(
+            f"it waited for {alone:.1f} s in the air before it went home, not {limit:.1f} s at most"
+        )
+    down = next((state for state in since if state.at >= home.at and not state.armed), None)
+    if down is None:
+        faults.append(f"it went home and is not down; last {since[-1]}")
+    elif down.at - home.at > DOWN:
+        faults.append(f"it was down {down.at - home.at:.1f} s after it went home, not within {DOWN:.0f} s")
+    faults += _led_on(moment, log, happened)
+    landed = "?" if down is None else f"{down.at - happened.left:.1f} s"
+    return (
+        faults,
+        f"home after {home.at - happened.left:.1f} s (alone {alone:.1f} of {limit:.0f}), down {landed}",
+    )
+
+
+def longest_alone(moment: Moment, happened: Happened, limits: Limits) -> float:
+    """For so long it may be in the air with nobody, no mission under way and no way home."""
+    begin, end = happened.away
+    over = limits.until_return + SLACK
+    if moment.kind in OPERATIONS:
+        wait = max(limits.patience, over)
+    elif moment.event in ("vanish", "sign out", "revoke", "hand over"):
+        # What was taken away ends at once, or when no sign comes any more.
+        wait = max(limits.lost, limits.idle)
+    else:
+        wait = 0.0
+    if begin is math.inf or begin - happened.left > wait + over:
+        return wait + over
+    if happened.stood_still:
+        # All times went by meanwhile, but for that from the lapse that is seen then to the return.
+        return end - happened.left + over + (wait if moment.kind in OPERATIONS else 0)
+    back = RETURNING + limits.lost if moment.explicit and moment.event != "hand over" else 0.0
+    return end - happened.left + wait + back + over
+
+
+def homeward(states: list[State]) -> State | None:
+    """From when on it was on its way home or down until it was there; None: never, or not for good."""
+    found: State | None = None
+    for state in states:
+        if not state.armed:
+            return found or state
+        if state.mode not in HOMEWARD:
+            found = None
+        elif found is None:
+            found = state
+    return found
+
+
+def waited(states: list[State], until: float) -> float:
+    """How long it was nobody's: what flies its mission is not, until it stands at its end."""
+    seconds = 0.0
+    for before, after in zip(states, states[1:], strict=False):
+        if before.at >= until:
+            break
+        flies = before.mode == AUTO and (before.speed > STANDS)
+        if not flies and before.armed:
+            seconds += after.at - before.at
+    return seconds
+
+
+def _led_on(moment: Moment, log: Log, happened: Happened) -> list[str]:
+    """Whoever steered is not there any more, or may no more: nothing leads it."""
+    if moment.kind not in LED:
+        return []
+    late = [one for one in log.told(happened.left + LEADS) if leads(one)]
+    return [f"{late[0].at - happened.left:.1f} s later it was steered on: {late[0]}"] if late else []
+
+
+def leads(said: Said) -> bool:
+    message = said.message
+    if said.kind.startswith("SET_POSITION_TARGET"):
+        return any(abs(each) > 0.01 for each in (message.vx, message.vy, message.vz))
+    if said.kind == "MANUAL_CONTROL":
+        return bool(message.x or message.y or message.r)
+    return said.kind == "COMMAND_INT" and message.command == mavlink.MAV_CMD_DO_REPOSITION
+
+
+def _of_pilot(log: Log, happened: Happened) -> tuple[list[str], str]:
+    begin, end = happened.away
+    seen = visible(log, happened)
+    if seen is None:
+        return ["the vehicle never said that a pilot has it"], "?"
+    forbidden = [one for one in log.told(seen + NOTICED) if one.at < happened.until and not is_harmless(one)]
+    faults = [f"{one.at - happened.piloted:.1f} s after a pilot took it: {one}" for one in forbidden[:5]]
+    beats = [one.at for one in log.told(seen, "HEARTBEAT") if one.at < happened.until]
+    marks = [seen, *beats, happened.until]
+    for before, after in zip(marks, marks[1:], strict=False):
+        gap = after - before
+        if before < end and after > begin:
+            # It may be slow to speak when it is back; nobody else's fail-safe waits for it.
+            continue
+        if gap > BEAT:
+            faults.append(
+                f"no heartbeat for {gap:.1f} s, {before - happened.piloted:.1f} s after a pilot took it"
+            )
+    modes = sorted(
+        {state.mode for state in log.since(happened.piloted + NOTICED) if state.at < happened.until}
+    )
+    told = (
+        f"{len(forbidden)} forbidden, {len(beats)} heartbeats in {happened.until - seen:.0f} s, modes {modes}"
+    )
+    return faults, told
+
+
+def visible(log: Log, happened: Happened) -> float | None:
+    """When the server could know: a heartbeat with the mode came to one that was there and moved."""
+    before = log.at(happened.piloted).mode
+    for state in log.states:
+        if state.at <= happened.piloted or state.mode == before:
+            continue
+        begin, end = happened.away
+        if begin <= state.at < end:
+            # What came while it stood still lies in its socket; what came while there was none is said again.
+            return end
+        return state.at
+    return None
+
+
+def is_harmless(said: Said) -> bool:
+    if said.kind in ("COMMAND_LONG", "COMMAND_INT"):
+        return said.message.command in READS
+    return said.kind in HARMLESS
+
+
+def _forgotten(log: Log, happened: Happened) -> list[str]:
+    end = happened.away[1]
+    late = [
+        one
+        for one in log.told(end, "COMMAND_INT", "SET_POSITION_TARGET_GLOBAL_INT", "COMMAND_LONG")
+        if place(one) in happened.forgotten
+    ]
+    return [
+        f"{one.at - end:.1f} s after a standstill, what was commanded before it: {one}" for one in late[:3]
+    ]
+
+
+def place(said: Said) -> tuple[int, int] | None:
+    message = said.message
+    if said.kind == "COMMAND_INT":
+        return message.x, message.y
+    if said.kind == "SET_POSITION_TARGET_GLOBAL_INT":
+        return message.lat_int, message.lon_int
+    return round(message.param5 * 1e7), round(message.param6 * 1e7)
