@@ -63,6 +63,8 @@ class Happened:
     # Places that were commanded before the server stood still, and were to be forgotten since: degrees 1e7.
     forgotten: list[tuple[int, int]] = field(default_factory=list)
     until: float = math.inf
+    # A sign that came after a standstill was taken for one in time.
+    kept: bool = False
 
 
 @dataclass(frozen=True)
@@ -83,6 +85,8 @@ def judge(moment: Moment, log: Log, happened: Happened, limits: Limits) -> Judge
     else:
         faults, told = _of_nobody(moment, log, happened, limits)
     faults += _forgotten(log, happened)
+    if happened.kept:
+        faults.append("control was kept over a standstill in which no sign came")
     return Judgement(moment, faults, told)
 
 

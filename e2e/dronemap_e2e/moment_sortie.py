@@ -4,6 +4,7 @@ import os
 import secrets
 import signal
 import subprocess
+import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -36,6 +37,8 @@ BY_HAND = {"guided": 5, "velocity": 16, "sticks": 2, "mission": 5, "run": 16, "f
 OTHER_STATION = 252
 ALL_UP = 120.0
 ALL_DOWN = 150.0
+# Whoever has handed over goes on for so long, where they insist: less than whom it was handed to has.
+INSISTS = 3.0
 # A pilot's vehicle is watched for so long after all that could call it back.
 PILOTS = 10.0
 
@@ -136,6 +139,8 @@ class Sortie:
                 one.api.call("POST", f"/drones/{one.id}/control/take")
             answer = one.api.call("POST", f"/drones/{one.id}/control/hand-over", {"user": one.absent})
             assert answer.ok, answer.text
+            # Nobody has it when the other one did not come, and whoever commands it then has it rightly.
+            threading.Timer(INSISTS, one.says_no_more).start()
         elif moment.event == "revoke":
             self._revoke(one)
         elif moment.event == "sign out":
@@ -215,6 +220,11 @@ class Sortie:
         _sleep_until(begin + STANDSTILL)
         os.kill(self.server.pid, signal.SIGCONT)
         self.away = (begin, time.monotonic())
+        for one in stays:
+            if one.epoch:
+                # Late: whoever had it was silent for all that time.
+                answer = one.api.call("POST", f"/drones/{one.id}/control/heartbeat", {"epoch": one.epoch})
+                self.happened[one.system_id].kept = answer.ok
 
     def _pilots(self, pilots: list[Flyer]) -> None:
         time.sleep(0.5)
