@@ -12,6 +12,8 @@ AUTO, GUIDED, RTL, LAND = 3, 4, 6, 9
 HOMEWARD = (RTL, LAND)
 # Slack on every limit: two cores that do much else, news that comes once a second.
 SLACK = 8.0
+# What a server that is killed had sent comes within that.
+IN_FLIGHT = 0.3
 # After that the mode that a pilot chose was visible at the server.
 NOTICED = 1.0
 # From its way home to its motors off, from where these vehicles can be.
@@ -207,14 +209,15 @@ def _of_pilot(log: Log, happened: Happened) -> tuple[list[str], str]:
 def visible(log: Log, happened: Happened) -> float | None:
     """When the server could know: a heartbeat with the mode came to one that was there and moved."""
     before = log.at(happened.piloted).mode
+    begin, end = happened.away
+    if not happened.stood_still:
+        # It is there again as soon as it speaks, long before its pages are.
+        end = min((one.at for one in log.told(begin + IN_FLIGHT)), default=end)
     for state in log.states:
-        if state.at <= happened.piloted or state.mode == before:
-            continue
-        begin, end = happened.away
-        if begin <= state.at < end:
-            # What came while it stood still lies in its socket; what came while there was none is said again.
-            return end
-        return state.at
+        # What comes while it stands still lies in its socket; while there is none, vehicles speak to nobody.
+        counts = state.mode != before and (happened.stood_still or not begin <= state.at < end)
+        if state.at > happened.piloted and counts:
+            return end if begin <= state.at < end else state.at
     return None
 
 
