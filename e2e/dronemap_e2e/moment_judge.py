@@ -184,7 +184,9 @@ def _of_pilot(log: Log, happened: Happened) -> tuple[list[str], str]:
     seen = visible(log, happened)
     if seen is None:
         return ["the vehicle never said that a pilot has it"], "?"
-    forbidden = [one for one in log.told(seen + NOTICED) if one.at < happened.until and not is_harmless(one)]
+    # What lay in its socket when it moved again was there to be read before anything was decided.
+    noticed = seen if happened.stood_still and seen == end else seen + NOTICED
+    forbidden = [one for one in log.told(noticed) if one.at < happened.until and not is_harmless(one)]
     faults = [f"{one.at - happened.piloted:.1f} s after a pilot took it: {one}" for one in forbidden[:5]]
     beats = [one.at for one in log.told(seen, "HEARTBEAT") if one.at < happened.until]
     marks = [seen, *beats, happened.until]

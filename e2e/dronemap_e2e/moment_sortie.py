@@ -182,6 +182,7 @@ class Sortie:
         stays = [one for one in self.flyers if one.moment.event == self.plan.suffers]
         pilots = [one for one in self.flyers if one.moment.event == "pilot while away"]
         for one in [*stays, *pilots]:
+            # Not closed yet: the server does not know before.
             one.says_no_more()
         if self.plan.suffers == "standstill":
             self._stand_still(stays, pilots)
@@ -209,6 +210,9 @@ class Sortie:
         begin = time.monotonic()
         os.kill(self.server.pid, signal.SIGSTOP)
         self._overheard.deaf.clear()
+        for one in stays:
+            # Who has a stream open is there: these have gone when the server looks again.
+            one.leave()
         for one in stays:
             forgotten = [
                 (round(place["latitude"] * 1e7), round(place["longitude"] * 1e7))
