@@ -163,7 +163,7 @@ class Sortie:
         elif one.moment.how == "user":
             answer = admin.call("PATCH", f"/users/{one.user.name}", {"state": "disabled"})
         else:
-            (key,) = admin.get(f"/users/{one.user.name}/access-keys")["keys"]
+            (key,) = admin.get(f"/users/{one.user.name}/access-keys")["accessKeys"]
             answer = admin.call("DELETE", f"/users/{one.user.name}/access-keys/{key['id']}")
         assert answer.ok, answer.text
 
