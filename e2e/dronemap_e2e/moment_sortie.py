@@ -44,8 +44,17 @@ PILOTS = 10.0
 
 
 class Sortie:
-    def __init__(self, plan: Plan, folder: Path, faults: Path | None = None) -> None:
-        """`faults`: the program that uses up a heap; needed where the plan says so."""
+    def __init__(
+        self,
+        plan: Plan,
+        folder: Path,
+        faults: Path | None = None,
+        on_loss: str = "return",
+        longest: float = ALL_DOWN,
+    ) -> None:
+        """`faults`: the program that uses up a heap, needed where the plan says so; `on_loss`: as the server
+        is set."""
+        self._longest = longest
         self.plan = plan
         self._folder = folder
         self._faults = faults
@@ -57,8 +66,7 @@ class Sortie:
             DRONEMAP_RATE_SIGN_INS="0",
             # As `./dronemap up` starts it.
             JAVA_TOOL_OPTIONS="-XX:+ExitOnOutOfMemoryError",
-            # To see the judge find fault: "nothing" or "hold".
-            DRONEMAP_CONTROL_LOST=os.environ.get("DRONEMAP_MOMENTS_ON_LOSS", "return"),
+            DRONEMAP_CONTROL_LOST=on_loss,
         )
         self.flyers: list[Flyer] = []
         self.happened: dict[int, Happened] = {}
@@ -251,7 +259,7 @@ class Sortie:
         others = {one.system_id for one in self.flyers} - pilots
         last = max(self.away[1], *(one.left for one in self.happened.values()))
         watch = last + LIMITS.idle + LIMITS.until_return + PILOTS
-        for _ in rounds(time.monotonic() + ALL_DOWN, 1.0):
+        for _ in rounds(time.monotonic() + self._longest, 1.0):
             down = self._down()
             if others <= down and (not pilots or time.monotonic() > watch):
                 break

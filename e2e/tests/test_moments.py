@@ -36,6 +36,16 @@ def test_whoever_is_in_the_air_is_somebodys(plan: Plan, tmp_path: Path) -> None:
     judged(plan, Sortie(plan, tmp_path, faults).fly())
 
 
+@pytest.mark.soak
+@pytest.mark.parametrize("on_loss", ["nothing", "hold"])
+def test_a_server_that_leaves_them_in_the_air_is_found(on_loss: str, tmp_path: Path) -> None:
+    """The judge is seen to find fault with what a server can be set to, and with nothing else."""
+    judgements = Sortie(share(1), tmp_path, on_loss=on_loss, longest=45).fly()
+    found = {one.moment.event: " ".join(one.faults) for one in judgements}
+    assert not found.pop("pilot"), found
+    assert all("never went home" in fault for fault in found.values()), found
+
+
 def test_four_moments(tmp_path: Path) -> None:
     """End to end because a process is killed over its database, and the judge sees nothing but the wire."""
     plan = share(1)
