@@ -230,12 +230,12 @@ def is_harmless(said: Said) -> bool:
 
 
 def _forgotten(log: Log, happened: Happened) -> list[str]:
-    end = happened.away[1]
-    late = [
-        one
-        for one in log.told(end, "COMMAND_INT", "SET_POSITION_TARGET_GLOBAL_INT", "COMMAND_LONG")
-        if place(one) in happened.forgotten
-    ]
+    begin, end = happened.away
+    if not happened.forgotten:
+        return []
+    if not any(one.at <= begin for one in log.down if place(one) in happened.forgotten):
+        return ["what was to be forgotten was never said"]
+    late = [one for one in log.told(end) if place(one) in happened.forgotten]
     return [
         f"{one.at - end:.1f} s after a standstill, what was commanded before it: {one}" for one in late[:3]
     ]
@@ -247,4 +247,6 @@ def place(said: Said) -> tuple[int, int] | None:
         return message.x, message.y
     if said.kind == "SET_POSITION_TARGET_GLOBAL_INT":
         return message.lat_int, message.lon_int
-    return round(message.param5 * 1e7), round(message.param6 * 1e7)
+    if said.kind == "COMMAND_LONG":
+        return round(message.param5 * 1e7), round(message.param6 * 1e7)
+    return None

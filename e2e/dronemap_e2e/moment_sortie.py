@@ -214,7 +214,7 @@ class Sortie:
                 # It does not arrive: it would be said again and again, if time did not go by.
                 self._overheard.deaf.add(one.system_id)
                 places[one.system_id] = one.goes_to(35 + one.system_id)
-        time.sleep(0.3 if places else 0)
+        time.sleep(1 if places else 0)
         begin = time.monotonic()
         os.kill(self.server.pid, signal.SIGSTOP)
         self._overheard.deaf.clear()

@@ -109,4 +109,5 @@ def test_after_a_standstill_nothing_of_before_is_said() -> None:
     home = flight((95, 126, GUIDED, 0), (126, 140, RTL, 3))
     guided = replace(LED, kind="mission", event="standstill")
     assert not faults(guided, [*home, told(99, there)], **stood)
-    assert "commanded before it" in faults(guided, [*home, told(121, there)], **stood)
+    assert "commanded before it" in faults(guided, [*home, told(99, there), told(121, there)], **stood)
+    assert "never said" in faults(guided, home, **stood)
