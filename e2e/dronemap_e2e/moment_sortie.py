@@ -35,6 +35,7 @@ FLIGHT = (
 # Whoever has a remote control, or another ground station, goes to one of these.
 BY_HAND = {"guided": 5, "velocity": 16, "sticks": 2, "mission": 5, "run": 16, "follow": 2, "virtual": 5}
 OTHER_STATION = 252
+SAYS_SO = 2.0
 ALL_UP = 120.0
 ALL_DOWN = 150.0
 # Whoever has handed over goes on for so long, where they insist: less than whom it was handed to has.
@@ -265,6 +266,8 @@ class Sortie:
                 break
         for system_id in pilots:
             self.happened[system_id].until = time.monotonic()
+        # Whoever is down has said so by then.
+        time.sleep(SAYS_SO)
 
     def _down(self) -> set[int]:
         """By what truly is."""
