@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.Contention;
-import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.jspecify.annotations.Nullable;
 
 /** The commands whose outcome is not known, or not written yet. Any thread; each one belongs to its drone's lane. */
@@ -67,9 +67,9 @@ final class AllUnderway {
     }
 
     /** Something that may put the drone into that mode. */
-    boolean mayLeadTo(ManagedDrone drone, String mode, @Nullable Steering by) {
+    boolean mayLeadTo(ManagedDrone drone, String mode, Capabilities can) {
         return of(drone).stream()
-                .anyMatch(entry -> RecentMoves.mayLeadTo(entry.open().command(), mode, by));
+                .anyMatch(entry -> RecentMoves.mayLeadTo(entry.open().command(), mode, can));
     }
 
     /** One that has ended stays in the list until its outcome is written. */

@@ -14,7 +14,7 @@ import org.dronemap.core.command.CommandPhase;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
-import org.dronemap.core.drone.Capabilities.Steering;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
@@ -299,9 +299,9 @@ public final class CommandGate {
     }
 
     /** A change to that mode now may be our own doing. */
-    boolean mayHaveChangedTo(ManagedDrone drone, String mode, @Nullable Steering by) {
-        return underway.mayLeadTo(drone, mode, by)
+    boolean mayHaveChangedTo(ManagedDrone drone, String mode, Capabilities can) {
+        return underway.mayLeadTo(drone, mode, can)
                 || drone.moves().at(drone.lane().activeNanos()).stream()
-                        .anyMatch(command -> RecentMoves.mayLeadTo(command, mode, by));
+                        .anyMatch(command -> RecentMoves.mayLeadTo(command, mode, can));
     }
 }

@@ -49,6 +49,8 @@ final class ControlWatch implements Lane.Ticker {
     private final Energy energy = new Energy();
     private final Time time;
     private long lookedNanos;
+    /** What came while it was not known what the drone does. */
+    private @Nullable ControlChange missed;
 
     ControlWatch(
             ManagedDrone drone,
@@ -110,6 +112,10 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     private void act(ControlChange change) {
+        if (drone.isBlind()) {
+            missed = change;
+            return;
+        }
         DroneState state = drone.drone().state();
         boolean over = switch (change.kind()) {
             case LOST, EXPELLED, EXPIRED, RELEASED -> change.by() instanceof Holder.Person && drone.isOurs();
@@ -162,10 +168,20 @@ final class ControlWatch implements Lane.Ticker {
         }
     }
 
+    /** Before anybody acts on it. */
+    void modeChanged() {
+        pilot(drone.drone().state());
+    }
+
     @Override
     public void tick() {
         DroneState state = drone.drone().state();
         pilot(state);
+        ControlChange late = missed;
+        missed = null;
+        if (late != null && drone.control().control().tenure() == null) {
+            act(late);
+        }
         boolean due = time.nanos() - lookedNanos >= RHYTHM_NANOS;
         if (due) {
             lookedNanos = time.nanos();
@@ -202,6 +218,10 @@ final class ControlWatch implements Lane.Ticker {
         }
         if (down && control.lapse() != null) {
             drone.control().apply(new LeaseEvent.CameDown());
+        }
+        String mode = state.mode();
+        if (mode != null && drone.isOurs() && state.link().state() != LinkState.LOST && FlightFacts.isFlying(state)) {
+            drone.control().flies(mode);
         }
     }
 

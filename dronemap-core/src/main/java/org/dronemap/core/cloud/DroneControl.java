@@ -36,6 +36,7 @@ final class DroneControl {
     private final LongSupplier nanoTime;
     private Announcer announcer = (control, changes) -> {};
     private volatile Control control;
+    private @Nullable String mode;
 
     /** Where leases are kept, in the order of what happened. */
     record Keeping(LeaseStore store, Journal journal) {}
@@ -58,6 +59,7 @@ final class DroneControl {
     }
 
     synchronized void restore(SavedLease lease) {
+        mode = lease.mode();
         control = machine.restored(lease, now());
     }
 
@@ -67,6 +69,21 @@ final class DroneControl {
 
     Control control() {
         return control;
+    }
+
+    /** The mode that it flew in, by the will of this cloud, when that was last seen; null: not known. */
+    synchronized @Nullable String mode() {
+        return mode;
+    }
+
+    /** It flies in that mode by the will of this cloud: kept, so that who takes it while the process is away is seen. */
+    synchronized void flies(String now) {
+        if (now.equals(mode)) {
+            return;
+        }
+        SavedLease before = saved(control);
+        mode = now;
+        CompletableFuture<Void> unused = keep(before, saved(control));
     }
 
     synchronized Decision apply(LeaseEvent event) {
@@ -178,7 +195,7 @@ final class DroneControl {
     private @Nullable SavedLease saved(Control of) {
         Lapse lapse = of.lapse();
         if (lapse != null) {
-            return new SavedLease(drone, lapse.user(), lapse.at(), of.epoch(), true);
+            return new SavedLease(drone, lapse.user(), lapse.at(), of.epoch(), true, mode);
         }
         return of.tenure() != null && of.tenure().holder() instanceof Holder.Person person
                 ? new SavedLease(
@@ -186,7 +203,8 @@ final class DroneControl {
                         person.name(),
                         of.tenure().since(),
                         of.epoch(),
-                        !of.tenure().explicit())
+                        !of.tenure().explicit(),
+                        mode)
                 : null;
     }
 

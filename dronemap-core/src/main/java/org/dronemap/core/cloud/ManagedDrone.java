@@ -1,5 +1,6 @@
 package org.dronemap.core.cloud;
 
+import java.time.Duration;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
@@ -29,11 +30,16 @@ final class ManagedDrone implements Lane.Ticker {
     private volatile long promisedNanos;
     private volatile @Nullable String promisedIdentity;
     private final RecentMoves moves = new RecentMoves();
+    /** After a standstill of the process, until what came meanwhile has been read. */
+    private static final long BLIND_NANOS = 2_000_000_000L;
+
     private boolean ours;
+    private long blindUntilNanos;
     private volatile @Nullable Outlook outlook;
     private @Nullable LinkSession session;
     private boolean played;
     private Lane.Ticker watch = () -> {};
+    private Runnable modeChanged = () -> {};
     private volatile Preparation loss = Preparation.NONE;
     private final Helm helm;
 
@@ -51,6 +57,7 @@ final class ManagedDrone implements Lane.Ticker {
         this.control = control;
         this.madeNanos = lane.activeNanos();
         this.promisedNanos = madeNanos - Long.MAX_VALUE / 2;
+        this.blindUntilNanos = madeNanos;
         this.helm = helm.apply(this);
     }
 
@@ -76,9 +83,10 @@ final class ManagedDrone implements Lane.Ticker {
         return helm;
     }
 
-    /** Ticks along with it. */
-    void watchedBy(Lane.Ticker ticker) {
-        watch = ticker;
+    /** Ticks along with it, and hears of each other mode before anybody else does. */
+    void watchedBy(ControlWatch control) {
+        watch = control;
+        modeChanged = control::modeChanged;
     }
 
     /** Has it do something when it does not hear the cloud any more. */
@@ -204,7 +212,7 @@ final class ManagedDrone implements Lane.Ticker {
         drone.apply(event);
         if (!Objects.equals(mode, drone.state().mode())) {
             // Who has chosen that mode is seen before anybody acts on it.
-            watch.tick();
+            modeChanged.run();
         }
         listener.droneChanged(drone.state());
     }
@@ -248,9 +256,23 @@ final class ManagedDrone implements Lane.Ticker {
         if (liveness.probeDue(lane.activeNanos())) {
             channel().ifPresent(VehicleChannel::probe);
         }
+        if (isBlind()) {
+            return;
+        }
         watch.tick();
         loss.tick();
         helm.tick();
+    }
+
+    /** Somebody may have taken it meanwhile: what says so is read before anything is done by what was known before. */
+    @Override
+    public void stoodStill(Duration how) {
+        blindUntilNanos = lane.activeNanos() + BLIND_NANOS;
+    }
+
+    /** What it does now is not known: the process has stood still. */
+    boolean isBlind() {
+        return lane.activeNanos() - blindUntilNanos < 0;
     }
 
     private void judge() {

@@ -42,7 +42,7 @@ final class ModeWatch {
     @Nullable
     String foreign(DroneState state) {
         String mode = state.link().state() == LinkState.LOST ? null : state.mode();
-        String before = last;
+        String before = last == null && seenNanos.isEmpty() ? drone.control().mode() : last;
         last = mode;
         if (mode == null) {
             doubtfulNanos = null;
@@ -77,7 +77,7 @@ final class ModeWatch {
         Steering by = state.capabilities().steering(mode).orElse(null);
         return Boolean.TRUE.equals(state.armed())
                 && isNeverEnteredByItself(state.capabilities(), by)
-                && !gate.mayHaveChangedTo(drone, mode, by)
+                && !gate.mayHaveChangedTo(drone, mode, state.capabilities())
                 && state.messages().stream()
                         .filter(message ->
                                 message.at().isAfter(time.clock().instant().minus(SAID_WITH)))

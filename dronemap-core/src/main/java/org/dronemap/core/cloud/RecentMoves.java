@@ -4,10 +4,11 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Contention;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
-import org.jspecify.annotations.Nullable;
 
 /** What one drone was told lately that may change its mode, also some seconds afterwards. Any thread. */
 final class RecentMoves {
@@ -41,13 +42,13 @@ final class RecentMoves {
         return contention.newerWins() || contention == Contention.TRANSFER;
     }
 
-    /** Whether that command may put a vehicle into a mode; {@code by} is what the vehicle goes by in it, null: not known. */
-    static boolean mayLeadTo(Command command, String mode, @Nullable Steering by) {
+    /** Whether that command may put a vehicle that {@code can} this into a mode. */
+    static boolean mayLeadTo(Command command, String mode, Capabilities can) {
+        Steering by = can.steering(mode).orElse(null);
         return switch (command.kind()) {
             case SET_MODE -> ((Command.SetMode) command).mode().equals(mode);
-            // Vehicles without a mode to stand in are put into one for sticks.
             case HOLD, PAUSE_MISSION, EMERGENCY_STOP, UPLOAD_MISSION, CLEAR_MISSION, SET_FENCE, SET_RALLY_POINTS ->
-                by == null || by.waitsForSomebody();
+                by == null || by.takesOrders() || (by == Steering.STICKS && mayStandIn(mode, can));
             case TAKE_OFF, GO_TO, GO_TO_LOCAL, TURN -> by == null || by.takesOrders();
             case START_MISSION -> by == null || by.takesOrders() || by == Steering.MISSION;
             case RETURN_TO_LAUNCH, LAND -> by == null || by.isSafe() || by == Steering.MISSION;
@@ -69,5 +70,11 @@ final class RecentMoves {
                     READ_RALLY_POINTS,
                     READ_MAP -> false;
         };
+    }
+
+    /** Vehicles without a mode to stand in are put into one for sticks; others at most into the usual one. */
+    private static boolean mayStandIn(String mode, Capabilities can) {
+        return !can.steering().containsValue(Steering.STANDS)
+                || can.mode(Steering.STICKS).equals(Optional.of(mode));
     }
 }

@@ -8,7 +8,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.LeaseEvent;
@@ -120,5 +122,22 @@ class NobodysDroneTest extends GuidedFlight {
         hoverInGuided();
 
         comesHome();
+    }
+
+    @Test
+    void isLeftToWhoeverTookItWhileTheServerWasAway() {
+        isCommandedBy(ANN);
+        until(() -> leases.leases.values().stream().anyMatch(lease -> "GUIDED".equals(lease.mode())));
+
+        Fixtures.RecordingChannel later = new Fixtures.RecordingChannel();
+        LinkSession session = new LinkSession(new DroneKey("127.0.0.1", 14601, 1), "udp", false, "ArduCopter 1", later);
+        CloudManager again = cloud();
+        link = Fixtures.bound(again.admit(new Claim(session, Fixtures.copter(null), null, true, 0)));
+        hear(new DroneEvent.Identified(Fixtures.copter(null), MODES));
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+        hear(new DroneEvent.PhaseHeard(FlightPhase.IN_AIR));
+
+        Steps.throughout(time, Duration.ofSeconds(10), later.performed::isEmpty);
+        assertThat(again.controls().control(link.id()).lapse()).isNull();
     }
 }

@@ -7,6 +7,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
@@ -77,5 +78,16 @@ class StandstillTest extends GuidedFlight {
                 assertThat(cloud.setpoints().steer(ANN, link.id(), forward)).isEmpty());
 
         assertThat(vehicle.setpoints).doesNotContain(forward);
+    }
+
+    @Test
+    void whatAPilotTookMeanwhileIsLeftAlone() {
+        isCommandedBy(ANN);
+        apply(new LeaseEvent.Take("ann"));
+        awaitTick();
+        inOneTurnWithStandstill(() -> {});
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+
+        Steps.throughout(time, Duration.ofSeconds(10), vehicle.performed::isEmpty);
     }
 }

@@ -23,7 +23,12 @@ public final class MemoryLeaseStore implements LeaseStore {
         leases.put(
                 lease.drone().value(),
                 new SavedLease(
-                        lease.drone(), lease.user(), StoredInstant.of(lease.since()), lease.epoch(), lease.lapsed()));
+                        lease.drone(),
+                        lease.user(),
+                        StoredInstant.of(lease.since()),
+                        lease.epoch(),
+                        lease.lapsed(),
+                        lease.mode()));
     }
 
     @Override

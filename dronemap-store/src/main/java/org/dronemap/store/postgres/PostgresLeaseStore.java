@@ -23,16 +23,18 @@ public final class PostgresLeaseStore implements LeaseStore {
                         row.text("account_name"),
                         row.time("since"),
                         row.longInteger("epoch"),
-                        row.bool("lapsed")));
+                        row.bool("lapsed"),
+                        row.textOrNull("mode")));
     }
 
     @Override
     public void save(SavedLease lease) {
-        sql.update("""
-                INSERT INTO control_lease (drone_id, account_name, since, epoch, lapsed)
-                VALUES (?, ?, ?, ?, ?)
+        sql.update(
+                """
+                INSERT INTO control_lease (drone_id, account_name, since, epoch, lapsed, mode)
+                VALUES (?, ?, ?, ?, ?, ?)
                 ON CONFLICT (drone_id) DO UPDATE SET account_name = excluded.account_name, since = excluded.since,
-                    epoch = excluded.epoch, lapsed = excluded.lapsed""", lease.drone().value(), lease.user(), lease.since(), lease.epoch(), lease.lapsed());
+                    epoch = excluded.epoch, lapsed = excluded.lapsed, mode = excluded.mode""", lease.drone().value(), lease.user(), lease.since(), lease.epoch(), lease.lapsed(), lease.mode());
     }
 
     @Override

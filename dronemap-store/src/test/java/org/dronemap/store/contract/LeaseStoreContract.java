@@ -43,7 +43,7 @@ public abstract class LeaseStoreContract {
     @Test
     void keepsOneLeaseForEachDrone() {
         SavedLease first = new SavedLease(ONE, "ann", THEN, 3, false);
-        SavedLease second = new SavedLease(ONE, "bob", THEN.plusSeconds(1), 4, true);
+        SavedLease second = new SavedLease(ONE, "bob", THEN.plusSeconds(1), 4, true, "LOITER");
         SavedLease other = new SavedLease(OTHER, "ann", THEN, 3, false);
 
         store.save(other);

@@ -49,9 +49,11 @@ public class SessionController {
     }
 
     @DeleteMapping
-    @Operation(summary = "Sign out")
+    @Operation(summary = "Sign out", description = "Ends this session, and the streams that were opened with it.")
     public ResponseEntity<Void> signOut(HttpServletRequest request) {
-        authentication.signOut(current.signedIn());
+        SignedIn caller = current.signedIn();
+        authentication.signOut(caller);
+        account.signedOut(caller.principal());
         return ResponseEntity.noContent()
                 .header(HttpHeaders.SET_COOKIE, SessionCookie.clear(request.isSecure()))
                 .build();

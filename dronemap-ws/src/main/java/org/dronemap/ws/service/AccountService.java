@@ -55,6 +55,11 @@ public final class AccountService {
         firstPassword.changed(user.name());
     }
 
+    /** One session of the user has just ended: its open streams are told, and closed. */
+    public void signedOut(Principal principal) {
+        accounts.tell(principal.name());
+    }
+
     /** Ends every session of the user, this one, too, with their open streams; access keys stay. */
     public void signOutEverywhere(Principal principal) {
         if (store.user(principal.name())
