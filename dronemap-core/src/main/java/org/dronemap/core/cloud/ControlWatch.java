@@ -212,11 +212,15 @@ final class ControlWatch implements Lane.Ticker {
             drone.ours(false);
             drone.control().apply(new LeaseEvent.PilotActed(foreign));
         }
+        isWhose(state, down);
+    }
+
+    private void isWhose(DroneState state, boolean down) {
         // One that drives is never anything but down.
         if (down && (CommandRules.needsAir(state) || Boolean.FALSE.equals(state.armed()))) {
             drone.ours(false);
         }
-        if (down && control.lapse() != null) {
+        if (down && drone.control().control().lapse() != null) {
             drone.control().apply(new LeaseEvent.CameDown());
         }
         String mode = state.mode();

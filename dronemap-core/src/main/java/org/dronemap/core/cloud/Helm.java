@@ -8,6 +8,8 @@ import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Setpoint;
+import org.dronemap.core.lease.Holder;
+import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -194,15 +196,23 @@ final class Helm implements Lane.Ticker {
                 epoch);
     }
 
-    /** Somebody else has control, or nobody: what was begun under the earlier one is over. */
+    /**
+     * Somebody else has control, or nobody: what was begun under the earlier one is over. A pilot who has it is not disturbed by
+     * sticks in the middle.
+     */
     void controlChanged() {
+        Tenure tenure = drone.control().control().tenure();
+        boolean pilots = tenure != null && tenure.holder() instanceof Holder.Pilot;
+        if (pilots) {
+            still = null;
+        }
         Turn now = turn;
         if (now != null && !now.last.passage().fence().isOpen()) {
             end(
                     now,
                     new Outcome.Superseded("Control has changed hands. "
                             + drone.control().control().sentence()),
-                    true);
+                    !pilots);
         }
     }
 

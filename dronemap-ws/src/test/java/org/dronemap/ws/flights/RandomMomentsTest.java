@@ -159,34 +159,35 @@ class RandomMomentsTest {
                     pilot.does(drone, CommandRequest.simple("arm"));
                     pilot.does(drone, CommandRequest.startMission("continue"));
                 }
-                case RUN ->
-                    RunFlight.begins(
-                            lab,
-                            pilot,
-                            List.of(drone),
-                            List.of(
-                                    RunFlight.waypoint(drone.place(30, 0), drone.groundAmsl() + 20),
-                                    RunFlight.waypoint(drone.place(60, 0), drone.groundAmsl() + 20)),
-                            RunFlight.Manner.ON);
+                case RUN -> beginsRun();
                 case FOLLOW -> {
                     phone = lab.phone(pilot, drone, 20, 0);
                     phone.asks(drone, new PlaceRequest("fixed", 180.0, null, 5.0, HEIGHT), 30)
                             .starts();
                 }
-                case VIRTUAL -> {
-                    List<MissionItem> items = List.of(
-                            new MissionItem.Waypoint(drone.place(30, 0), Altitude.aboveHome(HEIGHT), 0),
-                            new MissionItem.Waypoint(drone.place(60, 0), Altitude.aboveHome(HEIGHT), 0));
-                    String made = lab.server()
-                            .virtuals()
-                            .add(
-                                    pilot.principal(),
-                                    new VirtualDroneRequest("V " + drone.name(), null, MissionItemView.of(items)))
-                            .id();
-                    lab.server().virtuals().start(pilot.principal(), made, null);
-                    lab.server().warehouse().put(chief.principal(), drone.id().value());
-                }
+                case VIRTUAL -> beginsVirtual(chief);
             }
+        }
+
+        private void beginsRun() {
+            var unused = RunFlight.begins(
+                    lab,
+                    pilot,
+                    List.of(drone),
+                    List.of(
+                            RunFlight.waypoint(drone.place(30, 0), drone.groundAmsl() + 20),
+                            RunFlight.waypoint(drone.place(60, 0), drone.groundAmsl() + 20)),
+                    RunFlight.Manner.ON);
+        }
+
+        private void beginsVirtual(Pilot chief) {
+            List<MissionItem> items = List.of(
+                    new MissionItem.Waypoint(drone.place(30, 0), Altitude.aboveHome(HEIGHT), 0),
+                    new MissionItem.Waypoint(drone.place(60, 0), Altitude.aboveHome(HEIGHT), 0));
+            VirtualDroneRequest asked = new VirtualDroneRequest("V " + drone.name(), null, MissionItemView.of(items));
+            String made = lab.server().virtuals().add(pilot.principal(), asked).id();
+            lab.server().virtuals().start(pilot.principal(), made, null);
+            lab.server().warehouse().put(chief.principal(), drone.id().value());
         }
 
         void ends(Administrator root, Pilot chief) {
