@@ -30,6 +30,12 @@ export interface Outlook {
   emptyAt: string | null;
 }
 
+/** What a drone does by itself when it does not hear the cloud any more. */
+export interface CloudLoss {
+  state: 'set' | 'notSet' | 'cannotBeSet';
+  sentence: string;
+}
+
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
 /** The calls around control of a drone; each answers with how it is then. */

@@ -1,7 +1,7 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
 
 import type { Role } from './accounts';
-import type { Control, Outlook } from './control';
+import type { CloudLoss, Control, Outlook } from './control';
 import type { AltitudeReference, MissionItem } from './items';
 import type { FleetPlan } from './plans';
 import type { Follow, FollowNow, Positions, Receipt } from './follows';
@@ -164,8 +164,7 @@ export interface Drone {
   flight: FlightState | null;
   position: Position | null;
   local?: LocalPosition | null;
-  /** The numbers of the newest that its sensors brought; null where there was none. */
-  sensed?: SensedNumbers | null;
+  sensed?: SensedNumbers | null; // the newest that its sensors brought; null: there was none
   place: string | null;
   motion: Motion | null;
   attitude: Attitude | null;
@@ -176,6 +175,7 @@ export interface Drone {
   messages: VehicleMessage[];
   actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>; // forceDisarm: even in the air
   control?: Control;
+  cloudLoss?: CloudLoss;
   outlook: Outlook | null; // null: it is not in the air
   lastUpdate: string | null;
   version: number;

@@ -104,10 +104,13 @@ describe('control line', () => {
 
   it('tells what happens when the holder is gone, and counts nothing', () => {
     const then = 'When ann gives no sign for 6 s, it is brought home 30 s later.';
-    const drone = aDrone({ control: held(), outlook: anOutlook({ then, returnsAt: null }) });
+    const sentence = 'When it does not hear the cloud any more, it returns home after 20 s.';
+    const outlook = anOutlook({ then, returnsAt: null });
+    const drone = aDrone({ control: held(), outlook, cloudLoss: { state: 'set', sentence } });
     render(ControlLine, { props: { drone }, context: new Map([[STATION, station()]]) });
 
     expect(screen.getByText(then)).toBeDefined();
+    expect(screen.getByText(sentence)).toBeDefined();
     expect(screen.queryByRole('timer')).toBeNull();
   });
 

@@ -86,6 +86,7 @@ final class ControlWatch implements Lane.Ticker {
         gate.stopOutdated(drone);
         drone.helm().controlChanged();
         for (ControlChange change : changes) {
+            answers(now, change);
             listener.controlChanged(drone.id(), now, change);
             String sentence = ControlWords.of(change);
             boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || isLeftAlone();
@@ -99,6 +100,19 @@ final class ControlWatch implements Lane.Ticker {
             act(change);
         }
         drone.news();
+    }
+
+    /** Who takes control on purpose of what waits for orders answers for it from then on; what a pilot steers is the pilot's. */
+    private void answers(Control now, ControlChange change) {
+        boolean takes = change.kind() == ControlChange.Kind.TAKEN || change.kind() == ControlChange.Kind.TAKEN_OVER;
+        Tenure tenure = now.tenure();
+        if (takes
+                && tenure != null
+                && tenure.explicit()
+                && tenure.holder() instanceof Holder.Person
+                && !FlightFacts.isLedByHand(drone.drone().state())) {
+            drone.ours(true);
+        }
     }
 
     private void tellOfTheWayHome(ControlChange change) {

@@ -176,7 +176,11 @@ final class Dispatch {
         if (before.outcome() != null) {
             return;
         }
-        entry.drone().moves().ended(entry.open().command(), entry.drone().lane().activeNanos());
+        if (!(outcome instanceof Outcome.Refused)) {
+            entry.drone()
+                    .moves()
+                    .ended(entry.open().command(), entry.drone().lane().activeNanos());
+        }
         if (entry.isUnderControl()) {
             // Idle counts from here.
             entry.drone().control().apply(new LeaseEvent.Tick(true, false));

@@ -13,6 +13,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OwnersKeeper;
 import org.dronemap.core.command.PutBack;
 import org.dronemap.core.command.SetCloudLoss;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneState;
@@ -64,6 +65,10 @@ final class LossPreparation implements Preparation {
 
     @Override
     public CloudLossState state() {
+        Capabilities can = drone.drone().state().capabilities();
+        if (can.known() && !can.commands().contains(Capability.SET_PARAMETERS)) {
+            return LossWords.cannotBeSet(LossWords.CANNOT_BE_SET);
+        }
         return state.withOutstanding(desk.kept(drone.id())
                 .map(kept -> kept.values().stream()
                         .filter(OwnersValue::isToBeWritten)

@@ -42,7 +42,8 @@ final class ModeWatch {
     @Nullable
     String foreign(DroneState state) {
         String mode = state.link().state() == LinkState.LOST ? null : state.mode();
-        String before = last == null && seenNanos.isEmpty() ? drone.control().mode() : last;
+        // Whoever took it while it was silent, or this process was away, shows by that.
+        String before = last == null ? drone.control().mode() : last;
         last = mode;
         if (mode == null) {
             doubtfulNanos = null;

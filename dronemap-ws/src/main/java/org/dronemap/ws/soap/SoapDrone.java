@@ -57,6 +57,7 @@ public class SoapDrone {
     private @Nullable Integer missionCurrent;
     private @Nullable Integer missionTotal;
     private @Nullable String lastUpdate;
+    private @Nullable String withoutCloud;
     private @Nullable String outlook;
     private @Nullable String then;
     private @Nullable String returnsAt;
@@ -83,6 +84,7 @@ public class SoapDrone {
         drone.missionCurrent = view.mission().current();
         drone.missionTotal = view.mission().total();
         drone.lastUpdate = view.lastUpdate().toString();
+        drone.withoutCloud = view.cloudLoss().sentence();
         drone.outlook(view.outlook());
         drone.where(view.position());
         drone.where(view.local());
