@@ -31,7 +31,7 @@ export interface Outlook {
 }
 
 /** What a drone does by itself when it does not hear the cloud any more. */
-export interface CloudLoss {
+export interface WithoutCloud {
   state: 'set' | 'notSet' | 'cannotBeSet';
   sentence: string;
 }

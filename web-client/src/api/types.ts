@@ -1,7 +1,7 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
 
 import type { Role } from './accounts';
-import type { CloudLoss, Control, Outlook } from './control';
+import type { Control, Outlook, WithoutCloud } from './control';
 import type { AltitudeReference, MissionItem } from './items';
 import type { FleetPlan } from './plans';
 import type { Follow, FollowNow, Positions, Receipt } from './follows';
@@ -175,7 +175,7 @@ export interface Drone {
   messages: VehicleMessage[];
   actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>; // forceDisarm: even in the air
   control?: Control;
-  cloudLoss?: CloudLoss;
+  cloudLoss?: WithoutCloud;
   outlook: Outlook | null; // null: it is not in the air
   lastUpdate: string | null;
   version: number;
