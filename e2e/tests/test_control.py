@@ -20,7 +20,7 @@ from dronemap_e2e.stall import Stall
 from dronemap_e2e.station import Pointer, Station, launch
 from dronemap_e2e.waiting import wait_for
 
-LOITER, LAND, BRAKE = 5, 9, 17
+LOITER, RTL, BRAKE = 5, 6, 17
 SOAK_ROUNDS = 10_000
 
 
@@ -142,10 +142,9 @@ def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
     assert changes > SOAK_ROUNDS / 100 and stall.times > SOAK_ROUNDS / 100
 
 
-def holds_and_comes_down(sky: Sky, hoverer: Hoverer, drone: str) -> None:
+def holds_and_returns(sky: Sky, hoverer: Hoverer, drone: str) -> None:
     wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
-    # It says nothing of where it is, so that it is brought down where it is.
-    wait_for("it lands", lambda: hoverer.peer.state.custom_mode == LAND, 60)
+    wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
     assert sky.api.drone(drone)["control"]["state"] == "free"
     assert [c["by"] for c in sky.api.get(f"/drones/{drone}/commands")["commands"][:2]] == ["dronemap"] * 2
 
@@ -161,7 +160,7 @@ def kill_browser(mark: str) -> None:
     raise AssertionError("there is no such browser")
 
 
-def test_the_drone_of_a_killed_browser_holds_and_then_comes_down(
+def test_the_drone_of_a_killed_browser_holds_and_then_returns(
     sky: Sky, hover: Callable[[], tuple[Hoverer, str]], playwright: Playwright
 ) -> None:
     """End to end because a browser that is killed says nothing more, and its real connection is what ends."""
@@ -177,7 +176,7 @@ def test_the_drone_of_a_killed_browser_holds_and_then_comes_down(
 
     kill_browser(mark)
 
-    holds_and_comes_down(sky, hoverer, drone)
+    holds_and_returns(sky, hoverer, drone)
 
 
 def test_people_see_who_has_control_and_hand_it_over(

@@ -102,16 +102,19 @@ final class ControlWatch implements Lane.Ticker {
         drone.news();
     }
 
-    /** Who takes control on purpose of what waits for orders answers for it from then on; what a pilot steers is the pilot's. */
+    /**
+     * A user who takes control on purpose, or an operation, answers for the drone from then on, also an operation that goes on
+     * after a restart; what a pilot steers is the pilot's.
+     */
     private void answers(Control now, ControlChange change) {
         boolean takes = change.kind() == ControlChange.Kind.TAKEN || change.kind() == ControlChange.Kind.TAKEN_OVER;
         Tenure tenure = now.tenure();
-        if (takes
-                && tenure != null
-                && tenure.explicit()
-                && tenure.holder() instanceof Holder.Person
-                && !FlightFacts.isLedByHand(drone.drone().state())) {
+        boolean byHand = FlightFacts.isLedByHand(drone.drone().state());
+        if (takes && tenure != null && tenure.explicit() && !byHand) {
             drone.ours(true);
+        } else if (byHand && change.kind() == ControlChange.Kind.RELEASED && change.by() instanceof Holder.Operation) {
+            // No operation steers by sticks: it lets go since a pilot does.
+            drone.ours(false);
         }
     }
 
@@ -126,16 +129,16 @@ final class ControlWatch implements Lane.Ticker {
     }
 
     private void act(ControlChange change) {
-        if (drone.isBlind()) {
+        boolean over = switch (change.kind()) {
+            case LOST, EXPELLED, EXPIRED, RELEASED -> change.by() instanceof Holder.Person;
+            case TAKEN, REQUESTED, REFUSED, HANDED_OVER, TAKEN_OVER, RETURN_DUE, PILOT_ACTED, PILOT_LEFT -> false;
+        };
+        if (over && drone.isBlind()) {
             missed = change;
             return;
         }
         DroneState state = drone.drone().state();
-        boolean over = switch (change.kind()) {
-            case LOST, EXPELLED, EXPIRED, RELEASED -> change.by() instanceof Holder.Person && drone.isOurs();
-            case TAKEN, REQUESTED, REFUSED, HANDED_OVER, TAKEN_OVER, RETURN_DUE, PILOT_ACTED, PILOT_LEFT -> false;
-        };
-        if (!over || rules.onLoss() == LeaseRules.OnLoss.NOTHING || FlightFacts.isInMission(state)) {
+        if (!over || !drone.isOurs() || rules.onLoss() == LeaseRules.OnLoss.NOTHING || FlightFacts.isInMission(state)) {
             return;
         }
         boolean lost = change.kind() == ControlChange.Kind.LOST || change.kind() == ControlChange.Kind.EXPELLED;

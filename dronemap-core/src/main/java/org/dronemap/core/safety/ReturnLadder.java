@@ -10,6 +10,8 @@ import java.util.Set;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Gps;
+import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.ReturnHeight;
@@ -103,7 +105,8 @@ public final class ReturnLadder {
         if (plight.failed().contains(Rung.RETURN)) {
             return Optional.of("It did not return.");
         }
-        if (point(drone) == null) {
+        Gps gps = drone.gps();
+        if (gps != null && gps.fix() == GpsFix.NONE) {
             return Optional.of("It does not know where it is.");
         }
         Home home = drone.home();

@@ -13,6 +13,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.ControlChange;
+import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.SavedLease;
 import org.dronemap.core.mission.MissionItem;
@@ -139,5 +140,24 @@ class NobodysDroneTest extends GuidedFlight {
 
         Steps.throughout(time, Duration.ofSeconds(10), later.performed::isEmpty);
         assertThat(again.controls().control(link.id()).lapse()).isNull();
+    }
+
+    @Test
+    void comesHomeWhenAnOperationThatWentOnAfterARestartEndsInTheAir() {
+        Holder.Operation run = new Holder.Operation("run-1", "ann", "The run");
+        apply(new LeaseEvent.Engage(run));
+        apply(new LeaseEvent.Disengage("run-1"));
+
+        comesHome();
+    }
+
+    @Test
+    void isThePilotsWhomAnOperationGivesWayTo() {
+        Holder.Operation run = new Holder.Operation("run-1", "ann", "The run");
+        apply(new LeaseEvent.Engage(run));
+        hear(new DroneEvent.ModeHeard("LOITER", true));
+        apply(new LeaseEvent.Disengage("run-1"));
+
+        Steps.throughout(time, Duration.ofSeconds(5), vehicle.performed::isEmpty);
     }
 }

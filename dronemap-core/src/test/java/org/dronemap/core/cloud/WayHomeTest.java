@@ -13,6 +13,8 @@ import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Gps;
+import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
@@ -148,7 +150,7 @@ class WayHomeTest extends GuidedFlight {
 
     @Test
     void landsWhenItDoesNotKnowWhereItIs() {
-        hear(new DroneEvent.PositionHeard(new Position(null, null, 20.0)));
+        hear(new DroneEvent.GpsHeard(new Gps(GpsFix.NONE, 0, null)));
         isLeft();
 
         isToldTo(LAND);

@@ -106,6 +106,10 @@ class ReturnLadderTest {
     void returnsWhereItCan() {
         assertThat(next(PLENTY, Says.NOTHING).command()).isEqualTo(new Command.ReturnToLaunch());
         assertThat(next(OptionalDouble.empty(), Says.NOTHING).command()).isEqualTo(new Command.ReturnToLaunch());
+        ReturnLadder.Plight untold = new ReturnLadder.Plight(drone(ALL, null), PLENTY, List.of(), Set.of());
+        assertThat(ReturnLadder.next(untold, Says.NOTHING).rung())
+                .as("what it does not tell it may know")
+                .isEqualTo(Rung.RETURN);
     }
 
     @Test
@@ -124,10 +128,10 @@ class ReturnLadderTest {
         assertThat(next(PLENTY, Says.NOTHING, Rung.RETURN, Rung.ELSEWHERE).command())
                 .isEqualTo(new Command.Land());
         assertThat(without(Capability.RETURN_TO_LAUNCH).command()).isEqualTo(new Command.Land());
-        ReturnLadder.Step lost = ReturnLadder.next(
-                new ReturnLadder.Plight(drone(ALL, null), PLENTY, List.of(FIELD), Set.of()),
-                new Says(Optional.empty(), Optional.empty(), Optional.of(CROWD)));
-        assertThat(lost.command()).as("where it is no zone can be asked").isEqualTo(new Command.Land());
+        Says nothingToBeAsked = new Says(Optional.empty(), Optional.empty(), Optional.of(CROWD));
+        Set<Rung> refused = Set.of(Rung.RETURN);
+        ReturnLadder.Plight nowhere = new ReturnLadder.Plight(drone(ALL, null), PLENTY, List.of(FIELD), refused);
+        assertThat(ReturnLadder.next(nowhere, nothingToBeAsked).command()).isEqualTo(new Command.Land());
     }
 
     @Test
