@@ -320,8 +320,8 @@ public final class CloudManager {
         DroneControl control = new DroneControl(record.id(), leaseMachine, leases, clock, time::nanos);
         ManagedDrone drone = new ManagedDrone(
                 new Drone(record, replay, mission, clock), lane, rules.watchdog(), everybody, control, this::helm);
-        WayHome wayHome = new WayHome(drone, gate, new ZoneRules(zones), time);
-        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, wayHome, time));
+        ReturnWatch returning = new ReturnWatch(drone, gate, new ZoneRules(zones), time);
+        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, returning, time));
         if (!replay) {
             drone.preparedBy(new LossPreparation(drone, gate, losses, clock));
         }

@@ -43,8 +43,8 @@ final class ControlWatch implements Lane.Ticker {
     private final LeaseRules rules;
     private final Presence onlookers;
     private final CloudListener listener;
-    private final WayHome wayHome;
-    private final Prospects prospects;
+    private final ReturnWatch returning;
+    private final OutlookWatch outlooks;
     private final ModeWatch modes;
     private final Energy energy = new Energy();
     private final Time time;
@@ -58,15 +58,15 @@ final class ControlWatch implements Lane.Ticker {
             LeaseRules rules,
             Presence onlookers,
             CloudListener listener,
-            WayHome wayHome,
+            ReturnWatch returning,
             Time time) {
         this.drone = drone;
         this.gate = gate;
         this.rules = rules;
         this.onlookers = onlookers;
         this.listener = listener;
-        this.wayHome = wayHome;
-        this.prospects = new Prospects(drone, wayHome, rules, time);
+        this.returning = returning;
+        this.outlooks = new OutlookWatch(drone, returning, rules, time);
         this.modes = new ModeWatch(drone, gate, time);
         this.time = time;
         this.lookedNanos = time.nanos() - RHYTHM_NANOS;
@@ -99,6 +99,7 @@ final class ControlWatch implements Lane.Ticker {
             tellOfTheWayHome(change);
             act(change);
         }
+        outlooks.look(drone.drone().state(), energy.secondsLeft());
         drone.news();
     }
 
@@ -213,7 +214,7 @@ final class ControlWatch implements Lane.Ticker {
                         due && isLeftAlone() && ReturnLadder.hurries(state, left, RHYTHM_NANOS / 1e9));
         if (due) {
             bringHome(state, left);
-            prospects.look(state, left);
+            outlooks.lookAgain(state, left);
         }
     }
 
@@ -255,9 +256,9 @@ final class ControlWatch implements Lane.Ticker {
                 || !drone.isOurs()
                 || !FlightFacts.isFlying(state)
                 || FlightFacts.isInMission(state)) {
-            wayHome.rest(state);
+            returning.rest(state);
         } else if (state.link().state() != LinkState.LOST) {
-            wayHome.goOn(state, lapse.user(), secondsLeft);
+            returning.goOn(state, lapse.user(), secondsLeft);
         }
     }
 

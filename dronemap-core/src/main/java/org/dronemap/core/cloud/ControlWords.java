@@ -1,7 +1,6 @@
 package org.dronemap.core.cloud;
 
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
 import org.jspecify.annotations.Nullable;
@@ -12,18 +11,10 @@ final class ControlWords {
 
     /** A user whom these words name; null: nobody. */
     static @Nullable String user(ControlChange change) {
-        return Stream.of(Optional.of(change.by()), Optional.ofNullable(change.other()))
-                .flatMap(Optional::stream)
-                .flatMap(holder -> user(holder).stream())
-                .findFirst()
+        return change.by()
+                .userName()
+                .or(() -> Optional.ofNullable(change.other()).flatMap(Holder::userName))
                 .orElse(null);
-    }
-
-    private static Optional<String> user(Holder holder) {
-        if (holder instanceof Holder.Person person) {
-            return Optional.of(person.name());
-        }
-        return holder instanceof Holder.Operation operation ? Optional.of(operation.user()) : Optional.empty();
     }
 
     /** Null for what is nothing out of the ordinary. */

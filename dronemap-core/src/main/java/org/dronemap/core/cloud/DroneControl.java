@@ -36,7 +36,7 @@ final class DroneControl {
     private final LongSupplier nanoTime;
     private Announcer announcer = (control, changes) -> {};
     private volatile Control control;
-    private @Nullable String mode;
+    private volatile @Nullable String mode;
 
     /** Where leases are kept, in the order of what happened. */
     record Keeping(LeaseStore store, Journal journal) {}
@@ -72,15 +72,19 @@ final class DroneControl {
     }
 
     /** The mode that it flew in, by the will of this cloud, when that was last seen; null: not known. */
-    synchronized @Nullable String mode() {
+    @Nullable
+    String mode() {
         return mode;
     }
 
     /** It flies in that mode by the will of this cloud: kept, so that who takes it while the process is away is seen. */
-    synchronized void flies(String now) {
-        if (now.equals(mode)) {
-            return;
+    void flies(String now) {
+        if (!now.equals(mode)) {
+            keepMode(now);
         }
+    }
+
+    private synchronized void keepMode(String now) {
         SavedLease before = saved(control);
         mode = now;
         CompletableFuture<Void> unused = keep(before, saved(control));

@@ -27,7 +27,7 @@ final class ModeWatch {
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final Time time;
-    private final Map<String, Long> seenNanos = new HashMap<>();
+    private final Map<String, Long> leftNanos = new HashMap<>();
     private @Nullable String last;
     /** Since when it is in a mode that may be an old one; null: it is in none. */
     private @Nullable Long doubtfulNanos;
@@ -45,20 +45,20 @@ final class ModeWatch {
         // Whoever took it while it was silent, or this process was away, shows by that.
         String before = last == null ? drone.control().mode() : last;
         last = mode;
-        if (mode == null) {
-            doubtfulNanos = null;
-            return null;
-        }
         long now = time.nanos();
-        Long seen = seenNanos.put(mode, now);
-        if (mode.equals(before)) {
+        if (mode != null && mode.equals(before)) {
             return isToStay(now) ? mode : null;
         }
         doubtfulNanos = null;
-        if (before == null || !isForeign(state, mode)) {
+        if (before == null) {
             return null;
         }
-        if (seen != null && now - seen < JUST_NANOS) {
+        leftNanos.put(before, now);
+        if (mode == null || !isForeign(state, mode)) {
+            return null;
+        }
+        Long left = leftNanos.get(mode);
+        if (left != null && now - left < JUST_NANOS) {
             doubtfulNanos = now;
             return null;
         }

@@ -4,7 +4,6 @@ import java.time.Instant;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.ControlChange;
 import org.dronemap.core.lease.Holder;
-import org.jspecify.annotations.Nullable;
 
 /** What is remembered of changes of control. */
 final class ControlEvents {
@@ -18,17 +17,10 @@ final class ControlEvents {
                 HistoryEvent.Kind.CONTROL,
                 change.by().words() + " " + verb(change.kind()) + (other == null ? "." : " (" + other.words() + ")."),
                 null,
-                user(change.by()),
+                change.by().userName().orElse(null),
                 null,
                 null,
                 change.reason());
-    }
-
-    static @Nullable String user(Holder holder) {
-        if (holder instanceof Holder.Person person) {
-            return person.name();
-        }
-        return holder instanceof Holder.Operation operation ? operation.user() : null;
     }
 
     private static String verb(ControlChange.Kind kind) {

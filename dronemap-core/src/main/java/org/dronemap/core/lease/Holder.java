@@ -1,5 +1,7 @@
 package org.dronemap.core.lease;
 
+import java.util.Optional;
+
 /** Who commands a drone. */
 public sealed interface Holder {
     /** A user, with whatever client. */
@@ -23,6 +25,14 @@ public sealed interface Holder {
         return this instanceof Operation operation
                 ? operation.words()
                 : "A pilot at the vehicle or another ground station";
+    }
+
+    /** The user, or whoever the operation is conducted for; empty: a pilot, whom nobody here knows. */
+    default Optional<String> userName() {
+        if (this instanceof Person person) {
+            return Optional.of(person.name());
+        }
+        return this instanceof Operation operation ? Optional.of(operation.user()) : Optional.empty();
     }
 
     /** The same operation, whatever it is called by now. */

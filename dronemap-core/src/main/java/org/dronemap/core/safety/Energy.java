@@ -33,19 +33,36 @@ public final class Energy {
 
     private @Nullable Integer firstPercent;
     private long firstNanos;
+    /** The newest, and since when: between two whole numbers it goes on as before. */
+    private @Nullable Integer lastPercent;
+
+    private long lastNanos;
+    private double percentPerSecond = ASSUMED_PERCENT_PER_SECOND;
     private double secondsLeft = Double.NaN;
 
     /** Takes in what was heard by that monotonic time. */
     public void heard(DroneState state, long nowNanos) {
         Battery battery = state.battery();
         Integer percent = battery == null ? null : battery.percent();
-        if (percent == null || !state.airborne()) {
+        if (percent == null) {
+            firstPercent = null;
+            lastPercent = null;
+            secondsLeft = Double.NaN;
+            return;
+        }
+        if (!state.airborne()) {
             firstPercent = null;
         } else if (firstPercent == null || percent > firstPercent) {
             firstPercent = percent;
             firstNanos = nowNanos;
         }
-        secondsLeft = percent == null ? Double.NaN : percent / percentPerSecond(percent, nowNanos);
+        if (!percent.equals(lastPercent)) {
+            lastPercent = percent;
+            lastNanos = nowNanos;
+            percentPerSecond = percentPerSecond(percent, nowNanos);
+        }
+        double since = state.airborne() ? (nowNanos - lastNanos) / 1e9 : 0;
+        secondsLeft = Math.max(0, percent / percentPerSecond - since);
     }
 
     private double percentPerSecond(int percent, long nowNanos) {

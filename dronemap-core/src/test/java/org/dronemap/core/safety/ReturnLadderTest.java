@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
@@ -57,6 +58,15 @@ class ReturnLadderTest {
     }
 
     private static DroneState drone(Set<Capability> can, @Nullable Geodetic point) {
+        return drone(can, point, null);
+    }
+
+    /** In the air. */
+    static DroneState with(@Nullable Battery battery) {
+        return drone(ALL, HERE, battery);
+    }
+
+    private static DroneState drone(Set<Capability> can, @Nullable Geodetic point, @Nullable Battery battery) {
         return new DroneState(
                 new DroneId("drone-1"),
                 "Copter 1",
@@ -79,7 +89,7 @@ class ReturnLadderTest {
                 null,
                 null,
                 null,
-                null,
+                battery,
                 null,
                 HOME,
                 null,

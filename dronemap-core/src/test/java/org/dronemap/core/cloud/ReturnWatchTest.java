@@ -33,7 +33,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** Each way by which a drone comes down that nobody takes. */
-class WayHomeTest extends GuidedFlight {
+class ReturnWatchTest extends GuidedFlight {
     private static final Command RETURN = new Command.ReturnToLaunch();
     private static final Command LAND = new Command.Land();
     private static final Outcome REFUSED = new Outcome.Refused("vehicle", "no");

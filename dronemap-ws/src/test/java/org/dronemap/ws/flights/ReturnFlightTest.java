@@ -18,7 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Each way by which a drone that nobody has comes down, as it truly flies it. */
-class WayHomeFlightTest {
+class ReturnFlightTest {
     private static final long RTL = 6;
     private static final long LAND = 9;
     private static final int PLANE_GUIDED = 15;

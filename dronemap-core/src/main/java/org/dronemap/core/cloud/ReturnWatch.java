@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * Brings a drone down that nobody has control of and whose time to be taken is over: what does not work is followed by the
  * next best, again and again, until it is on the ground or somebody takes it. Owned by the drone's lane.
  */
-final class WayHome {
+final class ReturnWatch {
     /** What was tried in vain is not tried again for so long. */
     private static final long FAILED_NANOS = Duration.ofSeconds(30).toNanos();
     /** A vehicle on its way moves within so long; landing ones wait over their home for some seconds. */
@@ -92,7 +92,7 @@ final class WayHome {
         }
     }
 
-    WayHome(ManagedDrone drone, CommandGate gate, ZoneRules zones, Time time) {
+    ReturnWatch(ManagedDrone drone, CommandGate gate, ZoneRules zones, Time time) {
         this.drone = drone;
         this.gate = gate;
         this.zones = zones;

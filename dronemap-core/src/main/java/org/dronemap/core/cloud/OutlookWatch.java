@@ -2,6 +2,8 @@ package org.dronemap.core.cloud;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
@@ -10,37 +12,44 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.Lapse;
 import org.dronemap.core.lease.LeaseRules;
+import org.dronemap.core.lease.Tenure;
 import org.dronemap.core.safety.LandingPlace;
 import org.dronemap.core.safety.ReturnLadder;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
 /** Tells once a second what becomes of one drone in the air. Owned by the drone's lane. */
-final class Prospects {
+final class OutlookWatch {
     private static final long RHYTHM_NANOS = Duration.ofSeconds(1).toNanos();
 
     private final ManagedDrone drone;
-    private final WayHome wayHome;
+    private final ReturnWatch returning;
     private final LeaseRules rules;
     private final OutlookWords words;
     private final Time time;
     private long lookedNanos;
+    private @Nullable String mode;
 
-    Prospects(ManagedDrone drone, WayHome wayHome, LeaseRules rules, Time time) {
+    OutlookWatch(ManagedDrone drone, ReturnWatch returning, LeaseRules rules, Time time) {
         this.drone = drone;
-        this.wayHome = wayHome;
+        this.returning = returning;
         this.rules = rules;
         this.words = new OutlookWords(rules);
         this.time = time;
         this.lookedNanos = time.nanos() - RHYTHM_NANOS;
     }
 
+    /** Once a second, and as soon as its mode is another one. */
+    void lookAgain(DroneState state, OptionalDouble secondsLeft) {
+        if (time.nanos() - lookedNanos >= RHYTHM_NANOS || !Objects.equals(mode, state.mode())) {
+            look(state, secondsLeft);
+        }
+    }
+
     void look(DroneState state, OptionalDouble secondsLeft) {
         long now = time.nanos();
-        if (now - lookedNanos < RHYTHM_NANOS) {
-            return;
-        }
         lookedNanos = now;
+        mode = state.mode();
         if (!FlightFacts.isFlying(state)) {
             drone.outlook(null);
             return;
@@ -48,8 +57,11 @@ final class Prospects {
         Instant at = time.clock().instant();
         Control control = drone.control().control();
         Lapse lapse = control.lapse();
-        String user = control.people().stream().findFirst().orElse(lapse == null ? "" : lapse.user());
-        ReturnLadder.Step step = wayHome.next(state, user, secondsLeft);
+        Tenure tenure = control.tenure();
+        String user = Optional.ofNullable(tenure)
+                .flatMap(has -> has.holder().userName())
+                .orElse(lapse == null ? "" : lapse.user());
+        ReturnLadder.Step step = returning.next(state, user, secondsLeft);
         Outlook.State is = words.state(control, state, drone.isOurs(), step.rung() != null);
         // Where nothing is done about it, it comes down nowhere that is known here.
         boolean brought = is != Outlook.State.LEFT_ALONE && words.returns();

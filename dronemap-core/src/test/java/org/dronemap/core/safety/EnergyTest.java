@@ -1,0 +1,47 @@
+package org.dronemap.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.DroneState;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+class EnergyTest {
+    private final Energy energy = new Energy();
+
+    private double after(double seconds, @Nullable Integer percent) {
+        DroneState drone = ReturnLadderTest.with(percent == null ? null : new Battery(percent, null, null));
+        energy.heard(drone, (long) (seconds * 1e9));
+        return energy.secondsLeft().orElse(Double.NaN);
+    }
+
+    @Test
+    void assumesWhatASmallCopterTakesUntilItKnowsBetter() {
+        assertThat(after(0, 100)).isEqualTo(1_200);
+        assertThat(after(30, 99)).isEqualTo(1_188);
+    }
+
+    @Test
+    void goesByWhatWasUsedUpInThisFlight() {
+        assertThat(after(0, 100)).isEqualTo(1_200);
+        assertThat(after(100, 90)).as("a tenth of a percent a second").isEqualTo(900);
+    }
+
+    @Test
+    void goesOnSteadilyBetweenTwoWholeNumbers() {
+        after(0, 100);
+        after(100, 90);
+
+        assertThat(after(105, 90)).isEqualTo(895);
+        assertThat(after(109, 90)).isEqualTo(891);
+    }
+
+    @Test
+    void knowsNothingOfWhatIsNotTold() {
+        assertThat(after(0, null)).isNaN();
+        after(Duration.ofMinutes(1).toSeconds(), 50);
+        assertThat(after(61, null)).isNaN();
+    }
+}
