@@ -6,13 +6,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.RejectedExecutionException;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.EmergencyStop;
-import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.drone.Capabilities.Steering;
-import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
-import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.ControlChange;
@@ -36,21 +32,18 @@ final class ControlWatch implements Lane.Ticker {
     private static final Logger LOG = LoggerFactory.getLogger(ControlWatch.class);
     private static final long RHYTHM_NANOS = Duration.ofMillis(200).toNanos();
 
-    private static final double STANDS_METERS_PER_SECOND = 0.1;
-
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final LeaseRules rules;
     private final Presence onlookers;
     private final CloudListener listener;
     private final ReturnWatch returning;
+    private final Holding holding;
     private final OutlookWatch outlooks;
     private final ModeWatch modes;
     private final Energy energy = new Energy();
     private final Time time;
     private long lookedNanos;
-    /** What came while it was not known what the drone does. */
-    private @Nullable ControlChange missed;
 
     ControlWatch(
             ManagedDrone drone,
@@ -66,6 +59,7 @@ final class ControlWatch implements Lane.Ticker {
         this.onlookers = onlookers;
         this.listener = listener;
         this.returning = returning;
+        this.holding = new Holding(drone, gate, rules);
         this.outlooks = new OutlookWatch(drone, returning, rules, time);
         this.modes = new ModeWatch(drone, gate, time);
         this.time = time;
@@ -89,7 +83,7 @@ final class ControlWatch implements Lane.Ticker {
             answers(now, change);
             listener.controlChanged(drone.id(), now, change);
             String sentence = ControlWords.of(change);
-            boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || isLeftAlone();
+            boolean concerns = change.kind() != ControlChange.Kind.RETURN_DUE || drone.isLeftAlone();
             if (sentence != null && concerns) {
                 drone.say(
                         change.kind() == ControlChange.Kind.LOST ? Severity.WARNING : Severity.NOTICE,
@@ -97,7 +91,7 @@ final class ControlWatch implements Lane.Ticker {
                         ControlWords.user(change));
             }
             tellOfTheWayHome(change);
-            act(change);
+            holding.act(change);
         }
         outlooks.look(drone.drone().state(), energy.secondsLeft());
         drone.news();
@@ -121,59 +115,12 @@ final class ControlWatch implements Lane.Ticker {
 
     private void tellOfTheWayHome(ControlChange change) {
         boolean over = change.kind() == ControlChange.Kind.EXPIRED || change.kind() == ControlChange.Kind.RELEASED;
-        if (over && rules.onLoss() == LeaseRules.OnLoss.RETURN && isLeftAlone()) {
+        if (over && rules.onLoss() == LeaseRules.OnLoss.RETURN && drone.isLeftAlone()) {
             drone.say(
                     Severity.WARNING,
                     "Nobody has control of it now: it returns in "
                             + rules.untilReturn().toSeconds() + " s unless somebody takes control.");
         }
-    }
-
-    private void act(ControlChange change) {
-        boolean over = switch (change.kind()) {
-            case LOST, EXPELLED, EXPIRED, RELEASED -> change.by() instanceof Holder.Person;
-            case TAKEN, REQUESTED, REFUSED, HANDED_OVER, TAKEN_OVER, RETURN_DUE, PILOT_ACTED, PILOT_LEFT -> false;
-        };
-        if (over && drone.isBlind()) {
-            missed = change;
-            return;
-        }
-        DroneState state = drone.drone().state();
-        if (!over || !drone.isOurs() || rules.onLoss() == LeaseRules.OnLoss.NOTHING || FlightFacts.isInMission(state)) {
-            return;
-        }
-        boolean lost = change.kind() == ControlChange.Kind.LOST || change.kind() == ControlChange.Kind.EXPELLED;
-        if (!CommandRules.needsAir(state)) {
-            stop(state);
-        } else if (isLeftAlone() && (lost || FlightFacts.isLedByHand(state))) {
-            // What was told where to go goes there; what was led by hand does not stand by itself.
-            gate.submitForSafety(drone, new Command.Hold());
-        }
-    }
-
-    /** A ground vehicle that is on its way somewhere. Robots let nothing end that but an emergency stop. */
-    private void stop(DroneState state) {
-        boolean goes = drone.moves().at(drone.lane().activeNanos()).stream().anyMatch(GoToLocal.class::isInstance)
-                || gate.manoeuvre(drone).isPresent();
-        Motion motion = state.motion();
-        Double speed = motion == null ? null : motion.groundSpeed();
-        if (!goes && (speed == null || speed < STANDS_METERS_PER_SECOND)) {
-            return;
-        }
-        if (goes && CommandRules.whyNot(state, Capability.EMERGENCY_STOP).isEmpty()) {
-            gate.submitForSafety(drone, new EmergencyStop());
-        } else if (CommandRules.canHold(state)) {
-            gate.submitForSafety(drone, new Command.Hold());
-        }
-    }
-
-    /** In the air by what this cloud last said, and not on its way home or through a mission. */
-    private boolean isLeftAlone() {
-        DroneState state = drone.drone().state();
-        return drone.isOurs()
-                && FlightFacts.isFlying(state)
-                && !FlightFacts.isInMission(state)
-                && !state.capabilities().isSafe(state.mode());
     }
 
     /** Stops what does not stand by itself when nobody steers it any more, unless somebody else flies it already. */
@@ -195,11 +142,7 @@ final class ControlWatch implements Lane.Ticker {
     public void tick() {
         DroneState state = drone.drone().state();
         pilot(state);
-        ControlChange late = missed;
-        missed = null;
-        if (late != null && drone.control().control().tenure() == null) {
-            act(late);
-        }
+        holding.actLate();
         boolean due = time.nanos() - lookedNanos >= RHYTHM_NANOS;
         if (due) {
             lookedNanos = time.nanos();
@@ -211,7 +154,7 @@ final class ControlWatch implements Lane.Ticker {
                 .tick(
                         () -> gate.isBusy(drone) || isWatched(state),
                         FlightFacts.areKnown(state) && !inMission,
-                        due && isLeftAlone() && ReturnLadder.hurries(state, left, RHYTHM_NANOS / 1e9));
+                        due && drone.isLeftAlone() && ReturnLadder.hurries(state, left, RHYTHM_NANOS / 1e9));
         if (due) {
             bringHome(state, left);
             outlooks.lookAgain(state, left);

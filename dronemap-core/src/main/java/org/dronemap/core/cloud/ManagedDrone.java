@@ -109,6 +109,15 @@ final class ManagedDrone implements Lane.Ticker {
         return ours;
     }
 
+    /** In the air by what this cloud last said, and not on its way home or through a mission. */
+    boolean isLeftAlone() {
+        DroneState state = drone.state();
+        return ours
+                && FlightFacts.isFlying(state)
+                && !FlightFacts.isInMission(state)
+                && !state.capabilities().isSafe(state.mode());
+    }
+
     void ours(boolean now) {
         ours = now;
     }
