@@ -1,8 +1,8 @@
 package org.dronemap.ws.stream;
 
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import org.dronemap.core.operation.Reach;
 import org.java_websocket.framing.CloseFrame;
@@ -10,7 +10,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The phones that are followed and say so on the stream, and how each is reached: a page that stands still leaves its
- * connection answering, a network that is gone does not, a page that is closed ends it. Any thread; rounds belong to the pump.
+ * connection answering, a network that is gone does not, a page that is closed ends it. Any thread: what is told last of a
+ * phone is what is known last, so one at a time; rounds belong to the pump.
  */
 final class StreamPhones {
     /** With this code a page ends a connection that seems dead to it, to connect anew. */
@@ -21,7 +22,7 @@ final class StreamPhones {
     private static final long DEAF_NANOS = TimeUnit.MILLISECONDS.toNanos(3_500);
 
     private final Follows follows;
-    private final Map<String, Phone> phones = new ConcurrentHashMap<>();
+    private final Map<String, Phone> phones = new HashMap<>();
     // Owned by the pump.
     private long roundNanos = System.nanoTime();
 
@@ -45,30 +46,37 @@ final class StreamPhones {
     }
 
     /** This client said where the phone of that follow is, or that it is there. */
-    void spoke(StreamClient client, String follow, long nowNanos) {
+    synchronized void spoke(StreamClient client, String follow, long nowNanos) {
         Phone before = phones.put(follow, new Phone(client, nowNanos, Reach.SPEAKS));
         if (before == null || before.told() != Reach.SPEAKS) {
             follows.reached(follow, Reach.SPEAKS);
         }
     }
 
-    /** Its connection has ended; {@code remote}: at its own wish. */
-    void left(StreamClient client, int code, boolean remote) {
-        boolean lost = !remote && code == CloseFrame.ABNORMAL_CLOSE;
-        if (code == CONNECTS_ANEW || (!remote && !lost)) {
+    /**
+     * Its connection has ended; {@code remote}: at its own wish. One that breaks off right after it has answered was ended
+     * at the phone: a network that is gone says nothing at all.
+     */
+    synchronized void left(StreamClient client, int code, boolean remote, long nowNanos) {
+        boolean broken = !remote && code == CloseFrame.ABNORMAL_CLOSE;
+        if (code == CONNECTS_ANEW || (!remote && !broken)) {
             // It did not wish to go: it is back soon, or rounds find out that it is not.
             return;
         }
-        phones.forEach((follow, phone) -> {
+        for (Iterator<Map.Entry<String, Phone>> all = phones.entrySet().iterator(); all.hasNext(); ) {
+            Map.Entry<String, Phone> one = all.next();
+            Phone phone = one.getValue();
             // One that has connected anew meanwhile is not gone.
-            if (phone.client() == client && phones.remove(follow, phone)) {
-                follows.reached(follow, lost ? Reach.CUT : Reach.GONE);
+            if (phone.client() == client) {
+                all.remove();
+                follows.reached(
+                        one.getKey(), broken && nowNanos - answered(phone) >= DEAF_NANOS ? Reach.CUT : Reach.GONE);
             }
-        });
+        }
     }
 
     /** Asks each connection for a sign of life once a second, and says what has changed. */
-    void round(long nowNanos) {
+    synchronized void round(long nowNanos) {
         if (nowNanos - roundNanos < ROUND_NANOS) {
             return;
         }
@@ -79,7 +87,7 @@ final class StreamPhones {
             phone.client().probe();
             Reach reach = reach(phone, nowNanos);
             if (reach != phone.told()) {
-                phones.replace(one.getKey(), phone, phone.told(reach));
+                one.setValue(phone.told(reach));
             }
             if (!follows.reached(one.getKey(), reach)) {
                 all.remove();
@@ -91,9 +99,13 @@ final class StreamPhones {
         if (nowNanos - phone.saidNanos() < QUIET_NANOS) {
             return Reach.SPEAKS;
         }
-        long answered = Math.max(phone.saidNanos(), phone.client().answeredNanos());
+        long answered = answered(phone);
         // A browser reads no further for a page that stands still, and a phone that sleeps ends its network some time.
         boolean slept = answered - phone.saidNanos() >= DEAF_NANOS;
         return slept || nowNanos - answered < DEAF_NANOS ? Reach.ASLEEP : Reach.CUT;
+    }
+
+    private static long answered(Phone phone) {
+        return Math.max(phone.saidNanos(), phone.client().answeredNanos());
     }
 }

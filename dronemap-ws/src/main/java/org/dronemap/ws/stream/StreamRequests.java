@@ -118,7 +118,7 @@ final class StreamRequests {
     void left(StreamClient client, int code, boolean remote) {
         client.leave();
         steering.handsOff(client);
-        phones.left(client, code, remote);
+        phones.left(client, code, remote, System.nanoTime());
     }
 
     void hear(StreamClient client, String text) {

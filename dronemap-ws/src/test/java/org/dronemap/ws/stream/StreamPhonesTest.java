@@ -64,7 +64,7 @@ class StreamPhonesTest {
         phones.spoke(client, "f1", now);
         pass(4, false);
         assertThat(last()).isEqualTo(Reach.CUT);
-        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false);
+        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
         assertThat(last()).isEqualTo(Reach.CUT);
     }
 
@@ -82,8 +82,21 @@ class StreamPhonesTest {
     @Test
     void takesOneThatEndsItsConnectionForGone() {
         phones.spoke(client, "f1", now);
-        phones.left(client, CloseFrame.GOING_AWAY, true);
+        phones.left(client, CloseFrame.GOING_AWAY, true, now);
         assertThat(told).containsExactly("f1 SPEAKS", "f1 GONE");
+    }
+
+    /** Its last frame is lost with its connection when the server writes into it at that moment. */
+    @Test
+    void takesOneThatBreaksOffInMidSpeechForGoneAndOneThatHadFallenSilentForCut() {
+        phones.spoke(client, "f1", now);
+        pass(1, true);
+        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        assertThat(last()).isEqualTo(Reach.GONE);
+        phones.spoke(client, "f1", now);
+        now += 4 * SECOND;
+        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        assertThat(last()).isEqualTo(Reach.CUT);
     }
 
     @Test
@@ -91,7 +104,7 @@ class StreamPhonesTest {
         phones.spoke(client, "f1", now);
         pass(9, true);
         assertThat(last()).isEqualTo(Reach.ASLEEP);
-        phones.left(client, StreamPhones.CONNECTS_ANEW, true);
+        phones.left(client, StreamPhones.CONNECTS_ANEW, true, now);
         pass(1, false);
         assertThat(last()).isEqualTo(Reach.ASLEEP);
         phones.spoke(client(), "f1", now);
@@ -102,7 +115,7 @@ class StreamPhonesTest {
     @Test
     void takesOneThatSaidThatItConnectsAnewAndDoesNotForCut() {
         phones.spoke(client, "f1", now);
-        phones.left(client, StreamPhones.CONNECTS_ANEW, true);
+        phones.left(client, StreamPhones.CONNECTS_ANEW, true, now);
         pass(4, false);
         assertThat(last()).isEqualTo(Reach.CUT);
     }
@@ -112,7 +125,7 @@ class StreamPhonesTest {
     void doesNotTakeOneForGoneWhoseConnectionTheServerEnds() {
         phones.spoke(client, "f1", now);
         pass(9, true);
-        phones.left(client, CloseFrame.POLICY_VALIDATION, false);
+        phones.left(client, CloseFrame.POLICY_VALIDATION, false, now);
         pass(4, false);
         assertThat(last()).isEqualTo(Reach.ASLEEP);
         assertThat(told).doesNotContain("f1 GONE");
@@ -123,7 +136,7 @@ class StreamPhonesTest {
         phones.spoke(client, "f1", now);
         StreamClient anew = client();
         phones.spoke(anew, "f1", now);
-        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false);
+        phones.left(client, CloseFrame.ABNORMAL_CLOSE, false, now);
         assertThat(last()).isEqualTo(Reach.SPEAKS);
     }
 
