@@ -156,6 +156,7 @@ final class ControlWatch implements Lane.Ticker {
                         FlightFacts.areKnown(state) && !inMission,
                         due && drone.isLeftAlone() && ReturnLadder.hurries(state, left, RHYTHM_NANOS / 1e9));
         if (due) {
+            keepMode(state);
             bringHome(state, left);
             outlooks.lookAgain(state, left);
         }
@@ -184,6 +185,10 @@ final class ControlWatch implements Lane.Ticker {
         if (down && drone.control().control().lapse() != null) {
             drone.control().apply(new LeaseEvent.CameDown());
         }
+    }
+
+    /** No oftener than it is looked at: a vehicle that changes its mode all the time does not fill the journal. */
+    private void keepMode(DroneState state) {
         String mode = state.mode();
         if (mode != null && drone.isOurs() && state.link().state() != LinkState.LOST && FlightFacts.isFlying(state)) {
             drone.control().flies(mode);

@@ -27,7 +27,9 @@ final class ModeWatch {
     private final ManagedDrone drone;
     private final CommandGate gate;
     private final Time time;
+    /** Those of the last seconds: a vehicle may name as many modes as it likes. */
     private final Map<String, Long> leftNanos = new HashMap<>();
+
     private @Nullable String last;
     /** Since when it is in a mode that may be an old one; null: it is in none. */
     private @Nullable Long doubtfulNanos;
@@ -53,12 +55,12 @@ final class ModeWatch {
         if (before == null) {
             return null;
         }
+        leftNanos.values().removeIf(left -> now - left >= JUST_NANOS);
         leftNanos.put(before, now);
         if (mode == null || !isForeign(state, mode)) {
             return null;
         }
-        Long left = leftNanos.get(mode);
-        if (left != null && now - left < JUST_NANOS) {
+        if (leftNanos.containsKey(mode)) {
             doubtfulNanos = now;
             return null;
         }

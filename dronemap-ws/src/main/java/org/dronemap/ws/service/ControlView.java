@@ -21,7 +21,8 @@ public record ControlView(
 
         @Schema(
                 description =
-                        "Taken on purpose and kept by heartbeats; else it came with a command and ends 30 s later")
+                        "Taken on purpose and kept by heartbeats; else it came with a command and ends 30 s later, in the"
+                                + " air once its user looks at the drone no more as well")
         boolean explicit,
 
         @Nullable Instant since,
