@@ -25,12 +25,13 @@ from .waiting import wait_for
 from .walker import beside
 
 FIRST_SYSTEM_ID = 1
-RUN, FOLLOW, VIRTUAL = slice(0, 2), 2, 3
-COUNT = 4
+RUN, FOLLOW, VIRTUAL, HELD = slice(0, 2), 2, 3, 4
+COUNT = 5
 HEIGHT = 20
 # So that all are under way together for long, and yet nobody waits for long.
 SPEEDUP = "2"
 TOGETHER_SECONDS = 12
+KEPT_SECONDS = 2
 PASSWORD = "a password of the fixture"
 # The database itself is in the backup: as text, which every later PostgreSQL reads.
 LEFT_OUT = {"postgres", "server.log"}
@@ -153,6 +154,16 @@ def virtual(api: Api, pilot: Api, drone: Json) -> tuple[str, str]:
     return ids[0], ids[1]
 
 
+def held(pilot: Api, drone: Json) -> None:
+    """A drone that hovers under a person's control, taken on purpose."""
+    pilot.do(drone["id"], type="setMode", mode="GUIDED")
+    pilot.do(drone["id"], type="arm")
+    pilot.do(drone["id"], type="takeOff", altitude=5)
+    made(pilot, f"/drones/{drone['id']}/control/take", {})
+    until = time.monotonic() + KEPT_SECONDS
+    wait_for("its mode is kept with who has it", lambda: time.monotonic() > until)
+
+
 def under_way(api: Api, pilot: Api, drones: list[Json]) -> Json:
     given_up, follow = (Followed(FIRST_SYSTEM_ID + FOLLOW, drones[FOLLOW], HEIGHT, 600) for _ in range(2))
     given_up.ask(pilot)
@@ -191,6 +202,7 @@ def under_way(api: Api, pilot: Api, drones: list[Json]) -> Json:
         return time.monotonic() > until
 
     wait_for("they go on", gone_on, 2 * TOGETHER_SECONDS)
+    held(pilot, drones[HELD])
     return {"run": mission, "follow": follow.follow, "virtualDrone": flies, "waitingVirtualDrone": waits}
 
 
@@ -225,6 +237,7 @@ def store(folder: Path) -> None:
             facts = {
                 "account": {"name": "pilot", "password": PASSWORD},
                 "shown": shown,
+                "held": drones[HELD]["id"],
                 "underWay": under_way(api, pilot, drones),
             }
             keep(server, api, folder, facts)

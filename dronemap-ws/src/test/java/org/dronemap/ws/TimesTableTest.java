@@ -42,7 +42,8 @@ class TimesTableTest {
                 .isEqualTo(said("a vehicle comes home by itself"))
                 .isEqualTo(Times.VEHICLE_RETURNS)
                 .isEqualTo(Duration.ofSeconds(CloudManager.Rules.USUAL_LOSS_SECONDS));
-        assertThat(said("what lies ahead of it is given to others")).isEqualTo(Times.CORRIDOR_KEPT);
+        assertThat(said("what lies ahead of it is given to others"))
+                .isEqualTo(Watchdog.DEFAULT.lostAfter().plus(Times.CORRIDOR_FREED));
         assertThat(said("who took control is lost, and the drone holds")).isEqualTo(CONTROL.silence());
         assertThat(said("control that came with a command ends")).isEqualTo(CONTROL.idle());
         assertThat(said("from there: it is brought home")).isEqualTo(CONTROL.untilReturn());

@@ -3,10 +3,13 @@ package org.dronemap.ws.flights;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.Watchdog;
 import org.dronemap.core.drone.LinkState;
@@ -15,6 +18,8 @@ import org.dronemap.core.safety.Times;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.RunFlight;
+import org.dronemap.ws.service.PlanRequest;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -23,6 +28,7 @@ import org.junit.jupiter.api.Test;
  */
 class ReactionTimesTest {
     private static final int MOMENTS = 20;
+    private static final int RUNS = 5;
     private static final long RTL = 6;
     private static final Duration LONGEST = Duration.ofMinutes(2);
     private static final Duration SLACK = Duration.ofSeconds(1);
@@ -36,8 +42,7 @@ class ReactionTimesTest {
 
     private static Duration worst(String what, Duration least, Moment moment) {
         SplittableRandom chance = new SplittableRandom(28);
-        Duration worst = Duration.ZERO;
-        Duration best = LONGEST;
+        List<Duration> took = new ArrayList<>();
         for (int number = 0; number < MOMENTS; number++) {
             try (Laboratory lab = new Laboratory(number + 1)) {
                 LabDrone drone = lab.copter();
@@ -45,11 +50,15 @@ class ReactionTimesTest {
                 ann.takesOff(drone, 20);
                 lab.until("it hovers", Duration.ofSeconds(40), () -> drone.height() > 19);
                 lab.goOn(Duration.ofMillis(chance.nextLong(2_000)));
-                Duration took = moment.passes(lab, drone, ann);
-                worst = took.compareTo(worst) > 0 ? took : worst;
-                best = took.compareTo(best) < 0 ? took : best;
+                took.add(moment.passes(lab, drone, ann));
             }
         }
+        return worst(what, least, took);
+    }
+
+    private static Duration worst(String what, Duration least, List<Duration> took) {
+        Duration best = Collections.min(took);
+        Duration worst = Collections.max(took);
         System.out.printf(
                 Locale.ROOT, "%s: %.1f to %.1f s%n", what, best.toMillis() / 1_000.0, worst.toMillis() / 1_000.0);
         assertThat(best).as(what + " no sooner").isGreaterThanOrEqualTo(least);
@@ -85,6 +94,53 @@ class ReactionTimesTest {
 
         assertThat(suspect).isLessThan(Watchdog.DEFAULT.suspectAfter().plus(SLACK));
         assertThat(lost).isLessThan(Watchdog.DEFAULT.lostAfter().plus(SLACK));
+    }
+
+    @Test
+    void othersTakeOverWhatASilentDroneWasToDoAndInTheEndWhatLayAheadOfIt() {
+        SplittableRandom chance = new SplittableRandom(28);
+        List<Duration> taken = new ArrayList<>();
+        List<Duration> freed = new ArrayList<>();
+        for (int number = 0; number < RUNS; number++) {
+            try (Laboratory lab = new Laboratory(number + 1)) {
+                List<LabDrone> drones = lab.copters(2);
+                RunFlight run = runsFarOut(lab, drones).awaitsAll("flying");
+                LabDrone silent = drones.get(0);
+                LabDrone other = drones.get(1);
+                lab.goOn(Duration.ofMillis(chance.nextLong(5_000)));
+                List<String> all = run.of(silent, "assigned");
+                silent.wire().cut();
+                long since = lab.time().nanos();
+                lab.until(
+                        "others take over",
+                        LONGEST,
+                        () -> run.of(other, "assigned").stream().anyMatch(all::contains));
+                taken.add(Duration.ofNanos(lab.time().nanos() - since));
+                List<String> reserved = run.of(silent, "reserved");
+                lab.until(
+                        "what was reserved is given to others",
+                        LONGEST,
+                        () -> run.of(other, "assigned").containsAll(reserved));
+                freed.add(Duration.ofNanos(lab.time().nanos() - since));
+            }
+        }
+        Duration slowest = worst("taken over", Watchdog.DEFAULT.lostAfter().minus(SLACK), taken);
+        Duration due = Watchdog.DEFAULT.lostAfter().plus(Times.CORRIDOR_FREED);
+        Duration last = worst("reserved and freed", due.minus(SLACK), freed);
+
+        assertThat(slowest).isLessThan(Watchdog.DEFAULT.lostAfter().plus(SLACK));
+        assertThat(last).isLessThan(due.plus(SLACK));
+    }
+
+    /** So far that each has more ahead of it than it may reach before it comes home by itself. */
+    private static RunFlight runsFarOut(Laboratory lab, List<LabDrone> drones) {
+        LabDrone first = drones.get(0);
+        List<PlanRequest.WaypointRequest> waypoints = IntStream.range(0, 12)
+                .mapToObj(n -> RunFlight.waypoint(
+                        first.place((n % 2 == 0 ? 1 : -1) * 60, (1 + n / 2) * 120), first.groundAmsl() + 20))
+                .toList();
+        Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
+        return RunFlight.begins(lab, chief, drones, waypoints, new RunFlight.Manner("automatic", "rtl", null));
     }
 
     @Test

@@ -99,6 +99,28 @@ class UpgradeTest {
                         Files.exists(now.data().resolve("recordings").resolve(recording.id() + ".tlog")));
         assertThat(kept.recordings().recordings()).extracting(Recording::state).doesNotContain(Recording.State.RUNNING);
         assertThat(operations(now)).hasSize(rows(now, "operation"));
+        assertThat(kept.owners().all()).hasSize(rowsOrNone(now, "owners_values"));
+    }
+
+    static Stream<String> versionsWithOwnersValues() {
+        return versions().filter(version -> VERSIONS.get(version).facts().has("held"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("versionsWithOwnersValues")
+    void whatOwnersHadSetAndHowTheirDronesFlewIsRead(String version) {
+        Upgraded now = VERSIONS.get(version);
+        String held = now.facts().required("held").stringValue();
+
+        assertThat(now.database().leases().leases())
+                .filteredOn(lease -> lease.drone().value().equals(held))
+                .singleElement()
+                .matches(lease -> lease.user().equals(pilot(now)) && "GUIDED".equals(lease.mode()));
+        assertThat(now.database().owners().all())
+                .anySatisfy(owners -> assertThat(owners.values())
+                        .filteredOn(value -> value.name().equals("FS_GCS_ENABLE"))
+                        .singleElement()
+                        .matches(value -> value.owners() == 0 && value.ours() == 1));
     }
 
     @ParameterizedTest
@@ -265,6 +287,11 @@ class UpgradeTest {
 
     private static String underWay(Upgraded now, String what) {
         return now.facts().required("underWay").required(what).stringValue();
+    }
+
+    /** That version need not have had that table. */
+    private static int rowsOrNone(Upgraded now, String table) {
+        return now.hasTable(table) ? rows(now, table) : 0;
     }
 
     private static int rows(Upgraded now, String table) {

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import java.util.zip.ZipFile;
 import org.dronemap.core.operation.SavedOperation;
@@ -91,17 +92,27 @@ final class Upgraded implements AutoCloseable {
         return json(read(version.resolve("facts.json")));
     }
 
+    boolean hasTable(String table) {
+        return table(table).isPresent();
+    }
+
     /** That were stored in that table. */
     long rows(String table) {
+        return table(table)
+                .orElseThrow(() -> new IllegalArgumentException("there was no table " + table))
+                .required("rows")
+                .longValue();
+    }
+
+    private Optional<JsonNode> table(String table) {
         try (ZipFile zip = new ZipFile(backup().toFile())) {
             String manifest =
                     new String(zip.getInputStream(zip.getEntry("manifest.json")).readAllBytes(), UTF_8);
-            for (JsonNode one : json(manifest).required("tables")) {
-                if (one.required("name").stringValue().equals(table)) {
-                    return one.required("rows").longValue();
-                }
-            }
-            throw new IllegalArgumentException("there was no table " + table);
+            return json(manifest)
+                    .required("tables")
+                    .valueStream()
+                    .filter(one -> one.required("name").stringValue().equals(table))
+                    .findFirst();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -51,7 +51,7 @@ final class Silences {
         boolean goesOn = draft.setting().onCloudLoss() == CloudLoss.CONTINUE;
         Duration reach = !flies ? Duration.ZERO : goesOn ? FLIES_ON : UNTIL_FAIL_SAFE;
         List<String> reserved = reached(draft, drone, look.place(), reach);
-        Instant until = heard.plus(reach).plus(goesOn ? MARGIN : Duration.ofSeconds(10));
+        Instant until = heard.plus(goesOn ? reach.plus(MARGIN) : Times.CORRIDOR_FREED);
         RunDrone.Silence silence = new RunDrone.Silence(
                 heard,
                 look.place(),
