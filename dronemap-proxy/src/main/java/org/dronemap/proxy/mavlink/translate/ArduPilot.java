@@ -340,8 +340,8 @@ final class ArduPilot implements Autopilot {
     private @Nullable LossPolicy policy(int seconds) {
         return switch (kind) {
             case MULTICOPTER, HELICOPTER -> LossPolicies.copter(seconds, RETURN_HEIGHT);
-            case FIXED_WING -> LossPolicies.plane(seconds, "RTL_AUTOLAND");
-            case VTOL -> LossPolicies.plane(seconds, "Q_RTL_MODE");
+            case FIXED_WING -> LossPolicies.plane(seconds);
+            case VTOL -> LossPolicies.quadPlane(seconds);
             case ROVER, BOAT -> LossPolicies.rover(seconds);
             case SUBMARINE, AIRSHIP, UNKNOWN -> null;
         };

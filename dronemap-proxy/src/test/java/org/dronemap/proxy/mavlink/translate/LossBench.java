@@ -148,6 +148,8 @@ abstract class LossBench {
         has("FS_LONG_ACTN", INT32, action);
         has("FS_LONG_TIMOUT", REAL32, seconds);
         has("THR_FAILSAFE", INT32, 1);
+        has("RTL_AUTOLAND", INT32, 1);
+        has("Q_ENABLE", INT32, 0);
         bench(PLANE);
     }
 
