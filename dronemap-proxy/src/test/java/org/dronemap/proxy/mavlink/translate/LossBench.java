@@ -48,11 +48,15 @@ abstract class LossBench {
     static final class Keeper implements OwnersKeeper {
         CompletableFuture<Void> kept = CompletableFuture.completedFuture(null);
         double meters = Double.NaN;
+        /** What its owner had, in m, as it was asked for. */
+        double asked = Double.NaN;
+
         final List<ParameterValue> left = new ArrayList<>();
         private @Nullable Plan plan;
 
         @Override
         public double returnMeters(double owners) {
+            asked = owners;
             return Double.isNaN(meters) ? owners : meters;
         }
 

@@ -38,6 +38,23 @@ class LossPoliciesTest extends LossBench {
     }
 
     @Test
+    void knowsThatNewerCoptersCountTheirReturnHeightInMetres() {
+        isACopter();
+        held.remove("RTL_ALT");
+        has("RTL_ALT_M", REAL32, 15.5);
+        keeper.meters = 20.5;
+
+        assertThat(set()).isEqualTo(DONE);
+        assertThat(held).containsEntry("RTL_ALT_M", 20.5);
+        assertThat(keeper.asked).isEqualTo(15.5);
+        assertThat(keeper.plan().returnMeters()).isEqualTo(20.5);
+        assertThat(written()).contains("RTL_ALT_M").doesNotContain("RTL_ALT");
+
+        assertThat(putBack()).isEqualTo(DONE);
+        assertThat(held).containsEntry("RTL_ALT_M", 15.5);
+    }
+
+    @Test
     void leavesWhatACopterDoesAlready() {
         isACopter();
         has("FS_GCS_ENABLE", INT32, 5);
