@@ -25,7 +25,7 @@ export interface Outlook {
   returnsAt: string | null;
   latitude: number | null;
   longitude: number | null;
-  /** What the place is called; null: it would not be brought down. */
+  /** What the place is called; null: it would not be brought down, or circles at home. */
   comesDown: string | null;
   emptyAt: string | null;
 }

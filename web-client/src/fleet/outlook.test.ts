@@ -26,6 +26,10 @@ describe('what becomes of a drone', () => {
     expect(countdownOf(flying(), NOON + 11_100)?.words).toBe('Brought home in 1 s');
     expect(countdownOf(flying(), NOON + 15_000)?.words).toBe('Brought home now');
     expect(countdownOf(flying({ comesDown: 'where it is' }), NOON)?.words).toBe('Brought down in 12 s');
+    const circles = flying({ comesDown: null, latitude: null, longitude: null });
+    expect(countdownOf(circles, NOON)?.words).toBe('Brought home in 12 s');
+    expect(noticeOf(circles, null)?.words).toBe('Nobody’s · home');
+    expect(landingWords(circles)).toBeNull();
   });
 
   it('counts nothing where somebody has it, on the ground, or without a line', () => {

@@ -102,13 +102,18 @@ export function noticeOf(drone: Drone, now: number | null): Notice | null {
   if (!outlook?.returnsAt) {
     return null;
   }
-  const where = outlook.comesDown === 'home' ? 'home' : 'down';
+  const where = goesHome(outlook) ? 'home' : 'down';
   const when = now === null ? '' : ` ${inSeconds(secondsTo(outlook.returnsAt, now))}`;
   return { words: `Nobody’s · ${where}${when}`, tone: 'amber' };
 }
 
-function broughtWhere({ comesDown }: Outlook): string {
-  return comesDown === 'home' ? 'Brought home' : 'Brought down';
+function broughtWhere(outlook: Outlook): string {
+  return goesHome(outlook) ? 'Brought home' : 'Brought down';
+}
+
+/** Also one that would circle there: it comes down nowhere. */
+function goesHome({ comesDown }: Outlook): boolean {
+  return comesDown === 'home' || comesDown === null;
 }
 
 function secondsTo(iso: string, now: number): number {

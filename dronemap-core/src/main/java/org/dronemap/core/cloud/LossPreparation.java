@@ -21,6 +21,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.OwnersValues;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.parameter.OwnersValue;
+import org.dronemap.core.safety.Homecoming;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -46,6 +47,7 @@ final class LossPreparation implements Preparation {
     private boolean toldOfFailure;
     private @Nullable Long unusedSince;
     private long notBefore;
+    private @Nullable Homecoming toldEnd;
     private volatile CloudLossState state;
 
     /** A command of this rule that is under way, and those that wait for its end. */
@@ -69,11 +71,32 @@ final class LossPreparation implements Preparation {
         if (can.known() && !can.commands().contains(Capability.SET_PARAMETERS)) {
             return LossWords.cannotBeSet(LossWords.CANNOT_BE_SET);
         }
-        return state.withOutstanding(desk.kept(drone.id())
-                .map(kept -> kept.values().stream()
-                        .filter(OwnersValue::isToBeWritten)
-                        .toList())
-                .orElse(List.of()));
+        CloudLossState now = state;
+        return atHome().map(now::and)
+                .orElse(now)
+                .withOutstanding(desk.kept(drone.id())
+                        .map(kept -> kept.values().stream()
+                                .filter(OwnersValue::isToBeWritten)
+                                .toList())
+                        .orElse(List.of()));
+    }
+
+    private Optional<String> atHome() {
+        return LossWords.atHome(homecoming(), state.action());
+    }
+
+    private Homecoming homecoming() {
+        return Homecoming.of(drone.drone().state(), state.action());
+    }
+
+    /** Before it flies, and only what is not as everybody expects it. */
+    private void tellOfItsEnd() {
+        Homecoming end = homecoming();
+        if (end != Homecoming.LANDS && end != Homecoming.LANDS_BY_MISSION && end != toldEnd) {
+            atHome().ifPresent(sentence ->
+                    drone.say(end == Homecoming.CIRCLES ? Severity.WARNING : Severity.NOTICE, sentence));
+        }
+        toldEnd = end;
     }
 
     @Override
@@ -91,6 +114,7 @@ final class LossPreparation implements Preparation {
             return true;
         }
         if (prepared || !canBeSet() || isWrittenToByOthers(entry)) {
+            tellOfItsEnd();
             return false;
         }
         prepare(entry, goOn);
@@ -161,6 +185,7 @@ final class LossPreparation implements Preparation {
                 putBack(now, outcome);
             } else {
                 set(now, outcome);
+                tellOfItsEnd();
             }
             drone.news();
             new ArrayList<>(now.waiting().values()).forEach(Runnable::run);
@@ -223,6 +248,7 @@ final class LossPreparation implements Preparation {
     private void over() {
         prepared = false;
         toldOfFailure = false;
+        toldEnd = null;
         unusedSince = null;
         state = CloudLossState.UNKNOWN;
         if (desk.kept(drone.id()).isPresent()) {

@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.command.OwnersKeeper;
 import org.dronemap.core.drone.CloudLossState;
+import org.dronemap.core.drone.LossAction;
 import org.dronemap.core.drone.OwnersValues;
+import org.dronemap.core.safety.Homecoming;
 import org.jspecify.annotations.Nullable;
 
 /** What people are told of what a drone does without the cloud. */
@@ -12,6 +14,8 @@ final class LossWords {
     static final String CANNOT_BE_SET = "What this vehicle does without the cloud cannot be set.";
     private static final String CROSSING =
             "No height is free to fly home at: its way home may cross that of another drone.";
+    private static final String CIRCLES =
+            "it flies home and circles there until its pilot or a mission lands it, or its battery is empty.";
 
     private LossWords() {}
 
@@ -56,6 +60,23 @@ final class LossWords {
 
     static CloudLossState cannotBeSet(String why) {
         return new CloudLossState(CloudLossState.State.CANNOT_BE_SET, null, null, why, List.of());
+    }
+
+    /** How it ends at home; empty: it lands, as everybody expects. */
+    static Optional<String> atHome(Homecoming end, @Nullable LossAction action) {
+        return switch (end) {
+            case LANDS -> Optional.empty();
+            case LANDS_BY_MISSION ->
+                Optional.of(
+                        action != null && action.atHome() == LossAction.AtHome.BY_MISSION
+                                ? "Its mission has a landing sequence (DO_LAND_START): at home it lands by that."
+                                : "Its mission has a landing sequence (DO_LAND_START): a return that is commanded from"
+                                        + " here lands by that.");
+            case CIRCLES -> Optional.of("It has no landing sequence (DO_LAND_START) in a mission on board: " + CIRCLES);
+            case NOT_KNOWN ->
+                Optional.of("Its mission is not known, so it is not known whether it has a landing sequence"
+                        + " (DO_LAND_START): without one " + CIRCLES);
+        };
     }
 
     static String notPutBack(@Nullable String why) {

@@ -27,6 +27,7 @@ final class MissionTracker {
     private @Nullable MissionPhase phase;
     private @Nullable String notice;
     private boolean comparedItem;
+    private boolean landingSequence;
 
     /** {@code known} is what was remembered before a restart; {@code remember} keeps the newest. */
     MissionTracker(@Nullable KnownMission known, Consumer<KnownMission> remember) {
@@ -35,7 +36,7 @@ final class MissionTracker {
     }
 
     MissionProgress progress() {
-        return new MissionProgress(items, hash, current, phase, List.copyOf(reached), notice);
+        return new MissionProgress(items, hash, current, phase, List.copyOf(reached), notice, landingSequence);
     }
 
     /** The answer is a sentence when something happened that people should hear of. */
@@ -48,6 +49,7 @@ final class MissionTracker {
         }
         items = read.items();
         hash = read.hash();
+        landingSequence = read.landingSequence();
         if (read.asUploaded()) {
             notice = null;
             comparedItem = true;
@@ -70,6 +72,10 @@ final class MissionTracker {
     }
 
     private Optional<String> difference(KnownMission before, DroneEvent.MissionRead read) {
+        if (before.hash() != null && before.hash().equals(read.hash())) {
+            // An earlier version may have had other words for the same items.
+            return Optional.empty();
+        }
         Optional<String> visible = MissionComparison.difference(before.items(), read.items());
         boolean otherHash =
                 before.hash() != null && read.hash() != null && !before.hash().equals(read.hash());

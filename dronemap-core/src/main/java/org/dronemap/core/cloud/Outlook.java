@@ -10,7 +10,8 @@ import org.jspecify.annotations.Nullable;
  * @param then a sentence
  * @param returnsAt when it is brought home unless somebody takes control; null: it does not come to that now
  * @param comesDown where it would be brought down then; null: nowhere, or not known
- * @param comesDownWords what that is called, as "home"; null: it would not be brought down
+ * @param comesDownWords what that is called, as "home"; null: it would not be brought down, or circles at home, or that is not
+ *     known; {@code then} says so
  * @param emptyAt when its battery is empty, as it has been used up so far; null: not known
  */
 public record Outlook(

@@ -13,8 +13,10 @@ import org.dronemap.core.lease.Control;
 import org.dronemap.core.lease.Lapse;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.safety.Homecoming;
 import org.dronemap.core.safety.LandingPlace;
 import org.dronemap.core.safety.ReturnLadder;
+import org.dronemap.core.safety.Rung;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 
@@ -65,12 +67,15 @@ final class OutlookWatch {
         Outlook.State is = words.state(control, state, drone.isOurs(), step.rung() != null);
         // Where nothing is done about it, it comes down nowhere that is known here.
         boolean brought = is != Outlook.State.LEFT_ALONE && words.returns();
+        Homecoming end = brought && step.rung() == Rung.RETURN
+                ? Homecoming.of(state, drone.loss().state().action())
+                : Homecoming.LANDS;
         drone.outlook(new Outlook(
                 is,
-                words.of(is, control, state),
+                words.of(is, control, state) + OutlookWords.atHome(end),
                 lapse == null || is != Outlook.State.WAITS ? null : returnsAt(lapse, state, at, now),
-                brought ? place(step, state) : null,
-                brought ? words(step) : null,
+                brought && end == Homecoming.LANDS ? place(step, state) : null,
+                brought ? words(step, end) : null,
                 secondsLeft.isEmpty() ? null : at.plusMillis((long) (secondsLeft.getAsDouble() * 1_000))));
     }
 
@@ -98,15 +103,23 @@ final class OutlookWatch {
         };
     }
 
-    private static @Nullable String words(ReturnLadder.Step step) {
+    private static @Nullable String words(ReturnLadder.Step step, Homecoming end) {
         LandingPlace place = step.place();
         if (step.rung() == null) {
             return null;
         }
         return switch (step.rung()) {
-            case RETURN -> "home";
+            case RETURN -> home(end);
             case ELSEWHERE -> place == null ? null : place.words();
             case LAND -> "where it is";
+        };
+    }
+
+    private static @Nullable String home(Homecoming end) {
+        return switch (end) {
+            case LANDS -> "home";
+            case LANDS_BY_MISSION -> "at the end of its landing sequence";
+            case CIRCLES, NOT_KNOWN -> null;
         };
     }
 }

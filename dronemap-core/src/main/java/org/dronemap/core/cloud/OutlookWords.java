@@ -6,6 +6,7 @@ import org.dronemap.core.lease.Holder;
 import org.dronemap.core.lease.Lapse;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.lease.Tenure;
+import org.dronemap.core.safety.Homecoming;
 import org.jspecify.annotations.Nullable;
 
 /** What happens to a drone in the air when whoever has it has it no more, as a sentence. */
@@ -55,6 +56,15 @@ final class OutlookWords {
             case RETURNS -> "Nobody has control of it; it is on its way home or down.";
             case HELPLESS -> "Nobody has control of it, and it cannot be brought home or down: take control of it.";
             case LEFT_ALONE -> leftAlone(tenure, control.lapse() != null && !returns());
+        };
+    }
+
+    /** What more there is to say of one that is brought home. */
+    static String atHome(Homecoming end) {
+        return switch (end) {
+            case LANDS, LANDS_BY_MISSION -> "";
+            case CIRCLES -> " At home it circles until somebody lands it: it has no landing sequence on board.";
+            case NOT_KNOWN -> " Whether it lands at home or circles there is not known: its mission was not read.";
         };
     }
 

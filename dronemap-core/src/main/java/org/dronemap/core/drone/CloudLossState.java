@@ -38,6 +38,11 @@ public record CloudLossState(
         outstanding = List.copyOf(outstanding);
     }
 
+    /** With one sentence more. */
+    public CloudLossState and(String more) {
+        return new CloudLossState(state, action, returnMeters, sentence + " " + more, outstanding);
+    }
+
     public CloudLossState withOutstanding(List<OwnersValue> values) {
         return new CloudLossState(state, action, returnMeters, sentence, values);
     }

@@ -9,7 +9,22 @@ import org.jspecify.annotations.Nullable;
  * @param afterSeconds null: nothing, or not known when
  * @param note a sentence on what cannot be had otherwise; empty: nothing
  */
-public record LossAction(String action, @Nullable Double afterSeconds, String note) {
+public record LossAction(String action, @Nullable Double afterSeconds, String note, AtHome atHome) {
+    /** How it comes down at home, where its own mission may matter to that. */
+    public enum AtHome {
+        /** Its mission does not matter; what there is to say stands in the note. */
+        AS_SAID,
+        /** By the landing sequence of its mission alone. */
+        BY_MISSION,
+        /** It needs no landing sequence. */
+        BY_ITSELF
+    }
+
+    /** Of a vehicle whose mission does not matter to that. */
+    public LossAction(String action, @Nullable Double afterSeconds, String note) {
+        this(action, afterSeconds, note, AtHome.AS_SAID);
+    }
+
     /** For people. */
     public String sentence() {
         String when = afterSeconds == null

@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param phase whether it flies the mission; null when the vehicle does not say
  * @param reached indices of the items that it said it reached since the mission changed or was started, in order
  * @param notice a sentence when the mission is not the one that the cloud knew; null otherwise
+ * @param landingSequence whether there is a landing sequence among the items; false where they are not known
  */
 public record MissionProgress(
         @Nullable List<MissionItem> items,
@@ -20,8 +21,20 @@ public record MissionProgress(
         @Nullable Integer current,
         @Nullable MissionPhase phase,
         List<Integer> reached,
-        @Nullable String notice) {
+        @Nullable String notice,
+        boolean landingSequence) {
     public static final MissionProgress UNKNOWN = new MissionProgress(null, null, null, null, List.of(), null);
+
+    /** Without a landing sequence. */
+    public MissionProgress(
+            @Nullable List<MissionItem> items,
+            @Nullable String hash,
+            @Nullable Integer current,
+            @Nullable MissionPhase phase,
+            List<Integer> reached,
+            @Nullable String notice) {
+        this(items, hash, current, phase, reached, notice, false);
+    }
 
     /** Flown to the end: by the vehicle's own word, or when it gives none by the last item that it said it reached. */
     public boolean complete() {

@@ -190,11 +190,18 @@ public sealed interface DroneEvent {
 
     /**
      * The whole mission was read from the vehicle; {@code asUploaded}: as the end of the cloud's own upload;
-     * {@code hash} of all that the vehicle keeps of it, null when it could not be read exactly.
+     * {@code hash} of all that the vehicle keeps of it, null when it could not be read exactly; {@code landingSequence}:
+     * a fixed wing lands by one of its parts when it is sent home.
      */
-    record MissionRead(List<MissionItem> items, @Nullable String hash, boolean asUploaded) implements DroneEvent {
+    record MissionRead(List<MissionItem> items, @Nullable String hash, boolean asUploaded, boolean landingSequence)
+            implements DroneEvent {
         public MissionRead {
             items = List.copyOf(items);
+        }
+
+        /** Without a landing sequence. */
+        public MissionRead(List<MissionItem> items, @Nullable String hash, boolean asUploaded) {
+            this(items, hash, asUploaded, false);
         }
 
         public MissionRead(List<MissionItem> items, boolean asUploaded) {

@@ -104,6 +104,18 @@ class MissionTrackerTest {
     }
 
     @Test
+    void knowsAMissionByItsHashThatWasWordedOtherwise() {
+        KnownMission worded = new KnownMission(List.of(new MissionItem.Other("command 189")), "aa", null);
+        MissionTracker tracker = new MissionTracker(worded, kept::add);
+        List<MissionItem> now = List.of(new MissionItem.Other("begin of the landing sequence"));
+
+        assertThat(tracker.apply(new MissionRead(now, "aa", false, true))).isEmpty();
+        assertThat(tracker.progress().notice()).isNull();
+        assertThat(tracker.progress().landingSequence()).isTrue();
+        assertThat(tracker.apply(new MissionRead(now, "bb", false, true))).isPresent();
+    }
+
+    @Test
     void saysCalmlyThatTheVehicleHoldsNoMissionAfterARestart() {
         MissionTracker tracker = new MissionTracker(new KnownMission(THREE, 1), kept::add);
 

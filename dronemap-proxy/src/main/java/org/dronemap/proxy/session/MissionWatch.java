@@ -217,7 +217,8 @@ final class MissionWatch {
         if (asUploaded || !mission.equals(known) || !Objects.equals(hash, knownHash)) {
             known = mission;
             knownHash = hash;
-            out.accept(new DroneEvent.MissionRead(mission, hash, asUploaded));
+            out.accept(new DroneEvent.MissionRead(
+                    mission, hash, asUploaded, MissionCodec.hasLandingSequence(read.items())));
         }
     }
 }

@@ -163,4 +163,22 @@ class MissionWatchTest {
 
         assertThat(told).hasSize(1);
     }
+
+    @Test
+    void tellsWhetherAMissionHasALandingSequence() {
+        vehicle.held = List.of(command(0, 16), command(1, 189), command(2, 21));
+        wire.peer(vehicle::take);
+        watching.start(wire.now());
+        wire.run(watching, 30);
+
+        assertThat(told)
+                .singleElement()
+                .isInstanceOfSatisfying(
+                        DroneEvent.MissionRead.class,
+                        read -> assertThat(read.landingSequence()).isTrue());
+    }
+
+    private static MissionItemInt command(int seq, int command) {
+        return new MissionItemInt(255, 190, seq, 3, command, 0, 1, 0, 0, 0, 0, 473_977_000, 85_456_000, 40, 0);
+    }
 }

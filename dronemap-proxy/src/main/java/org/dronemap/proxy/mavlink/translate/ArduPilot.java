@@ -53,8 +53,9 @@ final class ArduPilot implements Autopilot {
     private static final long WIND_MICROS = 5_000_000;
     private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
 
-    /** In cm. */
-    private static final ReturnHeights.Setting RETURN_HEIGHT = new ReturnHeights.Setting("RTL_ALT", 100, false);
+    /** In m since ArduCopter 4.7, in cm before. */
+    private static final ReturnHeights.Setting RETURN_HEIGHT =
+            ReturnHeights.Setting.of(new ReturnHeights.Name("RTL_ALT_M", 1), new ReturnHeights.Name("RTL_ALT", 100));
 
     private static final CloudLosses.Setting CLOUD_LOSS = new CloudLosses.Setting("FS_GCS_ENABLE", Set.of(0), 1, false);
 
@@ -340,8 +341,8 @@ final class ArduPilot implements Autopilot {
     private @Nullable LossPolicy policy(int seconds) {
         return switch (kind) {
             case MULTICOPTER, HELICOPTER -> LossPolicies.copter(seconds, RETURN_HEIGHT);
-            case FIXED_WING -> LossPolicies.plane(seconds, "RTL_AUTOLAND");
-            case VTOL -> LossPolicies.plane(seconds, "Q_RTL_MODE");
+            case FIXED_WING -> LossPolicies.plane(seconds);
+            case VTOL -> LossPolicies.quadPlane(seconds);
             case ROVER, BOAT -> LossPolicies.rover(seconds);
             case SUBMARINE, AIRSHIP, UNKNOWN -> null;
         };

@@ -110,14 +110,13 @@ final class CloudLosses {
             ReturnHeights.@Nullable Setting setting,
             ParameterReading reading,
             List<OwnersValue> values) {
-        Parameter found =
-                setting == null ? null : reading.told(List.of(setting.name())).orElse(null);
+        Parameter found = setting == null ? null : reading.told(setting.words()).orElse(null);
         if (setting == null || found == null) {
             return null;
         }
         double owner = owners(command, found);
-        double meters = command.keeper().returnMeters(owner / setting.perMeter());
-        double wanted = found.type().held(meters * setting.perMeter());
+        double meters = command.keeper().returnMeters(setting.meters(found.withValue(owner)));
+        double wanted = setting.held(found, meters);
         if (owner != wanted || found.value() != wanted) {
             values.add(new OwnersValue(found.name(), owner, wanted));
         }

@@ -1,8 +1,10 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.drone.LossAction;
+import org.dronemap.core.drone.LossAction.AtHome;
 import org.dronemap.proxy.mavlink.translate.LossPolicy.Setting;
 import org.jspecify.annotations.Nullable;
 
@@ -20,7 +22,16 @@ final class LossPolicies {
     private static final String FIXED = "Its time cannot be set.";
     private static final String ALSO_RC = "It does the same when it loses its remote control.";
     private static final String CIRCLES =
-            "It lands there only by a landing sequence of its mission (DO_LAND_START), else it circles.";
+            "By RTL_AUTOLAND it does not land there by itself, whatever its mission: it circles.";
+    private static final String OWNERS_LANDING = "Whether it lands there is as its owner has set RTL_AUTOLAND.";
+    private static final String OWNERS_ROTORS =
+            "Whether it lands there on its rotors is as its owner has set Q_RTL_MODE.";
+    private static final String AUTOLAND = "RTL_AUTOLAND";
+    private static final String Q_ENABLE = "Q_ENABLE";
+    private static final String Q_RTL_MODE = "Q_RTL_MODE";
+    /** Of RTL_AUTOLAND: it lands by its mission only when a landing was given up. */
+    private static final int ONLY_WHEN_IT_GOES_AROUND = 3;
+
     private static final int GO_ON_IN_AUTO = 2;
     private static final int GO_ON_WHEN_PILOTED = 16;
 
@@ -49,16 +60,24 @@ final class LossPolicies {
         return acting(words, now, "FS_GCS_TIMEOUT", action == 2 ? "On a mission it goes on." : "");
     }
 
-    /** {@code lands}: by what it lands at home instead of circling there, where its mission or its rotors let it. */
-    static LossPolicy plane(int seconds, String lands) {
-        return new LossPolicy(
-                List.of(
-                        Setting.needed("FS_GCS_ENABL", LossPolicy.instead(1, 0.0, 3.0)),
-                        Setting.needed("FS_LONG_ACTN", LossPolicy.instead(1, 0.0)),
-                        Setting.ifThere(LossPolicy.instead(1, 0.0), lands),
-                        Setting.ifThere(old -> Math.min(old, seconds), "FS_LONG_TIMOUT", "FS_LONG_TIMEOUT")),
-                null,
-                LossPolicies::plane);
+    /** It lands at home instead of circling there, where its mission lets it; with rotors it is left as it is. */
+    static LossPolicy plane(int seconds) {
+        return winged(
+                seconds, Setting.ifThere(LossPolicy.instead(1, 0.0), AUTOLAND), Setting.ifThere(old -> old, Q_ENABLE));
+    }
+
+    /** It lands at home on its rotors. */
+    static LossPolicy quadPlane(int seconds) {
+        return winged(seconds, Setting.ifThere(LossPolicy.instead(1, 0.0), Q_RTL_MODE));
+    }
+
+    private static LossPolicy winged(int seconds, Setting... lands) {
+        List<Setting> settings = new ArrayList<>(List.of(
+                Setting.needed("FS_GCS_ENABL", LossPolicy.instead(1, 0.0, 3.0)),
+                Setting.needed("FS_LONG_ACTN", LossPolicy.instead(1, 0.0)),
+                Setting.ifThere(old -> Math.min(old, seconds), "FS_LONG_TIMOUT", "FS_LONG_TIMEOUT")));
+        settings.addAll(List.of(lands));
+        return new LossPolicy(settings, null, LossPolicies::plane);
     }
 
     private static LossAction plane(Map<String, Double> now, Map<String, Double> owners) {
@@ -73,9 +92,28 @@ final class LossPolicies {
             default -> DOWN;
         };
         String note = shared(now, owners, "FS_LONG_ACTN", "FS_LONG_TIMOUT");
-        boolean circles =
-                words.equals(HOME) && LossPolicy.find(now, "Q_RTL_MODE").isEmpty();
-        return acting(words, now, "FS_LONG_TIMOUT", circles ? (CIRCLES + " " + note).strip() : note);
+        return words.equals(HOME) ? home(now, note) : acting(words, now, "FS_LONG_TIMOUT", note);
+    }
+
+    /** What it does when it is there. */
+    private static LossAction home(Map<String, Double> now, String note) {
+        boolean hasRotors = LossPolicy.find(now, Q_ENABLE).orElse(0) > 0;
+        boolean onRotors = LossPolicy.find(now, Q_RTL_MODE).isPresent();
+        int autoland = (int) LossPolicy.find(now, AUTOLAND).orElse(0);
+        if (hasRotors || onRotors) {
+            String rotors = hasRotors && !onRotors ? OWNERS_ROTORS : "";
+            return homeward(now, AtHome.BY_ITSELF, rotors, note);
+        }
+        return switch (autoland) {
+            case 1, 2 -> homeward(now, AtHome.BY_MISSION, "", note);
+            case 0, ONLY_WHEN_IT_GOES_AROUND -> homeward(now, AtHome.AS_SAID, CIRCLES, note);
+            default -> homeward(now, AtHome.AS_SAID, OWNERS_LANDING, note);
+        };
+    }
+
+    private static LossAction homeward(Map<String, Double> now, AtHome atHome, String first, String note) {
+        LossAction action = acting(HOME, now, "FS_LONG_TIMOUT", (first + " " + note).strip());
+        return new LossAction(action.action(), action.afterSeconds(), action.note(), atHome);
     }
 
     static LossPolicy rover(int seconds) {

@@ -60,7 +60,7 @@ record LossPolicy(List<Setting> settings, ReturnHeights.@Nullable Setting height
         List<List<String>> names = new ArrayList<>();
         settings.forEach(setting -> names.add(setting.names()));
         if (height != null) {
-            names.add(List.of(height.name()));
+            names.add(height.words());
         }
         return names;
     }

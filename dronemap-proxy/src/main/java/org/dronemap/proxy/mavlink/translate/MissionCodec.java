@@ -19,7 +19,9 @@ public final class MissionCodec {
     static final int NAV_RETURN_TO_LAUNCH = 20;
     static final int NAV_LAND = 21;
     static final int NAV_TAKEOFF = 22;
+    static final int NAV_VTOL_LAND = 85;
     static final int NAV_DELAY = 93;
+    static final int DO_LAND_START = 189;
     static final int DO_SET_SERVO = 183;
     static final int DO_SET_ROI_LOCATION = 195;
     static final int DO_SET_ROI_NONE = 197;
@@ -86,6 +88,13 @@ public final class MissionCodec {
         return new Altitude(round(item.z()), isRelative(item) ? Altitude.Reference.HOME : Altitude.Reference.AMSL);
     }
 
+    /** Whether it has a part by which a fixed wing lands: a mark where that begins, and a landing after it. */
+    public static boolean hasLandingSequence(List<MissionItemInt> items) {
+        return items.stream()
+                .dropWhile(item -> item.command() != DO_LAND_START)
+                .anyMatch(item -> item.command() == NAV_LAND || item.command() == NAV_VTOL_LAND);
+    }
+
     /** Whether there is more in an item than what it means to the cloud: settings, in the order of their numbers. */
     public static boolean hasMore(MissionItemInt item) {
         int read = switch (item.command()) {
@@ -130,6 +139,7 @@ public final class MissionCodec {
             case 177 -> "jump";
             case 178 -> "change speed";
             case DO_SET_SERVO -> "set a servo";
+            case DO_LAND_START -> "begin of the landing sequence";
             case 201 -> "point the camera";
             case DO_DIGICAM_CONTROL, IMAGE_START_CAPTURE -> "control the camera";
             case 206 -> "take photos by distance";

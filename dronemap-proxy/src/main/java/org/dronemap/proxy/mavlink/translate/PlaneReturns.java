@@ -14,7 +14,6 @@ import org.dronemap.proxy.mavlink.procedure.Exchange;
  * (MAV_CMD_DO_LAND_START, which is failed where there is none); else it flies home and circles there.
  */
 final class PlaneReturns {
-    private static final int DO_LAND_START = 189;
     private static final String AUTO = "AUTO";
     private static final Duration TO_BEGIN = Duration.ofSeconds(5);
     private static final String CIRCLES = "Its mission has no landing sequence (DO_LAND_START): it flies home and"
@@ -32,7 +31,11 @@ final class PlaneReturns {
         CommandExchange landing = new CommandExchange(
                 cockpit.target(),
                 CommandRequest.ofLong(
-                        cockpit.target(), DO_LAND_START, new float[0], CommandRequest.Retry.REPEATABLE, proof),
+                        cockpit.target(),
+                        MissionCodec.DO_LAND_START,
+                        new float[0],
+                        CommandRequest.Retry.REPEATABLE,
+                        proof),
                 cockpit.observer());
         return new Alternative(landing, ended -> !(ended instanceof Outcome.Succeeded), () -> {
             cockpit.warning().accept(CIRCLES);

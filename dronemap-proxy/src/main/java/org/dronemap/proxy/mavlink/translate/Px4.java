@@ -66,7 +66,8 @@ final class Px4 implements Autopilot {
     private static final String NO_HOME =
             "The vehicle has not told its home position yet, so heights above home are not known; wait for its GPS.";
 
-    private static final ReturnHeights.Setting RETURN_HEIGHT = new ReturnHeights.Setting("RTL_RETURN_ALT", 1, true);
+    private static final ReturnHeights.Setting RETURN_HEIGHT =
+            ReturnHeights.Setting.of(new ReturnHeights.Name("RTL_RETURN_ALT", 1));
     /** It does nothing, or holds. */
     private static final CloudLosses.Setting CLOUD_LOSS = new CloudLosses.Setting("NAV_DLL_ACT", Set.of(0, 1), 2, true);
 

@@ -1,15 +1,17 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.event.DroneEvent;
+import org.dronemap.core.parameter.Parameter;
+import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.proxy.mavlink.procedure.Conclusion;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
-import org.dronemap.proxy.mavlink.procedure.ParameterChange;
+import org.dronemap.proxy.mavlink.procedure.ParameterReading;
+import org.dronemap.proxy.mavlink.procedure.ParameterWriting;
 import org.dronemap.proxy.mavlink.procedure.Sequence;
 
 /** Sets the parameter that says how high a copter flies home, and tells what it was before. */
@@ -17,36 +19,79 @@ final class ReturnHeights {
     private ReturnHeights() {}
 
     /**
-     * The parameter of one autopilot.
+     * A parameter of one autopilot.
      *
      * @param perMeter in which parts of a metre it counts
      */
-    record Setting(String name, int perMeter, boolean bytewise) {}
+    record Name(String name, int perMeter) {}
+
+    /** The names that firmware of different ages has for it; a vehicle has one of them. */
+    record Setting(List<Name> names) {
+        static Setting of(Name... names) {
+            return new Setting(List.of(names));
+        }
+
+        List<String> words() {
+            return names.stream().map(Name::name).toList();
+        }
+
+        /** In m. */
+        double meters(Parameter parameter) {
+            return parameter.value() / perMeter(parameter);
+        }
+
+        /** That height as the vehicle can hold it, in its own unit. */
+        double held(Parameter parameter, double meters) {
+            return parameter.type().held(meters * perMeter(parameter));
+        }
+
+        private int perMeter(Parameter parameter) {
+            return names.stream()
+                    .filter(name -> name.name().equals(parameter.name()))
+                    .findFirst()
+                    .orElseThrow()
+                    .perMeter();
+        }
+    }
 
     static Exchange set(Cockpit cockpit, SetReturnHeight command, VehicleKind kind, Setting setting) {
         if (kind != VehicleKind.MULTICOPTER && kind != VehicleKind.HELICOPTER) {
             return Maneuvers.refuse("How high this vehicle flies home cannot be set.");
         }
-        int wanted = (int) Math.round(command.meters() * setting.perMeter());
-        AtomicInteger before = new AtomicInteger(Integer.MIN_VALUE);
-        ParameterChange change = new ParameterChange(
-                cockpit.target(),
-                new ParameterChange.Wanted(
-                        setting.name(),
-                        old -> {
-                            before.compareAndSet(Integer.MIN_VALUE, old);
-                            return command.atLeast() ? Math.max(old, wanted) : wanted;
-                        },
-                        setting.bytewise()));
+        ParameterReading reading =
+                new ParameterReading(cockpit.target(), cockpit.parameters().codec(), List.of(setting.words()));
         return new Sequence(List.of(
-                Sequence.Step.of(() -> change),
+                Sequence.Step.of(() -> reading),
+                Sequence.Step.of(() -> writing(cockpit, command, setting, found(reading, setting))),
                 Sequence.Step.of(() -> new Conclusion(() -> {
-                    double old = before.get();
-                    double now = command.atLeast() ? Math.max(old, wanted) : wanted;
+                    Parameter before = found(reading, setting);
+                    Parameter now = before.withValue(wanted(command, setting, before));
                     cockpit.news()
                             .accept(new DroneEvent.ReturnHeightSet(
-                                    new ReturnHeight(now / setting.perMeter(), old / setting.perMeter())));
+                                    new ReturnHeight(setting.meters(now), setting.meters(before))));
                     return new Outcome.Succeeded();
                 }))));
+    }
+
+    /** A reading that has succeeded has it: it asked for nothing else. */
+    private static Parameter found(ParameterReading reading, Setting setting) {
+        return reading.told(setting.words()).orElseThrow();
+    }
+
+    private static double wanted(SetReturnHeight command, Setting setting, Parameter before) {
+        double wanted = setting.held(before, command.meters());
+        return command.atLeast() ? Math.max(before.value(), wanted) : wanted;
+    }
+
+    private static Exchange writing(Cockpit cockpit, SetReturnHeight command, Setting setting, Parameter before) {
+        double wanted = wanted(command, setting, before);
+        return wanted == before.value()
+                ? new Conclusion(Outcome.Succeeded::new)
+                : new ParameterWriting(
+                        cockpit.target(),
+                        cockpit.parameters().codec(),
+                        List.of(new ParameterValue(before.name(), wanted)),
+                        name -> before,
+                        cockpit.observer());
     }
 }

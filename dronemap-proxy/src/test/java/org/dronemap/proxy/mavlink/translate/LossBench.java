@@ -48,11 +48,15 @@ abstract class LossBench {
     static final class Keeper implements OwnersKeeper {
         CompletableFuture<Void> kept = CompletableFuture.completedFuture(null);
         double meters = Double.NaN;
+        /** What its owner had, in m, as it was asked for. */
+        double asked = Double.NaN;
+
         final List<ParameterValue> left = new ArrayList<>();
         private @Nullable Plan plan;
 
         @Override
         public double returnMeters(double owners) {
+            asked = owners;
             return Double.isNaN(meters) ? owners : meters;
         }
 
@@ -148,6 +152,8 @@ abstract class LossBench {
         has("FS_LONG_ACTN", INT32, action);
         has("FS_LONG_TIMOUT", REAL32, seconds);
         has("THR_FAILSAFE", INT32, 1);
+        has("RTL_AUTOLAND", INT32, 1);
+        has("Q_ENABLE", INT32, 0);
         bench(PLANE);
     }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.dronemap.core.command.CloudLoss;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.LossAction;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.junit.jupiter.api.Test;
 
@@ -34,6 +35,23 @@ class LossPoliciesTest extends LossBench {
         isACopter();
         keeper.meters = 20;
         isSetAndPutBack();
+    }
+
+    @Test
+    void knowsThatNewerCoptersCountTheirReturnHeightInMetres() {
+        isACopter();
+        held.remove("RTL_ALT");
+        has("RTL_ALT_M", REAL32, 15.5);
+        keeper.meters = 20.5;
+
+        assertThat(set()).isEqualTo(DONE);
+        assertThat(held).containsEntry("RTL_ALT_M", 20.5);
+        assertThat(keeper.asked).isEqualTo(15.5);
+        assertThat(keeper.plan().returnMeters()).isEqualTo(20.5);
+        assertThat(written()).contains("RTL_ALT_M").doesNotContain("RTL_ALT");
+
+        assertThat(putBack()).isEqualTo(DONE);
+        assertThat(held).containsEntry("RTL_ALT_M", 15.5);
     }
 
     @Test
@@ -70,10 +88,11 @@ class LossPoliciesTest extends LossBench {
                 .containsEntry("FS_LONG_TIMOUT", 20.0)
                 .containsEntry("THR_FAILSAFE", 1.0);
         assertThat(keeper.plan().after().sentence())
-                .isEqualTo(
-                        "When it does not hear the cloud any more, it returns home after 20 s. It lands there only by a landing"
-                                + " sequence of its mission (DO_LAND_START), else it circles."
-                                + " It does the same when it loses its remote control.");
+                .isEqualTo("When it does not hear the cloud any more, it returns home after 20 s."
+                        + " It does the same when it loses its remote control.");
+        assertThat(keeper.plan().after().atHome())
+                .as("its mission says whether it lands there")
+                .isEqualTo(LossAction.AtHome.BY_MISSION);
     }
 
     @Test
@@ -83,6 +102,35 @@ class LossPoliciesTest extends LossBench {
 
         isSetAndPutBack();
         assertThat(written()).containsExactly("RTL_AUTOLAND");
+        assertThat(keeper.plan().before().sentence())
+                .isEqualTo("When it does not hear the cloud any more, it returns home after 5 s."
+                        + " By RTL_AUTOLAND it does not land there by itself, whatever its mission: it circles.");
+        assertThat(keeper.plan().after().atHome()).isEqualTo(LossAction.AtHome.BY_MISSION);
+    }
+
+    @Test
+    void leavesAPlaneThatLandsByItsMissionOnlyToGoAroundAndSaysThatItCircles() {
+        isAPlane(1, 1, 5);
+        has("RTL_AUTOLAND", INT32, 3);
+
+        assertThat(set()).isEqualTo(DONE);
+
+        assertThat(written()).isEmpty();
+        assertThat(keeper.plan().after().atHome()).isEqualTo(LossAction.AtHome.AS_SAID);
+        assertThat(keeper.plan().after().note()).contains("it does not land there by itself, whatever its mission");
+    }
+
+    @Test
+    void saysOfAPlaneWithRotorsThatItsOwnerHasSetHowItLands() {
+        isAPlane(1, 1, 5);
+        has("Q_ENABLE", INT32, 1);
+
+        assertThat(set()).isEqualTo(DONE);
+
+        assertThat(written()).isEmpty();
+        assertThat(keeper.plan().after().atHome()).isEqualTo(LossAction.AtHome.BY_ITSELF);
+        assertThat(keeper.plan().after().note())
+                .isEqualTo("Whether it lands there on its rotors is as its owner has set Q_RTL_MODE.");
     }
 
     @Test

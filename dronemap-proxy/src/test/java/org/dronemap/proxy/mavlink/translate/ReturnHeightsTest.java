@@ -22,6 +22,7 @@ class ReturnHeightsTest {
     private float held;
     private int type = INT32;
     private boolean obeys = true;
+    private String name = "RTL_ALT";
 
     private PlanBench bench(Heartbeat heartbeat) {
         PlanBench bench = new PlanBench(heartbeat);
@@ -30,10 +31,11 @@ class ReturnHeightsTest {
     }
 
     private void vehicle(Wire wire, Message message) {
-        if (message instanceof ParamSet set) {
+        if (message instanceof ParamSet set && set.paramId().equals(name)) {
             held = obeys ? set.paramValue() : held;
             wire.answer(new ParamValue(set.paramId(), held, type, 900, 1));
-        } else if (message instanceof ParamRequestRead question) {
+        } else if (message instanceof ParamRequestRead question
+                && question.paramId().equals(name)) {
             wire.answer(new ParamValue(question.paramId(), held, type, 900, 1));
         }
     }
@@ -52,6 +54,45 @@ class ReturnHeightsTest {
     }
 
     @Test
+    void knowsThatNewerCoptersCountItInMetres() {
+        held = 15.5f;
+        type = REAL32;
+        name = "RTL_ALT_M";
+        PlanBench copter = bench(PlanBench.ARDUCOPTER);
+
+        assertThat(copter.perform(new SetReturnHeight(51, true))).isEqualTo(DONE);
+        assertThat(held).isEqualTo(51);
+        assertThat(copter.news).containsExactly(new DroneEvent.ReturnHeightSet(new ReturnHeight(51, 15.5)));
+
+        assertThat(copter.perform(new SetReturnHeight(15.5, false))).isEqualTo(DONE);
+        assertThat(held).isEqualTo(15.5f);
+        assertThat(copter.wire.sent(ParamSet.class))
+                .allMatch(set -> set.paramId().equals("RTL_ALT_M"));
+    }
+
+    @Test
+    void leavesWhatIsSetHigherInMetres() {
+        held = 90;
+        type = REAL32;
+        name = "RTL_ALT_M";
+        PlanBench copter = bench(PlanBench.ARDUCOPTER);
+
+        assertThat(copter.perform(new SetReturnHeight(51, true))).isEqualTo(DONE);
+
+        assertThat(held).isEqualTo(90);
+        assertThat(copter.news).containsExactly(new DroneEvent.ReturnHeightSet(new ReturnHeight(90, 90)));
+    }
+
+    @Test
+    void saysSoWhereTheVehicleTellsNoHeight() {
+        name = "NONE";
+        PlanBench copter = bench(PlanBench.ARDUCOPTER);
+
+        assertThat(copter.perform(new SetReturnHeight(51, true))).isInstanceOf(Outcome.TimedOut.class);
+        assertThat(copter.news).isEmpty();
+    }
+
+    @Test
     void leavesWhatIsSetHigher() {
         held = 9_000;
         PlanBench copter = bench(PlanBench.ARDUCOPTER);
@@ -66,6 +107,7 @@ class ReturnHeightsTest {
     void knowsHowPx4CallsIt() {
         held = 60;
         type = REAL32;
+        name = "RTL_RETURN_ALT";
         PlanBench copter = bench(PlanBench.PX4);
 
         assertThat(copter.perform(new SetReturnHeight(72, true))).isEqualTo(DONE);

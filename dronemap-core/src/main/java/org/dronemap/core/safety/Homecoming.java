@@ -1,0 +1,43 @@
+package org.dronemap.core.safety;
+
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LossAction;
+import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.VehicleKind;
+import org.jspecify.annotations.Nullable;
+
+/** Whether a drone that is told to fly home comes down there. Pure. */
+public enum Homecoming {
+    /** It lands, as most do. */
+    LANDS,
+    /** It lands by the landing sequence of its mission. */
+    LANDS_BY_MISSION,
+    /** It has no landing sequence on board: it circles above its home until somebody lands it. */
+    CIRCLES,
+    /** It lands by its mission alone, and that was not read. */
+    NOT_KNOWN;
+
+    /**
+     * A fixed wing that cannot be told to land where it is needs a runway, which nothing but a landing sequence of its mission
+     * tells it.
+     *
+     * @param action what it does by itself, as its parameters say; null: not known
+     */
+    public static Homecoming of(DroneState drone, @Nullable LossAction action) {
+        if (!needsSequence(drone) || (action != null && action.atHome() == LossAction.AtHome.BY_ITSELF)) {
+            return LANDS;
+        }
+        MissionProgress mission = drone.mission();
+        if (mission.items() == null) {
+            return NOT_KNOWN;
+        }
+        return mission.landingSequence() ? LANDS_BY_MISSION : CIRCLES;
+    }
+
+    private static boolean needsSequence(DroneState drone) {
+        return drone.identification().kind() == VehicleKind.FIXED_WING
+                && drone.capabilities().commands().contains(Capability.RETURN_TO_LAUNCH)
+                && !drone.capabilities().commands().contains(Capability.LAND);
+    }
+}
