@@ -42,6 +42,7 @@ final class LossPreparation implements Preparation {
     private final CommandGate gate;
     private final LossDesk desk;
     private final Clock clock;
+    private final ReturnCrossing crossing;
     private @Nullable Work work;
     private boolean prepared;
     private boolean toldOfFailure;
@@ -58,6 +59,7 @@ final class LossPreparation implements Preparation {
         this.gate = gate;
         this.desk = desk;
         this.clock = clock;
+        this.crossing = new ReturnCrossing(drone, desk.heights());
         this.notBefore = drone.lane().activeNanos();
         // What was written in an earlier run of the server, for a use that is not over, is not written once more.
         Optional<OwnersValues> before = desk.kept(drone.id()).filter(OwnersValues::written);
@@ -260,6 +262,7 @@ final class LossPreparation implements Preparation {
 
     @Override
     public void tick() {
+        crossing.look();
         Work now = work;
         long nanos = drone.lane().activeNanos();
         if (now != null) {

@@ -1,9 +1,11 @@
 package org.dronemap.core.cloud;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoublePredicate;
 import org.dronemap.core.drone.DroneId;
@@ -41,6 +43,43 @@ final class ReturnHeightDesk {
         reserved.remove(drone);
     }
 
+    /**
+     * Another drone in the air that would come home as high as this one if both missed the cloud now, since one of them flies
+     * above the height that was chosen for it; empty: there is none.
+     */
+    synchronized Optional<DroneState> crossing(DroneState drone) {
+        Double own = reserved.get(drone.id());
+        if (own == null || !drone.airborne()) {
+            return Optional.empty();
+        }
+        double mine = comesHomeAt(drone, own);
+        return reserved.entrySet().stream()
+                .filter(other -> !other.getKey().equals(drone.id()))
+                .flatMap(other -> registry.find(other.getKey()).stream()
+                        .map(found -> found.drone().state())
+                        .filter(state -> crosses(drone, mine, mine > own, state, other.getValue())))
+                .min(Comparator.comparing(other -> other.id().value()));
+    }
+
+    private static boolean crosses(DroneState drone, double mine, boolean above, DroneState other, double others) {
+        double theirs = comesHomeAt(other, others);
+        return other.airborne()
+                && (above || theirs > others)
+                && !ReturnHeightChoice.areApart(mine, theirs + aboveGround(drone, other))
+                && isNear(drone, other);
+    }
+
+    /** Above home: it climbs to its return height, and does not come down to it. */
+    private static double comesHomeAt(DroneState drone, double reserved) {
+        // It may have been told another one since, for an operation of several.
+        double height = drone.returnHeight() == null
+                ? reserved
+                : Math.max(reserved, drone.returnHeight().meters());
+        Position position = drone.position();
+        Double now = position == null ? null : position.altitudeAboveHomeMeters();
+        return now == null || !drone.airborne() ? height : Math.max(height, now);
+    }
+
     private List<Double> taken(DroneState drone) {
         List<Double> taken = new ArrayList<>();
         reserved.forEach((id, meters) -> registry.find(id)
@@ -49,10 +88,7 @@ final class ReturnHeightDesk {
                 .ifPresent(other -> {
                     double above = aboveGround(drone, other);
                     taken.add(meters + above);
-                    if (other.returnHeight() != null) {
-                        // As it was told since, for an operation of several.
-                        taken.add(other.returnHeight().meters() + above);
-                    }
+                    taken.add(comesHomeAt(other, meters) + above);
                 }));
         return taken;
     }

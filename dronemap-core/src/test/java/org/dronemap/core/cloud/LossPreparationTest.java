@@ -185,6 +185,6 @@ class LossPreparationTest extends LossUse {
 
         assertThat(rule(SetCloudLoss.class).keeper().returnMeters(15)).isEqualTo(15);
         assertThat(((SetCloudLoss) another.performed.get(0)).keeper().returnMeters(15))
-                .isEqualTo(20);
+                .isEqualTo(30);
     }
 }

@@ -20,21 +20,39 @@ class ReturnHeightChoiceTest {
     }
 
     @Test
-    void leavesWhatItsOwnerHasSetWhereOthersAreFarFromIt() {
-        assertThat(of(15, 20.0, 10.0)).hasValue(15);
+    void leavesWhatItsOwnerHasSetAboveWhatIsUsuallyFlownWhereOthersAreFarFromIt() {
+        assertThat(of(35, 40.0, 30.0)).hasValue(35);
+        assertThat(of(35, 15.0)).hasValue(35);
     }
 
     @Test
     void takesTheNextStepAboveThatIsFree() {
-        assertThat(of(15, 15.0)).hasValue(20);
-        assertThat(of(15, 15.0, 20.0, 25.0)).hasValue(30);
-        assertThat(of(15, 12.0, 21.0)).hasValue(30);
+        assertThat(of(35, 35.0)).hasValue(40);
+        assertThat(of(35, 35.0, 40.0, 45.0)).hasValue(50);
+        assertThat(of(35, 32.0, 41.0)).hasValue(50);
+    }
+
+    /** Those that fly above their return height come home as high as they fly. */
+    @Test
+    void begins30MetresUpForAllButTheFirst() {
+        assertThat(of(15, 15.0)).hasValue(30);
+        assertThat(of(15, 60.0)).hasValue(30);
+        assertThat(of(15, 15.0, 30.0, 35.0)).hasValue(40);
+    }
+
+    @Test
+    void goesBelowThatRatherThanAcrossAnothersWay() {
+        assertThat(ReturnHeightChoice.of(15, List.of(20.0), height -> height < 30))
+                .hasValue(15);
+        assertThat(ReturnHeightChoice.of(15, List.of(15.0, 20.0), height -> height < 30))
+                .hasValue(25);
     }
 
     /** One that flies home as high as it is may be at any height. */
     @Test
     void givesAHeightToOneThatFliesHomeAsHighAsItIs() {
-        assertThat(of(0, 30.0)).hasValue(5);
+        assertThat(of(0, 30.0)).hasValue(35);
+        assertThat(of(0, 5.0)).hasValue(30);
     }
 
     @Test

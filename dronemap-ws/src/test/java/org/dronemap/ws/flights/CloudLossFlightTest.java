@@ -173,12 +173,43 @@ class CloudLossFlightTest {
         bob.succeeds(second);
 
         assertThat(Math.abs(parameter(one, "RTL_ALT") - parameter(other, "RTL_ALT")))
-                .isGreaterThanOrEqualTo(500);
+                .isGreaterThanOrEqualTo(1_500);
         lab.until("they disarm by themselves", Duration.ofSeconds(30), () -> one.isDown() && other.isDown());
         lab.until(
                 "both are given back",
                 GIVEN_BACK,
                 () -> parameter(one, "RTL_ALT") == 1_500 && parameter(other, "RTL_ALT") == 1_500);
+    }
+
+    @Test
+    void twoThatFlyAboveTheirReturnHeightsSideBySideAreWarnedAndNotOnceTheyAreApart() {
+        List<LabDrone> drones = lab.copters(2);
+        LabDrone one = drones.get(0);
+        LabDrone other = drones.get(1);
+        ann.takesOff(one, 20);
+        bob.takesOff(other, 20);
+        lab.goOn(Duration.ofSeconds(30));
+        assertThat(warned(one)).isZero();
+        assertThat(warned(other)).isZero();
+
+        ann.fliesTo(one, one.place(20, 0), 45);
+        bob.fliesTo(other, other.place(20, 0), 45);
+        lab.until("both are warned", Duration.ofSeconds(40), () -> warned(one) == 1 && warned(other) == 1);
+        assertThat(one.state().messages())
+                .anyMatch(said -> said.text()
+                        .startsWith("Without the cloud it would now fly home as high as "
+                                + other.state().name() + " (it flies at 4"));
+
+        ann.fliesTo(one, one.place(20, 0), 60);
+        lab.goOn(Duration.ofSeconds(25));
+        ann.fliesTo(one, one.place(20, 0), 45);
+        lab.until("it is warned anew", Duration.ofSeconds(40), () -> warned(one) == 2);
+    }
+
+    private static long warned(LabDrone drone) {
+        return drone.state().messages().stream()
+                .filter(said -> said.text().startsWith("Without the cloud it would now fly home"))
+                .count();
     }
 
     @Test

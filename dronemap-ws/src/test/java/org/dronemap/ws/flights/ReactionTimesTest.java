@@ -207,7 +207,7 @@ class ReactionTimesTest {
                 return drones.stream().allMatch(LabDrone::isDown);
             });
             System.out.println(separation.words());
-            assertThat(separation.least()).as(separation.words()).isGreaterThan(0.9);
+            assertThat(separation.least()).as(separation.words()).isGreaterThan(0.99);
         }
     }
 }
