@@ -95,10 +95,14 @@ class ReturnWatchTest extends GuidedFlight {
     }
 
     private static Zone over(Geodetic place) {
+        return over(place, 100);
+    }
+
+    private static Zone over(Geodetic place, double meters) {
         return new Zone(
                 "z1",
                 "Crowd",
-                new FenceZone.Circle(false, place, 100),
+                new FenceZone.Circle(false, place, meters),
                 AltitudeBand.ALL,
                 Binding.EVERYBODY,
                 Validity.ALWAYS,
@@ -187,11 +191,28 @@ class ReturnWatchTest extends GuidedFlight {
     @Test
     void doesNotWaitForAnybodyWhenItsBatteryLastsOnlyJust() {
         has(20);
+        awaitTick();
+        long left = time.nanos();
         isLeft();
 
-        awaitTick();
-        Steps.throughout(time, Duration.ofMillis(400), () -> true);
         isToldTo(LAND);
+        assertThat(Duration.ofNanos(time.nanos() - left))
+                .as("others have a second")
+                .isLessThan(RULES.untilReturn());
+    }
+
+    @Test
+    void landsWhenItRefusesToFlyToThePlace() {
+        hear(new DroneEvent.RallyPointsRead(List.of(new RallyPoint(NEAR, 30))));
+        has(10);
+        isLeft();
+        Command.GoTo there = new Command.GoTo(NEAR, Altitude.aboveHome(20));
+        isToldTo(there);
+        long refused = time.nanos();
+        answers(REFUSED);
+
+        isToldTo(there, LAND);
+        assertThat(Duration.ofNanos(time.nanos() - refused)).isLessThan(Duration.ofSeconds(2));
     }
 
     @Test
@@ -201,6 +222,48 @@ class ReturnWatchTest extends GuidedFlight {
 
         isToldTo(LAND);
         assertThat(alarms()).anyMatch(text -> text.contains("“Crowd”"));
+    }
+
+    @Test
+    void fliesToNoPlaceThatAZoneForbids() {
+        hear(new DroneEvent.RallyPointsRead(List.of(new RallyPoint(NEAR, 30))));
+        cloud.zones().put(List.of(over(NEAR, 20)));
+        has(10);
+        isLeft();
+
+        isToldTo(LAND);
+        assertThat(commands.records.values())
+                .as("nor is that tried")
+                .noneMatch(record -> record.type().equals("GoTo"));
+    }
+
+    @Test
+    void callsForHelpWhereAZoneForbidsToLandUntilItFallsOtherwise() {
+        cloud.zones().put(List.of(over(HERE)));
+        vehicle.performed.clear();
+        has(8);
+        isLeft();
+
+        until(() -> alarms().stream().anyMatch(text -> text.contains("It does not land here:")));
+        assertThat(alarms())
+                .anyMatch(text -> text.contains("“Crowd”")
+                        && text.endsWith(" Its battery lasts for about 2 min. Take control of it."));
+        assertThat(vehicle.performed).doesNotContain(LAND);
+        has(4);
+        until(() -> vehicle.performed.contains(LAND));
+    }
+
+    @Test
+    void callsForHelpAllTheSameWhereItsBatteryTellsNothing() {
+        hear(new DroneEvent.Identified(
+                Fixtures.copter(null), new Capabilities(Set.of(Capability.ARM), List.of("GUIDED"), Map.of())));
+        isLeft();
+
+        until(() -> alarms().contains(
+                        "It is in the air and nobody's. It cannot return by itself. It cannot land by itself."
+                                + " How long its battery lasts is not known. Take control of it."));
+        standsStillFor(Duration.ofSeconds(62));
+        assertThat(alarms()).as("every 30 s").hasSize(3);
     }
 
     @Test

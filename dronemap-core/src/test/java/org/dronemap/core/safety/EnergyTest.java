@@ -1,10 +1,13 @@
 package org.dronemap.core.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
+import java.util.Objects;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -43,5 +46,21 @@ class EnergyTest {
         assertThat(after(0, null)).isNaN();
         after(Duration.ofMinutes(1).toSeconds(), 50);
         assertThat(after(61, null)).isNaN();
+    }
+
+    @Test
+    void countsTheClimbTheWayAndTheDescent() {
+        DroneState high = ReturnLadderTest.with(null);
+        Geodetic below =
+                Objects.requireNonNull(Objects.requireNonNull(high.position()).point());
+
+        assertThat(Energy.secondsTo(high, below, 0)).as("20 m down at 1 m/s").hasValue(30 + 1.25 * 20);
+        assertThat(Energy.secondsTo(high, below, 60))
+                .as("40 m up at 2 m/s, 60 m down")
+                .hasValue(30 + 1.25 * (20 + 60));
+        Geodetic away = new Geodetic(below.latitudeDegrees() + 0.001, below.longitudeDegrees());
+        assertThat(Energy.secondsTo(high, away, 0).orElseThrow())
+                .as("111 m at 5 m/s")
+                .isCloseTo(30 + 1.25 * (20 + 22.2), within(0.5));
     }
 }

@@ -24,6 +24,7 @@ import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Payload;
 import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.Standing;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
@@ -67,6 +68,11 @@ class ReturnLadderTest {
     }
 
     private static DroneState drone(Set<Capability> can, @Nullable Geodetic point, @Nullable Battery battery) {
+        return drone(can, point, battery, null);
+    }
+
+    private static DroneState drone(
+            Set<Capability> can, @Nullable Geodetic point, @Nullable Battery battery, @Nullable ReturnHeight height) {
         return new DroneState(
                 new DroneId("drone-1"),
                 "Copter 1",
@@ -92,7 +98,7 @@ class ReturnLadderTest {
                 battery,
                 null,
                 HOME,
-                null,
+                height,
                 Payload.UNKNOWN,
                 MissionProgress.UNKNOWN,
                 List.of(),
@@ -130,6 +136,21 @@ class ReturnLadderTest {
         assertThat(step.place()).isEqualTo(FIELD);
         assertThat(step.why()).startsWith("Its battery lasts for about 150 s, and the way home takes about 3");
         assertThat(next(PLENTY, Says.NOTHING, Rung.RETURN).place()).isEqualTo(FIELD);
+    }
+
+    @Test
+    void countsHowHighItWasToldToFlyHome() {
+        OptionalDouble enough = OptionalDouble.of(400);
+        DroneState low = drone(ALL, HERE, null, null);
+        DroneState layered = drone(ALL, HERE, null, new ReturnHeight(120, 15));
+
+        assertThat(ReturnLadder.next(new ReturnLadder.Plight(low, enough, List.of(), Set.of()), Says.NOTHING)
+                        .rung())
+                .isEqualTo(Rung.RETURN);
+        assertThat(ReturnLadder.next(new ReturnLadder.Plight(layered, enough, List.of(), Set.of()), Says.NOTHING)
+                        .rung())
+                .as("up to its layer and down again takes longer than its battery lasts")
+                .isEqualTo(Rung.LAND);
     }
 
     @Test
