@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -28,6 +29,7 @@ public class AccessKeyController {
     private final CurrentPrincipal current;
 
     /** All keys of the caller. */
+    @Schema(name = "AccessKeys")
     public record Keys(List<KeyView> accessKeys) {}
 
     public AccessKeyController(AccessKeyService keys, CurrentPrincipal current) {

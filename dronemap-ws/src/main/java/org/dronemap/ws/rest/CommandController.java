@@ -2,6 +2,7 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.time.Duration;
 import java.util.List;
@@ -29,6 +30,7 @@ public class CommandController {
     private final CurrentPrincipal current;
 
     /** Commands, newest first. */
+    @Schema(name = "Commands")
     public record Commands(List<CommandView> commands) {}
 
     public CommandController(CommandService commands, CurrentPrincipal current) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
@@ -26,6 +27,7 @@ public class DroneController {
     private final CurrentPrincipal current;
 
     /** All drones. */
+    @Schema(name = "Drones")
     public record Drones(List<DroneView> drones) {}
 
     public DroneController(DroneService drones, CurrentPrincipal current) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -32,6 +33,7 @@ public class FollowController {
     private final CurrentPrincipal current;
 
     /** Follows, the newest first. */
+    @Schema(name = "FollowList")
     public record FollowList(List<FollowView> follows) {}
 
     public FollowController(FollowService follows, CurrentPrincipal current) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -30,6 +31,7 @@ public class GrantController {
     private final CurrentPrincipal current;
 
     /** All grants. */
+    @Schema(name = "Grants")
     public record Grants(List<GrantService.GrantView> grants) {}
 
     public GrantController(GrantService grants, CurrentPrincipal current) {

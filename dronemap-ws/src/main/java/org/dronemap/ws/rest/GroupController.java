@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -27,9 +28,11 @@ public class GroupController {
     private final CurrentPrincipal current;
 
     /** All groups. */
+    @Schema(name = "Groups")
     public record Groups(List<GroupService.GroupView> groups) {}
 
     /** All fleets. */
+    @Schema(name = "Fleets")
     public record Fleets(List<GroupService.FleetView> fleets) {}
 
     public GroupController(GroupService groups, CurrentPrincipal current) {

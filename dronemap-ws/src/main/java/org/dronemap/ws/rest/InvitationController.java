@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
@@ -25,6 +26,7 @@ public class InvitationController {
     private final CurrentPrincipal current;
 
     /** All that are open. */
+    @Schema(name = "Invitations")
     public record Invitations(List<InvitationService.InvitationView> invitations) {}
 
     public InvitationController(InvitationService invitations, CurrentPrincipal current) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
@@ -18,6 +19,7 @@ public class LeftBehindController {
     private final CurrentPrincipal current;
 
     /** All of them. */
+    @Schema(name = "LeftBehind")
     public record LeftBehind(List<LeftBehindService.LeftBehindView> drones) {}
 
     public LeftBehindController(LeftBehindService service, CurrentPrincipal current) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -30,12 +31,15 @@ public class LinkController {
     private final CurrentPrincipal current;
 
     /** All endpoints. */
+    @Schema(name = "Endpoints")
     public record Endpoints(List<EndpointView> endpoints) {}
 
     /** The traffic of all vehicles. */
+    @Schema(name = "LinkTraffic")
     public record Traffic(List<TrafficView> vehicles) {}
 
     /** All DTLS keys. */
+    @Schema(name = "DtlsKeys")
     public record DtlsKeys(List<DtlsKeyService.DtlsKeyView> dtlsKeys) {}
 
     public LinkController(LinkService links, DtlsKeyService keys, CurrentPrincipal current) {

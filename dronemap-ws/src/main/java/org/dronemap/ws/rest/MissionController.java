@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -27,6 +28,7 @@ public class MissionController {
     private final CurrentPrincipal current;
 
     /** All saved missions. */
+    @Schema(name = "Missions")
     public record Missions(List<MissionService.SavedMissionView> missions) {}
 
     public MissionController(MissionService missions, CurrentPrincipal current) {

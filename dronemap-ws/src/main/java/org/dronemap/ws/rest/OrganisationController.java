@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -34,6 +35,7 @@ public class OrganisationController {
     private final CurrentPrincipal current;
 
     /** All of them. */
+    @Schema(name = "Organisations")
     public record Organisations(List<OrganisationService.OrganisationView> organisations) {}
 
     public OrganisationController(OrganisationService organisations, GiftService gifts, CurrentPrincipal current) {

@@ -2,6 +2,7 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.time.Duration;
@@ -38,6 +39,7 @@ public class PlanController {
     private final CurrentPrincipal current;
 
     /** Plans, the oldest first. */
+    @Schema(name = "PlanList")
     public record PlanList(List<PlanView> plans) {}
 
     public PlanController(PlanService plans, CurrentPrincipal current) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Optional;
@@ -30,6 +31,7 @@ public class RegistrationController {
      * @param policy {@code approval}, {@code invitation} or {@code off}
      * @param signInWith the provider that people can sign in with; null: none
      */
+    @Schema(name = "RegistrationPolicy")
     public record Policy(String policy, @Nullable String signInWith) {}
 
     public RegistrationController(RegistrationService registrations, Optional<OidcSignIn> oidc) {

@@ -2,6 +2,7 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
@@ -31,6 +32,7 @@ public class ReplayController {
     private final CurrentPrincipal current;
 
     /** All replays. */
+    @Schema(name = "Replays")
     public record Replays(List<ReplayView> replays) {}
 
     public ReplayController(ReplayService replays, CurrentPrincipal current) {

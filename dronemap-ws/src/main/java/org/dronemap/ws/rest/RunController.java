@@ -2,6 +2,7 @@ package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.Parameter;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -38,6 +39,7 @@ public class RunController {
     private final CurrentPrincipal current;
 
     /** Mission runs, the newest first. */
+    @Schema(name = "RunList")
     public record RunList(List<RunView> runs) {}
 
     public RunController(RunService runs, RunJournalService journals, CurrentPrincipal current) {

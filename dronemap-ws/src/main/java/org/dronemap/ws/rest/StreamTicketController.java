@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.dronemap.ws.security.StreamTickets;
@@ -17,6 +18,7 @@ public class StreamTicketController {
     private final CurrentPrincipal current;
 
     /** Goes into the stream's address as {@code ?ticket=…}. */
+    @Schema(name = "StreamTicket")
     public record Ticket(String ticket) {}
 
     public StreamTicketController(StreamTickets tickets, CurrentPrincipal current) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.util.List;
 import org.dronemap.ws.security.CurrentPrincipal;
@@ -32,6 +33,7 @@ public class UserController {
     private final CurrentPrincipal current;
 
     /** All users. */
+    @Schema(name = "Users")
     public record Users(List<UserView> users) {}
 
     public UserController(UserService users, AccessKeyService keys, CurrentPrincipal current) {

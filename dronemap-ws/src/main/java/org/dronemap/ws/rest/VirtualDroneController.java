@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -33,6 +34,7 @@ public class VirtualDroneController {
     private final CurrentPrincipal current;
 
     /** Virtual drones, the oldest first. */
+    @Schema(name = "VirtualDroneList")
     public record VirtualDroneList(List<VirtualDroneView> virtualDrones) {}
 
     public VirtualDroneController(VirtualDroneService virtuals, CurrentPrincipal current) {

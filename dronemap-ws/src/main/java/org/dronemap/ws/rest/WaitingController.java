@@ -1,6 +1,7 @@
 package org.dronemap.ws.rest;
 
 import io.swagger.v3.oas.annotations.Operation;
+import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
 import java.util.List;
@@ -29,6 +30,7 @@ public class WaitingController {
     private final CurrentPrincipal current;
 
     /** All who wait. */
+    @Schema(name = "Waitings")
     public record Waitings(List<WaitingView> waiting) {}
 
     public WaitingController(WaitingService waiting, CurrentPrincipal current) {

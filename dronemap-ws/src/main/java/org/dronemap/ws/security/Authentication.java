@@ -1,5 +1,6 @@
 package org.dronemap.ws.security;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
@@ -51,10 +52,12 @@ public final class Authentication implements OwnPassword {
     private final String nobodysHash;
 
     /** A name and a password as a client writes them. */
+    @Schema(name = "Credentials")
     public record Credentials(
             @Nullable String name, @Nullable String password) {}
 
     /** Who is signed in; {@code organisation}: its name, null for the default one. */
+    @Schema(name = "SessionView")
     public record SessionView(
             String name,
             String role,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Principal;
@@ -15,6 +16,7 @@ public final class AccountService {
     private final FirstPassword firstPassword;
 
     /** A change of one's own password. */
+    @Schema(name = "PasswordRequest")
     public record PasswordRequest(
             @Nullable String current, @Nullable String next) {}
 

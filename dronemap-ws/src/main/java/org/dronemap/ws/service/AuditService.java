@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.io.IOException;
 import java.util.List;
 import org.dronemap.core.access.Principal;
@@ -29,10 +30,12 @@ public final class AuditService {
     }
 
     /** Newest first; {@code next}: what to ask for as {@code before} to go on, null: that was all. */
+    @Schema(name = "AuditPage")
     public record AuditPage(
             List<AuditView> records, @Nullable Long next) {}
 
     /** What verifying said; {@code firstBad}: the number of the first record that is not as it was, or is missing. */
+    @Schema(name = "AuditVerdictView")
     public record VerdictView(
             boolean sound, long records, @Nullable Long firstBad, String detail) {}
 

@@ -8,6 +8,7 @@ import org.dronemap.core.audit.AuditLine;
 import org.jspecify.annotations.Nullable;
 
 /** What was done by whom, as clients see it; null: not known, or none. */
+@Schema(name = "AuditView")
 public record AuditView(
         long sequence,
         Instant at,

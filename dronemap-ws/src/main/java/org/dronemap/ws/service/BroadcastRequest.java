@@ -6,7 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** One command for several drones as a client writes it. Nothing is checked yet. */
-@Schema(description = "One command for several drones.")
+@Schema(name = "BroadcastRequest", description = "One command for several drones.")
 public record BroadcastRequest(
         @Schema(
                 description = "Ids of the drones, or \"all\"",

@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** A command as a client writes it; which members are needed depends on the type. Nothing is checked yet. */
-@Schema(description = "A command; which members are needed depends on the type.")
+@Schema(name = "CommandRequest", description = "A command; which members are needed depends on the type.")
 public record CommandRequest(
         @Schema(description = "one of " + CommandRequest.TYPES, requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
         String type,
@@ -66,6 +66,7 @@ public record CommandRequest(
             + " readParameters, setParameters, readLogs, goToLocal, emergencyStop, readMap";
 
     /** A parameter and the value that it shall get. */
+    @Schema(name = "CommandParameterRequest")
     public record ParameterRequest(
             @Nullable String name, @Nullable Double value) {}
 

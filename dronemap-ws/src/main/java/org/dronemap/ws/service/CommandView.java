@@ -9,6 +9,7 @@ import org.dronemap.core.command.Outcome;
 import org.jspecify.annotations.Nullable;
 
 /** A command as clients see it. */
+@Schema(name = "CommandView")
 public record CommandView(
         String id,
         String drone,
@@ -29,10 +30,12 @@ public record CommandView(
         List<String> warnings) {
 
     /** How it ended; {@code by} says who refused. */
+    @Schema(name = "CommandOutcomeView")
     public record OutcomeView(
             String result, @Nullable String by, @Nullable String reason) {}
 
     /** Steps done of steps in all. */
+    @Schema(name = "CommandProgressView")
     public record ProgressView(int done, int total) {}
 
     public static CommandView of(CommandRecord command) {

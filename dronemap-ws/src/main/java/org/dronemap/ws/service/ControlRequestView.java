@@ -4,7 +4,9 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import org.jspecify.annotations.Nullable;
 
 /** What a client says about the control of a drone; which members are needed depends on what it is. */
-@Schema(description = "What goes with it; which members are needed depends on what is done.")
+@Schema(
+        name = "ControlRequestView",
+        description = "What goes with it; which members are needed depends on what is done.")
 public record ControlRequestView(
         @Schema(description = "takeOver (needed), request, refuse: at most 200 characters") @Nullable
         String reason,

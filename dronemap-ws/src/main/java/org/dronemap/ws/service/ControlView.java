@@ -12,7 +12,7 @@ import org.dronemap.core.lease.Tenure;
 import org.jspecify.annotations.Nullable;
 
 /** Who commands a drone, as clients see it. */
-@Schema(description = "Who commands a drone.")
+@Schema(name = "ControlView", description = "Who commands a drone.")
 public record ControlView(
         @Schema(description = "free; held: by the user in holder; pilot: by whoever flies it at the vehicle")
         String state,
@@ -34,6 +34,7 @@ public record ControlView(
         List<RequestView> requests) {
 
     /** Somebody asks for control. */
+    @Schema(name = "ControlAskedView")
     public record RequestView(String by, @Nullable String reason, Instant at) {
         static RequestView of(ControlRequest request) {
             return new RequestView(request.by(), request.reason(), millis(request.at()));

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** A drone as clients see it; a fact that nobody knows is null. */
-@Schema(description = "A drone now. A fact that nobody knows is null, never 0.")
+@Schema(name = "DroneView", description = "A drone now. A fact that nobody knows is null, never 0.")
 public record DroneView(
         String id,
         String name,
@@ -55,6 +55,7 @@ public record DroneView(
         long version) {
 
     /** The link that it is reached by. */
+    @Schema(name = "DroneLinkView")
     public record LinkView(
             String address,
             int port,
@@ -68,16 +69,19 @@ public record DroneView(
             List<String> others) {}
 
     /** How it showed who it is: its address, hardware, signature or link; only the last two prove it. */
+    @Schema(name = "DroneIdentityView")
     public record IdentityView(
             String evidence, boolean proved, @Nullable String hardwareId) {}
 
     /** Shares from 0 to 1 of the vehicle's messages that were lost over some 5 s and 60 s; milliseconds there and back. */
+    @Schema(name = "DroneQualityView")
     public record QualityView(
             @Nullable Double lossShort,
             @Nullable Double lossLong,
             @Nullable Double rttMs) {}
 
     /** Degrees, and metres above sea level and above home. */
+    @Schema(name = "DronePositionView")
     public record PositionView(
             @Nullable Double latitude,
             @Nullable Double longitude,
@@ -85,6 +89,7 @@ public record DroneView(
             @Nullable Double altitudeAboveHome) {}
 
     /** Metres in a frame of its own, such as its map; yaw in degrees counter-clockwise from x. */
+    @Schema(name = "DroneLocalView")
     public record LocalView(
             double x,
             double y,
@@ -92,12 +97,14 @@ public record DroneView(
             @Nullable Double yaw) {}
 
     /** Each kind counted by itself; null where there was none yet. */
+    @Schema(name = "DroneSensedNumbersView")
     public record SensedNumbersView(
             @Nullable Long scan,
             @Nullable Long picture,
             @Nullable Long map) {}
 
     /** Metres a second; heading in degrees. */
+    @Schema(name = "DroneMotionView")
     public record MotionView(
             @Nullable Double groundSpeed,
             @Nullable Double airSpeed,
@@ -105,27 +112,32 @@ public record DroneView(
             @Nullable Double heading) {}
 
     /** Degrees. */
+    @Schema(name = "DroneAttitudeView")
     public record AttitudeView(double roll, double pitch, double yaw) {}
 
     /** Per cent, volts, amperes. */
+    @Schema(name = "DroneBatteryView")
     public record BatteryView(
             @Nullable Integer percent,
             @Nullable Double volts,
             @Nullable Double amps) {}
 
     /** Satellite reception. */
+    @Schema(name = "DroneGpsView")
     public record GpsView(
             String fix,
             @Nullable Integer satellites,
             @Nullable Double hdop) {}
 
     /** Where it returns to; degrees and metres above sea level. */
+    @Schema(name = "DroneHomeView")
     public record HomeView(double latitude, double longitude, double altitudeAmsl) {}
 
     /**
      * What it does by itself when it does not hear the cloud any more. {@code state} is set, notSet or cannotBeSet;
      * {@code sentence} says it for people; {@code returnHeight} is metres above home, where the cloud chose it.
      */
+    @Schema(name = "DroneCloudLossView")
     public record CloudLossView(
             String state,
             @Nullable String action,
@@ -137,6 +149,7 @@ public record DroneView(
             List<OutstandingView> outstanding) {}
 
     /** A parameter that the cloud has changed, with what its owner had set. */
+    @Schema(name = "DroneOutstandingView")
     public record OutstandingView(String name, double owners, double now) {}
 
     /**
@@ -144,6 +157,7 @@ public record DroneView(
      * complete; null when the vehicle does not say. {@code hash} stands for all that the vehicle keeps of the mission,
      * finer settings included: equal hashes, equal missions.
      */
+    @Schema(name = "DroneMissionView")
     public record MissionView(
             @Nullable List<MissionItemView> items,
             @Nullable Integer current,
@@ -155,9 +169,11 @@ public record DroneView(
             @Nullable String hash) {}
 
     /** A sentence of the vehicle or about it. */
+    @Schema(name = "DroneMessageView")
     public record MessageView(String severity, String text, Instant at) {}
 
     /** Whether a command can be given now, and if not, why. */
+    @Schema(name = "DroneActionView")
     public record ActionView(
             boolean allowed,
             @Nullable String why,

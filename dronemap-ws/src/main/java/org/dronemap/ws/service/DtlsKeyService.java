@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.security.SecureRandom;
 import java.time.Clock;
 import java.time.Instant;
@@ -30,6 +31,7 @@ public final class DtlsKeyService {
     private final SecureRandom random = new SecureRandom();
 
     /** A new key: for a drone that is known, whose key before is revoked, or for a vehicle still to come. */
+    @Schema(name = "DtlsKeyRequest")
     public record DtlsKeyRequest(
             @Nullable String label, @Nullable String drone) {}
 
@@ -39,6 +41,7 @@ public final class DtlsKeyService {
      * @param identity what the vehicle has to call itself
      * @param secret 32 bytes in hexadecimal, once, in the answer that made it
      */
+    @Schema(name = "DtlsKeyView")
     public record DtlsKeyView(
             String identity,
             String label,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -11,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param state open, connecting or failed; a failed one is tried again
  * @param peers the first hundred
  */
+@Schema(name = "EndpointView")
 public record EndpointView(
         String id,
         String url,
@@ -24,6 +26,7 @@ public record EndpointView(
         List<PeerView> peers) {
 
     /** Counts since the endpoint opened; kernelDrops is null where the system does not tell. */
+    @Schema(name = "EndpointCounts")
     public record Counts(
             int peers,
             long framesIn,
@@ -38,6 +41,7 @@ public record EndpointView(
             @Nullable Long kernelDrops) {}
 
     /** One address or device that is heard there; identity is what an authenticated link proved. */
+    @Schema(name = "EndpointPeerView")
     public record PeerView(
             String address,
             @Nullable String identity,

@@ -7,6 +7,7 @@ import org.dronemap.core.history.HistoryEvent;
 import org.jspecify.annotations.Nullable;
 
 /** Something that happened to a drone, as clients see it; null: not known, or none. */
+@Schema(name = "EventView")
 public record EventView(
         Instant at,
 
@@ -24,6 +25,7 @@ public record EventView(
         @Nullable String reason) {
 
     /** Oldest first; {@code more}: there are more than that. */
+    @Schema(name = "Events")
     public record Events(String drone, Instant from, Instant until, List<EventView> events, boolean more) {}
 
     static EventView of(HistoryEvent event) {

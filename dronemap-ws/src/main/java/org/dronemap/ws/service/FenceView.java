@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceZone;
@@ -7,8 +8,10 @@ import org.dronemap.core.mission.RallyPoint;
 import org.jspecify.annotations.Nullable;
 
 /** The fence on board of a vehicle, read and written in the same form; {@code zones} is null until it was read. */
+@Schema(name = "FenceView")
 public record FenceView(@Nullable List<ZoneView> zones) {
     /** {@code type} is polygon (with corners) or circle (with center and radius in metres). */
+    @Schema(name = "FenceZoneView")
     public record ZoneView(
             @Nullable String type,
             @Nullable Boolean inside,
@@ -17,6 +20,7 @@ public record FenceView(@Nullable List<ZoneView> zones) {
             @Nullable Double radius) {}
 
     /** Degrees. */
+    @Schema(name = "FencePointView")
     public record PointView(
             @Nullable Double latitude, @Nullable Double longitude) {
         static PointView of(Geodetic point) {
@@ -25,6 +29,7 @@ public record FenceView(@Nullable List<ZoneView> zones) {
     }
 
     /** Rally points; null until they were read. */
+    @Schema(name = "FenceRallyView")
     public record RallyView(@Nullable List<RallyPointView> points) {
         static RallyView of(@Nullable List<RallyPoint> points) {
             return new RallyView(
@@ -40,6 +45,7 @@ public record FenceView(@Nullable List<ZoneView> zones) {
     }
 
     /** The altitude is above home, in metres. */
+    @Schema(name = "FenceRallyPointView")
     public record RallyPointView(
             @Nullable Double latitude,
             @Nullable Double longitude,

@@ -10,6 +10,7 @@ import org.dronemap.core.history.Measures;
 import org.jspecify.annotations.Nullable;
 
 /** A flight, as clients see it; null: not known, or none. */
+@Schema(name = "FlightView")
 public record FlightView(
         String id,
         String drone,
@@ -47,15 +48,18 @@ public record FlightView(
         @Schema(description = "Ids of recordings of it") List<String> recordings) {
 
     /** In percent of a full charge. */
+    @Schema(name = "FlightChargeView")
     public record ChargeView(
             @Nullable Integer first,
             @Nullable Integer last,
             @Nullable Integer used) {}
 
     /** In degrees. */
+    @Schema(name = "FlightSpotView")
     public record SpotView(double latitude, double longitude) {}
 
     /** Some flights; {@code next}: go on with before = next, null: that is all. */
+    @Schema(name = "Flights")
     public record Flights(
             List<FlightView> flights, @Nullable String next) {}
 

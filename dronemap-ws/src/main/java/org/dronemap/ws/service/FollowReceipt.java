@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /** What became of positions that a phone said. */
 @Schema(
+        name = "FollowReceipt",
         description =
                 "What became of the positions of one message. Keep those that it does not cover, and say them again.")
 public record FollowReceipt(

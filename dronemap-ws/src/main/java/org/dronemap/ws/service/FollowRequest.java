@@ -10,7 +10,9 @@ public final class FollowRequest {
     private FollowRequest() {}
 
     /** A phone that asks to be followed. */
-    @Schema(description = "Where a phone is that asks to be followed, and where the drone is to stay beside it.")
+    @Schema(
+            name = "FollowOpenRequest",
+            description = "Where a phone is that asks to be followed, and where the drone is to stay beside it.")
     public record OpenRequest(
             @Schema(description = "degrees", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             Double latitude,
@@ -40,7 +42,9 @@ public final class FollowRequest {
             Double patience) {}
 
     /** Where a drone stays. */
-    @Schema(description = "Where the drone stays beside the phone; what is left out stays as it is.")
+    @Schema(
+            name = "FollowPlaceRequest",
+            description = "Where the drone stays beside the phone; what is left out stays as it is.")
     public record PlaceRequest(
             @Schema(description = "behind, ahead, fixed or orbit; left out at first: behind") @Nullable
             String side,
@@ -58,7 +62,9 @@ public final class FollowRequest {
             Double height) {}
 
     /** What a phone saw. */
-    @Schema(description = "Where the phone was, oldest first. Times are by its own clock.")
+    @Schema(
+            name = "FollowPositionsRequest",
+            description = "Where the phone was, oldest first. Times are by its own clock.")
     public record PositionsRequest(
             @Schema(description = "When this is sent", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             Instant sent,
@@ -73,7 +79,7 @@ public final class FollowRequest {
             List<@Nullable PositionRequest> positions) {}
 
     /** One position. */
-    @Schema(description = "Where the phone was once.")
+    @Schema(name = "FollowPositionRequest", description = "Where the phone was once.")
     public record PositionRequest(
             @Schema(
                     description =

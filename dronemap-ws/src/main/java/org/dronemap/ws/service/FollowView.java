@@ -12,7 +12,7 @@ import org.dronemap.core.conduct.Operations.Picture;
 import org.jspecify.annotations.Nullable;
 
 /** A follow as clients see it. */
-@Schema(description = "A phone that a drone follows, as it stands.")
+@Schema(name = "FollowView", description = "A phone that a drone follows, as it stands.")
 public record FollowView(
         String id,
         String name,

@@ -33,6 +33,7 @@ public final class GiftService {
     private final Clock clock;
 
     /** What goes along; without, nothing does. */
+    @Schema(name = "GiftRequest")
     public record GiftRequest(
             @Schema(
                     description =
@@ -41,6 +42,7 @@ public final class GiftService {
             Boolean histories) {}
 
     /** A drone that was given, and what that means. */
+    @Schema(name = "GiftView")
     public record GiftView(
             @Schema(description = "Id of the drone") String drone,
             @Schema(description = "As it was called then") String droneName,
@@ -78,6 +80,7 @@ public final class GiftService {
     }
 
     /** The drones of an organisation that others gave to it. */
+    @Schema(name = "Gifts")
     public record Gifts(List<GiftView> gifts) {}
 
     public GiftService(

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.DateTimeException;
 import java.time.Instant;
@@ -29,6 +30,7 @@ public final class GrantService {
     private final Clock clock;
 
     /** A grant as an administrator writes it; from now on, and without end, unless it says otherwise. */
+    @Schema(name = "GrantRequest")
     public record GrantRequest(
             @Nullable String user,
             @Nullable String group,
@@ -41,6 +43,7 @@ public final class GrantService {
             @Nullable String until) {}
 
     /** Whether somebody sees only what was granted. */
+    @Schema(name = "OnlyGrantedRequest")
     public record OnlyGrantedRequest(@Nullable Boolean onlyGranted) {}
 
     /**
@@ -50,6 +53,7 @@ public final class GrantService {
      * @param drones null: not by their ids
      * @param state inForce, toCome or over
      */
+    @Schema(name = "GrantView")
     public record GrantView(
             String id,
             @Nullable String user,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -27,17 +28,21 @@ public final class GroupService {
     private final DroneService drones;
 
     /** A group as an administrator writes it; without members it is empty. */
+    @Schema(name = "GroupRequest")
     public record GroupRequest(
             @Nullable String name, @Nullable List<@Nullable String> members) {}
 
     /** A fleet as an administrator writes it; without drones it is empty. */
+    @Schema(name = "FleetRequest")
     public record FleetRequest(
             @Nullable String name, @Nullable List<@Nullable String> drones) {}
 
     /** A group; {@code onlyGranted}: its members see nothing but what they, or it, were granted. */
+    @Schema(name = "GroupView")
     public record GroupView(String id, String name, List<String> members, boolean onlyGranted) {}
 
     /** A fleet. */
+    @Schema(name = "FleetView")
     public record FleetView(String id, String name, List<String> drones) {
         static FleetView of(Fleet fleet) {
             return new FleetView(

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.process.PastEnd;
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param setAside it ended so often that it started without its operations
  * @param refusedPeers so many peers, whose messages it was at when it ended, are not heard
  */
+@Schema(name = "HealthView")
 public record HealthView(
         String status,
         String database,
@@ -28,6 +30,7 @@ public record HealthView(
         String version,
         long uptimeSeconds) {
     /** How many drones there are of each sort: by link, ready to be armed, armed (in contact or not). */
+    @Schema(name = "HealthDroneCounts")
     public record DroneCounts(long live, long suspect, long lost, long ready, long armed) {}
 
     /**
@@ -36,6 +39,7 @@ public record HealthView(
      * @param at ms since 1970; the last sign of life
      * @param part what could not go on
      */
+    @Schema(name = "HealthLastEnd")
     public record LastEnd(long at, String part) {
         static @Nullable LastEnd of(@Nullable PastEnd end) {
             return end == null ? null : new LastEnd(end.at().toEpochMilli(), end.part());
@@ -48,12 +52,15 @@ public record HealthView(
      * @param ends how the server ended that made it careful, or at least the last one
      * @param refused peers that are not heard until the server is started again
      */
+    @Schema(name = "HealthDetails")
     public record Details(List<Part> parts, List<End> ends, List<String> refused) {}
 
     /** {@code why}: a sentence; null: it is up. */
+    @Schema(name = "HealthPart")
     public record Part(String name, String state, @Nullable String why) {}
 
     /** {@code at}: ms since 1970. */
+    @Schema(name = "HealthEnd")
     public record End(long at, String part, String why, List<String> peers) {
         static End of(PastEnd end) {
             return new End(

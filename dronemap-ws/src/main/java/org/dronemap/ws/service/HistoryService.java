@@ -12,6 +12,7 @@ public final class HistoryService {
     private final History history;
 
     /** What is kept where, and what is not. */
+    @Schema(name = "HistoryView")
     public record HistoryView(
             @Schema(description = "What telemetry is kept in, with its version; null while it does not answer")
             @Nullable

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
@@ -26,6 +27,7 @@ public final class InvitationService {
     private final Clock clock;
 
     /** Whom to invite as what, for how many days; seven, and into the asker's organisation, unless said otherwise. */
+    @Schema(name = "NewInvitation")
     public record NewInvitation(
             @Nullable String label,
             @Nullable String role,
@@ -37,6 +39,7 @@ public final class InvitationService {
      *
      * @param code there once, in the answer that made it
      */
+    @Schema(name = "InvitationView")
     public record InvitationView(
             String id,
             String label,

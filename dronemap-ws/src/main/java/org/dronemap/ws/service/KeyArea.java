@@ -6,6 +6,7 @@ import org.dronemap.core.mission.FenceZone;
 import org.jspecify.annotations.Nullable;
 
 /** The area that flights commanded with an access key stay within, as a geometry of GeoJSON. */
+@Schema(name = "KeyArea")
 public record KeyArea(
         @Schema(description = "Polygon (one ring) or Point, the middle of a circle") @Nullable
         String type,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
@@ -27,6 +28,7 @@ import org.jspecify.annotations.Nullable;
  * @param altitudeReference what both are measured from: home or amsl
  * @param days until it ends
  */
+@Schema(name = "KeyRequest")
 public record KeyRequest(
         @Nullable String label,
         @Nullable String role,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
@@ -25,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param lastUsedAt to about a minute; null: not used yet
  * @param key the key itself, there once, in the answer that made it
  */
+@Schema(name = "KeyView")
 public record KeyView(
         String id,
         String label,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.access.Principal;
@@ -13,6 +14,7 @@ public final class LeftBehindService {
     private final CloudManager cloud;
 
     /** A drone that is not there any more, as it was called, and what its owner had set on it. */
+    @Schema(name = "LeftBehindView")
     public record LeftBehindView(String id, String name, Instant since, List<DroneView.OutstandingView> outstanding) {}
 
     public LeftBehindService(CloudManager cloud) {

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.Arrays;
@@ -32,9 +33,11 @@ public final class LinkSecurityService {
     private final SecureRandom random = new SecureRandom();
 
     /** A change of the policy. */
+    @Schema(name = "LinkSecurityPolicyRequest")
     public record PolicyRequest(@Nullable String policy) {}
 
     /** A new key; without one given it is made up. */
+    @Schema(name = "LinkKeyRequest")
     public record LinkKeyRequest(@Nullable String key) {
 
         /** It may hold a secret. */
@@ -45,9 +48,11 @@ public final class LinkSecurityService {
     }
 
     /** {@code confirm}: the asker vouches that nobody listens on the link. */
+    @Schema(name = "LinkSecurityChangeRequest")
     public record ChangeRequest(@Nullable Boolean confirm) {}
 
     /** A key that was just made; this is the only time that it is shown. */
+    @Schema(name = "MadeLinkKey")
     public record MadeKey(String fingerprint, String key) {
 
         @Override

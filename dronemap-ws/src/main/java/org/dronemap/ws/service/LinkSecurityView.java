@@ -4,7 +4,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import org.jspecify.annotations.Nullable;
 
 /** How a drone's link is secured, for clients; no secret is in it. */
-@Schema(description = "How a drone's link is secured; a key shows its fingerprint only.")
+@Schema(name = "LinkSecurityView", description = "How a drone's link is secured; a key shows its fingerprint only.")
 public record LinkSecurityView(
         @Schema(description = "off, optional or required") String policy,
         @Nullable Key key,
@@ -21,9 +21,11 @@ public record LinkSecurityView(
         Messages messages) {
 
     /** {@code inUse}: the vehicle was heard signing with it. */
+    @Schema(name = "LinkSecurityKey")
     public record Key(String fingerprint, boolean inUse) {}
 
     /** Counts since the server's start. */
+    @Schema(name = "LinkSecurityMessages")
     public record Messages(
             long valid, long unsigned, long badSignature, long replayed, long tooOld, long tooManyStreams) {}
 }

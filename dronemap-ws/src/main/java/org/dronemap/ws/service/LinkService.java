@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -25,6 +26,7 @@ public final class LinkService {
     private final Clock clock;
 
     /** A new endpoint as an administrator writes it. */
+    @Schema(name = "EndpointRequest")
     public record EndpointRequest(@Nullable String url) {}
 
     public LinkService(VehicleLinks links, LinkStore store, Clock clock) {

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 
 /** One step of a mission as clients read and write it; which members are there depends on the type. */
 @JsonInclude(JsonInclude.Include.NON_NULL)
-@Schema(description = "One step of a mission; which members are there depends on the type.")
+@Schema(name = "MissionItemView", description = "One step of a mission; which members are there depends on the type.")
 public record MissionItemView(
         @Schema(
                 description =

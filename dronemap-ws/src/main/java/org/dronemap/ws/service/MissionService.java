@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -19,10 +20,12 @@ public final class MissionService {
     private final Clock clock;
 
     /** A mission as a client writes it. */
+    @Schema(name = "MissionRequest")
     public record MissionRequest(
             @Nullable String name, @Nullable List<MissionItemView> items) {}
 
     /** A saved mission as clients see it. */
+    @Schema(name = "SavedMissionView")
     public record SavedMissionView(String id, String name, List<MissionItemView> items, String by, Instant changedAt) {
         static SavedMissionView of(SavedMission saved) {
             return new SavedMissionView(

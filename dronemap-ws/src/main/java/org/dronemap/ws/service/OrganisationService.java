@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -32,9 +33,11 @@ public final class OrganisationService {
     private final Secrets secrets = new Secrets();
 
     /** What it is called. */
+    @Schema(name = "OrganisationNameRequest")
     public record NameRequest(@Nullable String name) {}
 
     /** An organisation as the server's administrators see it. */
+    @Schema(name = "OrganisationView")
     public record OrganisationView(
             String id,
             String name,

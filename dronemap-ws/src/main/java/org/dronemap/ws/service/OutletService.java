@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
@@ -33,6 +34,7 @@ public final class OutletService {
     private final Secrets secrets;
 
     /** A passphrase of one's own choice; without one it is made up. */
+    @Schema(name = "PassphraseRequest")
     public record PassphraseRequest(@Nullable String passphrase) {
 
         /** It holds a secret. */
@@ -43,6 +45,7 @@ public final class OutletService {
     }
 
     /** A passphrase that was just set; this is the only time that it is shown. */
+    @Schema(name = "PassphraseView")
     public record PassphraseView(String passphrase) {
 
         @Override
@@ -57,10 +60,12 @@ public final class OutletService {
      * @param address from where it may be spoken to: an IP address, or a network
      * @param hours that it shall be open, 1 to 24; without, 8
      */
+    @Schema(name = "OutletPortRequest")
     public record PortRequest(
             @Nullable String address, @Nullable Integer hours) {}
 
     /** One's own side of the outlet. */
+    @Schema(name = "OwnOutletView")
     public record OwnOutletView(
             List<String> endpoints,
             boolean passphraseSet,

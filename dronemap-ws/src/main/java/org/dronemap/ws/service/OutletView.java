@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -11,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param dropped messages of vehicles that found no room on their way to clients
  * @param notPassed messages of clients of kinds that do not pass
  */
+@Schema(name = "OutletView")
 public record OutletView(
         List<String> endpoints,
         List<ClientView> clients,
@@ -24,6 +26,7 @@ public record OutletView(
      * @param systemId its own
      * @param drones how many it is shown
      */
+    @Schema(name = "OutletClientView")
     public record ClientView(
             String id,
             String user,
@@ -48,6 +51,7 @@ public record OutletView(
      * @param peer the first that spoke, which has it; null: nobody did
      * @param refused messages from elsewhere
      */
+    @Schema(name = "OutletPortView")
     public record PortView(
             String id,
             String user,
@@ -64,6 +68,7 @@ public record OutletView(
      * @param turnedAway signed rightly, by somebody who may not attach
      * @param elsewhere at a personal port, from where it is not bound to
      */
+    @Schema(name = "OutletRefusedView")
     public record RefusedView(
             long unsigned, long badSignature, long replayed, long tooOld, long turnedAway, long elsewhere) {}
 }

@@ -8,7 +8,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.jspecify.annotations.Nullable;
 
 /** What becomes of a drone in the air when whoever has it has it no more, as clients see it. */
-@Schema(description = "What becomes of a drone in the air when whoever has it has it no more.")
+@Schema(name = "OutlookView", description = "What becomes of a drone in the air when whoever has it has it no more.")
 public record OutlookView(
         @Schema(
                 description =

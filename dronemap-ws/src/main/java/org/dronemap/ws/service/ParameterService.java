@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import org.dronemap.core.access.Principal;
@@ -22,6 +23,7 @@ public final class ParameterService {
     private final CommandService commands;
 
     /** {@code id}: the client's own; the same twice acts once. */
+    @Schema(name = "ParameterValueRequest")
     public record ValueRequest(
             @Nullable Double value, @Nullable String id) {}
 

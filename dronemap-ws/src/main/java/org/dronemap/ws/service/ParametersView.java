@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
@@ -13,8 +14,10 @@ import org.jspecify.annotations.Nullable;
  * @param readAt when the list was last read whole; null when it never was
  * @param total how many there are, found or not
  */
+@Schema(name = "ParametersView")
 public record ParametersView(@Nullable Instant readAt, int total, List<ParameterView> parameters) {
     /** {@code type}: int8 to int64, uint8 to uint64, real32 or real64. */
+    @Schema(name = "ParameterView")
     public record ParameterView(String name, String type, double value) {
         static ParameterView of(Parameter parameter) {
             return new ParameterView(
@@ -23,6 +26,7 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
     }
 
     /** A value in a file that is not the vehicle's. */
+    @Schema(name = "ParametersDifferenceView")
     public record DifferenceView(String name, String type, double held, double wanted) {
         static DifferenceView of(ParameterComparison.Difference difference) {
             ParameterView view = ParameterView.of(difference.held());
@@ -37,6 +41,7 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
      * @param unfit values that the vehicle cannot hold; they are left out
      * @param command the change under way; null for a dry run, or when there is nothing to change
      */
+    @Schema(name = "ParametersFileView")
     public record FileView(
             List<DifferenceView> different,
             int same,

@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** What is to be planned, as a client writes it. Nothing is checked yet. */
-@Schema(description = "Waypoints that are to be shared out among drones.")
+@Schema(name = "PlanRequest", description = "Waypoints that are to be shared out among drones.")
 public record PlanRequest(
         @Schema(description = "1 to 5000", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
         List<@Nullable WaypointRequest> waypoints,
@@ -28,7 +28,7 @@ public record PlanRequest(
         @Schema(description = "The same everywhere; left out: calm") @Nullable
         WindRequest wind) {
     /** A place that one drone is to visit. */
-    @Schema(description = "A place that one drone is to visit.")
+    @Schema(name = "PlanWaypointRequest", description = "A place that one drone is to visit.")
     public record WaypointRequest(
             @Schema(description = "Your own name of it, up to 40 characters; left out: its number from 1") @Nullable
             String id,
@@ -74,7 +74,9 @@ public record PlanRequest(
     }
 
     /** Something that is done at a waypoint. */
-    @Schema(description = "Something that is done at a waypoint; which members count depends on the type.")
+    @Schema(
+            name = "PlanTaskRequest",
+            description = "Something that is done at a waypoint; which members count depends on the type.")
     public record TaskRequest(
             @Schema(description = "photo, servo, lookAt or readSensors", requiredMode = Schema.RequiredMode.REQUIRED)
             @Nullable
@@ -99,7 +101,7 @@ public record PlanRequest(
             Double seconds) {}
 
     /** A span on the plan's clock. */
-    @Schema(description = "Seconds after the start of the plan.")
+    @Schema(name = "PlanWindowRequest", description = "Seconds after the start of the plan.")
     public record WindowRequest(
             @Schema(description = "left out: 0") @Nullable Double opens,
 
@@ -107,7 +109,7 @@ public record PlanRequest(
             Double closes) {}
 
     /** What a plan is to be good at. */
-    @Schema(description = "What the plan is to be good at.")
+    @Schema(name = "PlanObjectiveRequest", description = "What the plan is to be good at.")
     public record ObjectiveRequest(
             @Schema(description = "earliestEnd, leastTime, leastDistance, leastEnergy or weighted") @Nullable
             String kind,
@@ -125,6 +127,7 @@ public record PlanRequest(
             Boolean everyDrone) {}
 
     /** Wind that is the same everywhere. */
+    @Schema(name = "PlanWindRequest")
     public record WindRequest(
             @Schema(description = "m/s, 0 to 100") @Nullable Double speed,
 
@@ -132,7 +135,7 @@ public record PlanRequest(
             Double from) {}
 
     /** How a plan is accepted. */
-    @Schema(description = "How a plan is accepted.")
+    @Schema(name = "PlanAcceptRequest", description = "How a plan is accepted.")
     public record AcceptRequest(
             @Schema(
                     description =

@@ -7,7 +7,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** A plan as clients see it. */
-@Schema(description = "A plan, from being asked for to being flown.")
+@Schema(name = "PlanView", description = "A plan, from being asked for to being flown.")
 public record PlanView(
         String id,
         String by,
@@ -39,9 +39,11 @@ public record PlanView(
         @Schema(description = "Once accepted: one outcome for each drone") @Nullable
         LaunchView launch) {
     /** A drone and what it is called; its own id where it is gone. */
+    @Schema(name = "PlanDroneName")
     public record DroneName(String id, String name) {}
 
     /** How good a plan is. */
+    @Schema(name = "PlanProgressView")
     public record ProgressView(
             @Schema(description = "Seconds since the search began")
             double seconds,
@@ -64,9 +66,11 @@ public record PlanView(
             long iterations) {}
 
     /** The waypoints of one drone, in order. */
+    @Schema(name = "PlanOrderView")
     public record OrderView(String drone, List<String> waypoints) {}
 
     /** What planning came to. */
+    @Schema(name = "PlanResultView")
     public record ResultView(
             double endsSeconds,
             List<TourView> tours,
@@ -79,6 +83,7 @@ public record PlanView(
             boolean assumed) {}
 
     /** What one drone flies; seconds are those after the start of the plan. */
+    @Schema(name = "PlanTourView")
     public record TourView(
             String drone,
             String name,
@@ -96,6 +101,7 @@ public record PlanView(
             List<PlaceView> back) {}
 
     /** A visit. */
+    @Schema(name = "PlanStopView")
     public record StopView(
             String waypoint,
             double latitude,
@@ -112,12 +118,15 @@ public record PlanView(
             List<PlaceView> via) {}
 
     /** A place in the air; altitude in metres above mean sea level. */
+    @Schema(name = "PlanPlaceView")
     public record PlaceView(double latitude, double longitude, double altitudeAmsl) {}
 
     /** What nobody visits, and why. */
+    @Schema(name = "PlanUnservedView")
     public record UnservedView(String waypoint, String why, PlaceView place) {}
 
     /** What became of it after it was accepted. */
+    @Schema(name = "PlanLaunchView")
     public record LaunchView(
             @Schema(description = "Whether something is still under way")
             boolean underWay,
@@ -125,6 +134,7 @@ public record PlanView(
             List<FlightView> drones) {}
 
     /** One drone's outcome. */
+    @Schema(name = "PlanFlightView")
     public record FlightView(
             String drone,
             String name,

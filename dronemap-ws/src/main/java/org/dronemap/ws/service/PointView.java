@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.history.TelemetryField;
@@ -7,6 +8,7 @@ import org.dronemap.core.history.TelemetryPoint;
 import org.jspecify.annotations.Nullable;
 
 /** A state of a drone at one moment, as far as a map with a time line wants it; null: not known. */
+@Schema(name = "PointView")
 public record PointView(
         Instant at,
         @Nullable Double latitude,
@@ -23,6 +25,7 @@ public record PointView(
         String link) {
 
     /** In the order of time. */
+    @Schema(name = "Points")
     public record Points(String drone, Instant from, Instant until, List<PointView> points) {}
 
     static PointView of(TelemetryPoint point) {

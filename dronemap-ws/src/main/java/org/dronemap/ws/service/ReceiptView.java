@@ -9,7 +9,7 @@ import org.dronemap.core.audit.SignedHead;
 import org.jspecify.annotations.Nullable;
 
 /** That the records up to this one were there at that time: whoever keeps it can have it compared for ever. */
-@Schema(description = "Keep it where nobody who runs the server can change it.")
+@Schema(name = "ReceiptView", description = "Keep it where nobody who runs the server can change it.")
 public record ReceiptView(
         @JsonProperty("sequence") @Nullable Long sequence,
         @JsonProperty("hash") @Nullable String hash,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -16,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param state running, complete, incomplete
  * @param notice why it is not complete; null otherwise
  */
+@Schema(name = "RecordingView")
 public record RecordingView(
         String id,
         String drone,
@@ -30,9 +32,11 @@ public record RecordingView(
         @Nullable String notice) {
 
     /** All that may be seen, and the room that recordings take. */
+    @Schema(name = "RecordingPage")
     public record Page(List<RecordingView> recordings, RoomView room) {}
 
     /** What the recordings of the server take and may take. */
+    @Schema(name = "RecordingRoomView")
     public record RoomView(
             long usedBytes,
             long mostBytes,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.Optional;
@@ -26,12 +27,14 @@ public final class RegistrationService {
     private final Throttle throttle;
 
     /** What a person asks for; the invitation is the code from its link. */
+    @Schema(name = "RegistrationRequest")
     public record Request(
             @Nullable String name,
             @Nullable String password,
             @Nullable String invitation) {}
 
     /** What came of it: {@code active}, or {@code waiting} for an administrator. */
+    @Schema(name = "RegistrationAnswer")
     public record Answer(String name, String role, String state) {}
 
     public RegistrationService(

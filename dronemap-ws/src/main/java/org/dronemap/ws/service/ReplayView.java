@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -9,6 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param progress 0 to 1
  * @param failure the sentence when the state is failed
  */
+@Schema(name = "ReplayView")
 public record ReplayView(
         String id,
         String name,

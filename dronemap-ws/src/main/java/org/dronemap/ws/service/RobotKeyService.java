@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
@@ -40,6 +41,7 @@ public final class RobotKeyService {
      * @param organisation where it shall belong; without, the asker's
      * @param drone whose key is to be replaced; without, it becomes a new drone
      */
+    @Schema(name = "RobotKeyRequest")
     public record RobotKeyRequest(
             @Nullable String label,
             @Nullable Integer systemId,
@@ -53,6 +55,7 @@ public final class RobotKeyService {
      * @param id of the drone that the robot is, from the first time that it calls in
      * @param key once, in the answer that made it
      */
+    @Schema(name = "RobotKeyView")
     public record RobotKeyView(
             String id,
             String label,

@@ -27,7 +27,7 @@ public final class RunJournalService {
     private final Semaphore replaying = new Semaphore(1);
 
     /** A part of a journal. */
-    @Schema(description = "What befell a mission run, in order.")
+    @Schema(name = "RunJournalView", description = "What befell a mission run, in order.")
     public record JournalView(
             List<EntryView> entries,
 
@@ -57,7 +57,7 @@ public final class RunJournalService {
             String decision) {}
 
     /** Whether a journal bears itself out. */
-    @Schema(description = "Whether everything is decided again as it was written down.")
+    @Schema(name = "RunReplayView", description = "Whether everything is decided again as it was written down.")
     public record ReplayView(
             boolean same,
 

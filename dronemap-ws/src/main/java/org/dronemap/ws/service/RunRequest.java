@@ -9,7 +9,7 @@ public final class RunRequest {
     private RunRequest() {}
 
     /** A plan that is to be flown. */
-    @Schema(description = "A finished plan of yours that is to be flown, and how.")
+    @Schema(name = "RunStartRequest", description = "A finished plan of yours that is to be flown, and how.")
     public record StartRequest(
             @Schema(description = "The id of the plan", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             String plan,
@@ -33,13 +33,15 @@ public final class RunRequest {
             Double searchSeconds) {}
 
     /** Further places. */
-    @Schema(description = "Further waypoints; windows count from the beginning of the run.")
+    @Schema(
+            name = "RunWaypointsRequest",
+            description = "Further waypoints; windows count from the beginning of the run.")
     public record WaypointsRequest(
             @Schema(description = "1 to 500", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             List<PlanRequest.@Nullable WaypointRequest> waypoints) {}
 
     /** Where a waypoint is from now on. */
-    @Schema(description = "Where a waypoint is from now on; what is left out stays.")
+    @Schema(name = "RunMoveRequest", description = "Where a waypoint is from now on; what is left out stays.")
     public record MoveRequest(
             @Schema(description = "degrees") @Nullable Double latitude,
             @Schema(description = "degrees") @Nullable Double longitude,
@@ -49,13 +51,13 @@ public final class RunRequest {
             String altitudeReference) {}
 
     /** A drone that joins. */
-    @Schema(description = "A further drone, on the ground and free.")
+    @Schema(name = "RunJoinRequest", description = "A further drone, on the ground and free.")
     public record JoinRequest(
             @Schema(description = "The id of the drone", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             String drone) {}
 
     /** Whether a proposal is flown. */
-    @Schema(description = "Whether what was proposed is to be flown.")
+    @Schema(name = "RunAnswerRequest", description = "Whether what was proposed is to be flown.")
     public record AnswerRequest(
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             Boolean accept) {}

@@ -6,7 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** A mission run as clients see it. */
-@Schema(description = "A plan that drones fly, as it stands.")
+@Schema(name = "RunView", description = "A plan that drones fly, as it stands.")
 public record RunView(
         String id,
         String name,
@@ -47,6 +47,7 @@ public record RunView(
         @Schema(description = "The number of the newest entry of its journal")
         long journal) {
     /** How far it is. */
+    @Schema(name = "RunCountsView")
     public record CountsView(
             int waypoints,
             long visited,
@@ -137,6 +138,7 @@ public record RunView(
             String words) {}
 
     /** When it was learned that a drone had visited. */
+    @Schema(name = "RunVisitView")
     public record VisitView(String drone, Instant at) {}
 
     /** A changed plan. */
@@ -145,12 +147,14 @@ public record RunView(
             int number, Instant at, String words, List<MovedView> moved, FiguresView before, FiguresView after) {}
 
     /** A waypoint that is another drone's now. */
+    @Schema(name = "RunMovedView")
     public record MovedView(
             String waypoint,
             @Nullable String from,
             @Nullable String to) {}
 
     /** What a plan comes to. */
+    @Schema(name = "RunFiguresView")
     public record FiguresView(
             @Schema(description = "When the last drone is at its end")
             double longestSeconds,

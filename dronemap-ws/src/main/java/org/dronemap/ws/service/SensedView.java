@@ -12,12 +12,14 @@ import org.dronemap.core.drone.Sensed;
 import org.jspecify.annotations.Nullable;
 
 /** The newest that a drone's sensors brought; null where there was none yet. */
+@Schema(name = "SensedView")
 public record SensedView(
         @Nullable ScanView scan,
         @Nullable PictureView picture,
         @Nullable MapView map) {
 
     /** A sweep: metres along rays, counter-clockwise from the nose; angles in degrees. Null where nothing was met. */
+    @Schema(name = "SensedScanView")
     public record ScanView(
             long number,
             Instant at,
@@ -28,9 +30,11 @@ public record SensedView(
             List<@Nullable Double> ranges) {}
 
     /** The picture itself is at .../sensed/picture. */
+    @Schema(name = "SensedPictureView")
     public record PictureView(long number, Instant at, String mediaType) {}
 
     /** Its edges in metres of the vehicle's own frame; the picture, drawn from above, is at .../sensed/map. */
+    @Schema(name = "SensedMapView")
     public record MapView(
             long number, Instant at, String mediaType, double left, double bottom, double width, double height) {}
 

@@ -10,6 +10,7 @@ import org.dronemap.core.history.TelemetryField;
 import org.jspecify.annotations.Nullable;
 
 /** Numbers over time, as charts want them: one list of times, and two of values for each field. */
+@Schema(name = "SeriesView")
 public record SeriesView(
         String drone,
         Instant from,
@@ -22,6 +23,7 @@ public record SeriesView(
         List<FieldSeries> fields) {
 
     /** The least and the greatest value of each slot, so that no peak is lost; null: not known then. */
+    @Schema(name = "FieldSeries")
     public record FieldSeries(String name, String unit, List<@Nullable Double> least, List<@Nullable Double> most) {}
 
     static SeriesView of(SeriesQuery query, List<SeriesSlot> slots) {

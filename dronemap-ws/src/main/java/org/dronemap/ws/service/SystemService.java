@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,6 +33,7 @@ public final class SystemService {
      *
      * @param phonePage where phones learn to trust this server, by plain HTTP; null: nowhere
      */
+    @Schema(name = "SettingsView")
     public record SettingsView(
             int streamPort,
             @Nullable String tileAddress,

@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** Waypoints of one drone that are to be ordered, as a client writes them. Nothing is checked yet. */
-@Schema(description = "Waypoints of one drone that are to be put into a good order.")
+@Schema(name = "TourRequest", description = "Waypoints of one drone that are to be put into a good order.")
 public record TourRequest(
         @Schema(description = "The id of the drone", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
         String drone,

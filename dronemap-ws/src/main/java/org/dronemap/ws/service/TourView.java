@@ -4,6 +4,7 @@ import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 
 /** A good order of one drone's waypoints, as clients see it. */
+@Schema(name = "TourView")
 public record TourView(
         @Schema(
                 description = "The waypoints' numbers in the request, from 0, in the order in which to fly them; what"
@@ -21,6 +22,7 @@ public record TourView(
         @Schema(description = "What cannot be visited, and why")
         List<PlanView.UnservedView> unserved) {
     /** What a tour takes. */
+    @Schema(name = "TourEffortView")
     public record EffortView(
             double seconds,
             @Schema(description = "metres over the ground") double distance) {}

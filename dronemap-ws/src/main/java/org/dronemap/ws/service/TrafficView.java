@@ -1,8 +1,10 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import org.jspecify.annotations.Nullable;
 
 /** What went between one vehicle and the cloud over one link since its session began, in messages. */
+@Schema(name = "TrafficView")
 public record TrafficView(
         @Nullable String drone,
         String address,

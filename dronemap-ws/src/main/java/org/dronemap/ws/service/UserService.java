@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
@@ -19,15 +20,18 @@ public final class UserService {
     private final GrantChanges grants;
 
     /** A new user as an administrator writes it. */
+    @Schema(name = "NewUser")
     public record NewUser(
             @Nullable String name,
             @Nullable String role,
             @Nullable String password) {}
 
     /** What shall change; null leaves it as it is. A user who waits is let in by {@code "state": "active"}. */
+    @Schema(name = "UserChange")
     public record Change(@Nullable String role, @Nullable String state) {}
 
     /** A password that works until the user has taken one of their own; there once, in the answer that made it. */
+    @Schema(name = "OneTimePassword")
     public record OneTimePassword(String name, String password) {}
 
     public UserService(

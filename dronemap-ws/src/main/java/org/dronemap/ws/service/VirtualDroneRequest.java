@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** A virtual drone as its owner writes it. */
-@Schema(description = "A virtual drone as its owner writes it.")
+@Schema(name = "VirtualDroneRequest", description = "A virtual drone as its owner writes it.")
 public record VirtualDroneRequest(
         @Nullable String name,
 
@@ -17,7 +17,7 @@ public record VirtualDroneRequest(
         List<MissionItemView> items) {
 
     /** What a drone must be to serve. */
-    @Schema(description = "What a drone must be to serve.")
+    @Schema(name = "VirtualDroneNeedsView", description = "What a drone must be to serve.")
     public record NeedsView(
             @Schema(description = "multicopter, fixedWing …; null: any") @Nullable
             String kind,
@@ -33,6 +33,7 @@ public record VirtualDroneRequest(
             AreaView area) {}
 
     /** A circle. */
+    @Schema(name = "VirtualDroneAreaView")
     public record AreaView(
             @Schema(description = "degrees") @Nullable Double latitude,
             @Schema(description = "degrees") @Nullable Double longitude,
@@ -41,6 +42,7 @@ public record VirtualDroneRequest(
             Double radius) {}
 
     /** How a mission is started. */
+    @Schema(name = "VirtualDroneStartRequest")
     public record StartRequest(
             @Schema(description = "what a drone does by itself when it no longer hears the cloud: continue or rtl")
             @Nullable

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** A virtual drone as clients see it: nothing here tells which drone serves it to those who may not see that drone. */
-@Schema(description = "A virtual drone: drone-shaped, with an id and a name of its own.")
+@Schema(name = "VirtualDroneView", description = "A virtual drone: drone-shaped, with an id and a name of its own.")
 public record VirtualDroneView(
         String id,
         String name,
@@ -27,7 +27,7 @@ public record VirtualDroneView(
         Map<String, DroneView.ActionView> actions) {
 
     /** A mission from being asked for to its end. */
-    @Schema(description = "A mission from being asked for to its end.")
+    @Schema(name = "VirtualDroneRunView", description = "A mission from being asked for to its end.")
     public record RunView(
             @Schema(
                     description =
@@ -61,15 +61,19 @@ public record VirtualDroneView(
             Instant changedAt) {}
 
     /** Counted from 1. */
+    @Schema(name = "VirtualDronePlaceView")
     public record PlaceView(int position, int length) {}
 
     /** A drone that the asker may see. */
+    @Schema(name = "VirtualDroneDroneName")
     public record DroneName(String id, String name) {}
 
     /** A drone that cannot serve now. */
+    @Schema(name = "VirtualDroneUnfitView")
     public record UnfitView(DroneName drone, String why) {}
 
     /** How the drone is that serves it. */
+    @Schema(name = "VirtualDroneLiveView")
     public record LiveView(
             @Schema(description = "live, suspect or lost") String link,
             String kind,

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.List;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -16,6 +17,7 @@ public final class WaitingService {
     private final OrganisationService organisations;
 
     /** How a vehicle is let in; without a name it is called after what it is. */
+    @Schema(name = "EnrolRequest")
     public record EnrolRequest(
             @Nullable String name, @Nullable String organisation) {
         public static final EnrolRequest PLAIN = new EnrolRequest(null, null);

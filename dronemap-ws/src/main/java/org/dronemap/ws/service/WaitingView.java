@@ -9,7 +9,9 @@ import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /** A vehicle outside as administrators see it. */
-@Schema(description = "A vehicle that nobody has let in: nothing is sent to it but the question who it is.")
+@Schema(
+        name = "WaitingView",
+        description = "A vehicle that nobody has let in: nothing is sent to it but the question who it is.")
 public record WaitingView(
         String id,
 

@@ -1,5 +1,6 @@
 package org.dronemap.ws.service;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.Comparator;
 import java.util.List;
 import org.dronemap.core.access.Principal;
@@ -17,6 +18,7 @@ public final class WarehouseService {
     private final DroneService drones;
 
     /** Drones that may serve virtual ones. */
+    @Schema(name = "WarehouseView")
     public record WarehouseView(List<VirtualDroneView.DroneName> drones) {}
 
     public WarehouseService(VirtualDrones virtuals, DroneService drones) {
@@ -38,6 +40,7 @@ public final class WarehouseService {
      * What waits for a drone, the first in turn first; {@code flies}: this one would arm and take off for it at once, were it
      * in the warehouse and nobody had control of it. {@code name} and {@code owner} are null for those who may not see it.
      */
+    @Schema(name = "WarehouseProspectView")
     public record ProspectView(
             @Nullable String name,
             @Nullable String owner,
@@ -46,6 +49,7 @@ public final class WarehouseService {
             @Nullable String why) {}
 
     /** The waiting ones; of several that it could serve it flies the first, and the others after it. */
+    @Schema(name = "WarehouseProspectsView")
     public record ProspectsView(boolean inWarehouse, List<ProspectView> waiting) {}
 
     /** What would follow if that drone were put there, or left to itself while it is there. Changes nothing. */

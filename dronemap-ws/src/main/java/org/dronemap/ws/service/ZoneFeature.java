@@ -14,7 +14,7 @@ import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
 
 /** A zone as a feature of GeoJSON (RFC 7946), read and written in the same form. */
-@Schema(description = "A zone as a GeoJSON feature: a Polygon, or a Point with a radius.")
+@Schema(name = "ZoneFeature", description = "A zone as a GeoJSON feature: a Polygon, or a Point with a radius.")
 public record ZoneFeature(
         @Schema(description = "Feature") @Nullable String type,
 
@@ -25,6 +25,7 @@ public record ZoneFeature(
         @Nullable ZoneProperties properties) {
 
     /** Longitude comes before latitude. */
+    @Schema(name = "ZoneGeometry")
     public record ZoneGeometry(
             @Schema(description = "Polygon (one ring) or Point, the middle of a circle") @Nullable
             String type,
@@ -33,6 +34,7 @@ public record ZoneFeature(
             Object coordinates) {}
 
     /** What GeoJSON has no word for. */
+    @Schema(name = "ZoneProperties")
     public record ZoneProperties(
             @Nullable String name,
 
@@ -73,6 +75,7 @@ public record ZoneFeature(
             String changedAt) {}
 
     /** All zones, or those of an import. */
+    @Schema(name = "ZoneCollection")
     public record ZoneCollection(
             @Schema(description = "FeatureCollection") @Nullable
             String type,

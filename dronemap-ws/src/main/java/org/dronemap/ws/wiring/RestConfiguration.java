@@ -20,6 +20,8 @@ import org.dronemap.ws.rest.BackupController;
 import org.dronemap.ws.rest.BroadcastController;
 import org.dronemap.ws.rest.CommandController;
 import org.dronemap.ws.rest.ControlController;
+import org.dronemap.ws.rest.DescribedNulls;
+import org.dronemap.ws.rest.DescribedRecords;
 import org.dronemap.ws.rest.DroneController;
 import org.dronemap.ws.rest.ErrorAnswer;
 import org.dronemap.ws.rest.FenceController;
@@ -211,6 +213,16 @@ public class RestConfiguration {
     @Bean
     OpenAPI apiDescription() {
         return ApiDescription.of(Version.current());
+    }
+
+    @Bean
+    DescribedRecords describedRecords() {
+        return new DescribedRecords();
+    }
+
+    @Bean
+    DescribedNulls describedNulls(DescribedRecords records) {
+        return new DescribedNulls(records);
     }
 
     private static FilterRegistrationBean<OncePerRequestFilter> first(OncePerRequestFilter filter, int place) {
