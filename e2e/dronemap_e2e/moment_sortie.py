@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
+import requests
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from .api import Api, Json
@@ -236,8 +237,7 @@ class Sortie:
         for one in stays:
             if one.epoch:
                 # Late: whoever had it was silent for all that time.
-                answer = one.api.call("POST", f"/drones/{one.id}/control/heartbeat", {"epoch": one.epoch})
-                self.happened[one.system_id].kept = answer.ok
+                self.happened[one.system_id].kept = _signs(one)
 
     def _pilots(self, pilots: list[Flyer]) -> None:
         time.sleep(0.5)
@@ -273,6 +273,15 @@ class Sortie:
         """By what truly is."""
         lines = self._simulator.ask("list").splitlines()
         return {int(line.split()[0]) for line in lines if " disarmed landed " in line}
+
+
+def _signs(one: Flyer) -> bool:
+    path, body = f"/drones/{one.id}/control/heartbeat", {"epoch": one.epoch}
+    try:
+        return one.api.call("POST", path, body).ok
+    except requests.ConnectionError:
+        # A server that stood still ends connections that nobody used meanwhile; any client opens a new one.
+        return one.api.call("POST", path, body).ok
 
 
 def _only(admin: Api, user: User, drone: str) -> None:
