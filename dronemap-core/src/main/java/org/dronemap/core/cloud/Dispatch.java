@@ -177,9 +177,14 @@ final class Dispatch {
             return;
         }
         if (!(outcome instanceof Outcome.Refused)) {
+            boolean disarmed =
+                    Boolean.FALSE.equals(entry.drone().drone().state().armed());
             entry.drone()
                     .moves()
-                    .ended(entry.open().command(), entry.drone().lane().activeNanos());
+                    .ended(
+                            entry.open().command(),
+                            disarmed,
+                            entry.drone().lane().activeNanos());
         }
         if (entry.isUnderControl()) {
             // Idle counts from here.

@@ -19,8 +19,9 @@ final class RecentMoves {
 
     private record Ended(Command command, long nanos) {}
 
-    synchronized void ended(Command command, long nowNanos) {
-        if (!moves(command)) {
+    /** {@code disarmed}: for certain, when it ended. */
+    synchronized void ended(Command command, boolean disarmed, long nowNanos) {
+        if (!moves(command, disarmed)) {
             return;
         }
         if (ended.size() == MOST) {
@@ -36,10 +37,10 @@ final class RecentMoves {
                 .toList();
     }
 
-    /** Uploads too: they may hold a drone that flies its mission. */
-    private static boolean moves(Command command) {
+    /** Uploads too: they may hold a drone that flies its mission, but no drone that stands. */
+    private static boolean moves(Command command, boolean disarmed) {
         Contention contention = command.kind().contention();
-        return contention.newerWins() || contention == Contention.TRANSFER;
+        return contention.newerWins() || (contention == Contention.TRANSFER && !disarmed);
     }
 
     /** Whether that command may put a vehicle that {@code can} this into a mode. */

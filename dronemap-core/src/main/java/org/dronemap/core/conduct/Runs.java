@@ -162,7 +162,7 @@ final class Runs {
         if (run == null || assignment == null) {
             return;
         }
-        Step step = machine.suspend(run, why, clock.instant());
+        Step step = RunMachine.suspend(run, why, clock.instant());
         leave(drone.with(step.run()), assignment, step);
     }
 

@@ -72,7 +72,7 @@ public final class RunMachine {
     }
 
     /** Somebody who goes first commands the drone now: the run waits for its user. */
-    public Step suspend(Run run, String why, Instant now) {
+    public static Step suspend(Run run, String why, Instant now) {
         return Step.leave(
                 run.unbound(
                         Stage.SUSPENDED,
@@ -190,6 +190,10 @@ public final class RunMachine {
         Optional<Steering> steering = drone.capabilities().steering(drone.mode());
         if (drone.capabilities().isSafe(drone.mode())) {
             return replace(run, assignment, "The drone went home or down by itself.", sight, Step.Release.FREE);
+        }
+        if (steering.equals(Optional.of(Steering.STICKS))) {
+            // No mission ends in one: a pilot has it, who may not be called home by anybody.
+            return suspend(run, "Somebody steers the drone by hand.", sight.now());
         }
         if (!steering.isEmpty() && !isOnMission(drone)) {
             return giveUp(run, "The drone left its mission; it is called home.", sight);

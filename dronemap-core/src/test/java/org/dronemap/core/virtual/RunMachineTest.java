@@ -203,6 +203,18 @@ class RunMachineTest {
         assertThat(resumed.flown()).isEqualTo(1);
     }
 
+    /** Also before anybody has said that its pilot has control. */
+    @Test
+    void callsNoDroneHomeThatSomebodySteersByHand() {
+        flyTo(2);
+        drone.mode = "STABILIZE";
+        Step step = machine.next(run, sight(null, null, Duration.ZERO, true));
+
+        assertThat(step.run().stage()).isEqualTo(Stage.SUSPENDED);
+        assertThat(step.send()).isNull();
+        assertThat(step.release()).isEqualTo(Step.Release.FREE);
+    }
+
     @Test
     void bringsTheDroneHomeWhenItIsStopped() {
         flyTo(2);

@@ -26,6 +26,8 @@ import org.junit.jupiter.api.Test;
 /** Missions of virtual drones on fewer drones, over a crash of the server and one of a drone. */
 class VirtualDroneFlightTest {
     private static final int MISSIONS = 5;
+    private static final long AUTO = 3;
+    private static final long LOITER = 5;
     private static final long RTL = 6;
     private static final double WATCH_SECONDS = 600;
     private static final Set<String> BOUND = Set.of("uploading", "arming", "starting", "flying", "returning");
@@ -115,6 +117,28 @@ class VirtualDroneFlightTest {
         }
         assertThat(fallen.craft().crashed()).isTrue();
         assertThat(firstPassedInOrder()).isTrue();
+    }
+
+    /** A moment after its mission was brought to it: that it was explains no mode for sticks. */
+    @Test
+    void aDroneThatItsPilotTakesIsNeitherCalledHomeNorToldAnything() {
+        LabDrone taken = drones.get(0);
+        lab.server().warehouse().put(chief.principal(), taken.id().value());
+        String virtual = waitingFor(WATCH_SECONDS);
+        lab.server().virtuals().start(chief.principal(), virtual, new VirtualDroneRequest.StartRequest("rtl"));
+        lab.untilSeen("its mission begins", Duration.ofMinutes(3), () -> taken.mode() == AUTO);
+        SocketJudge socket = new SocketJudge();
+        taken.wire().capturedBy(socket);
+
+        taken.switchedTo(LOITER);
+        lab.untilSeen(
+                "the mission waits for its user",
+                Duration.ofSeconds(10),
+                () -> run(virtual).state().equals("suspended"));
+        lab.goOn(Duration.ofSeconds(15));
+
+        assertThat(taken.mode()).isEqualTo(LOITER);
+        assertThat(socket.ordersAfter(0)).isEmpty();
     }
 
     /** Its fail-safe is off, and its mission lasts: nobody but the server brings it home. */
