@@ -1,6 +1,7 @@
 package org.dronemap.ws;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
@@ -20,12 +21,14 @@ import org.dronemap.core.cloud.VehicleChannel;
 import org.dronemap.core.history.TelemetryColumn;
 import org.dronemap.core.stored.Stored;
 import org.dronemap.proxy.endpoint.BoundedDraft;
+import org.dronemap.ws.access.Access;
 import org.dronemap.ws.security.Authentication;
 import org.dronemap.ws.service.PasswordHashing;
 import org.java_websocket.client.WebSocketClient;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.drafts.Draft_6455;
 import org.java_websocket.server.WebSocketServer;
+import org.springframework.web.bind.annotation.RequestMapping;
 
 /** The rules of the house that the compiler cannot see. */
 final class HouseRules {
@@ -160,6 +163,8 @@ final class HouseRules {
             .consideringOnlyDependenciesInLayers()
             .layer("service")
             .definedBy("org.dronemap.ws.service..")
+            .layer("access")
+            .definedBy("org.dronemap.ws.access..")
             .layer("security")
             .definedBy("org.dronemap.ws.security..")
             .layer("rest")
@@ -182,8 +187,17 @@ final class HouseRules {
             .mayOnlyBeAccessedByLayers("wiring")
             .whereLayer("guard")
             .mayOnlyBeAccessedByLayers("wiring")
+            .whereLayer("access")
+            .mayOnlyBeAccessedByLayers("security", "rest", "wiring")
             .whereLayer("security")
             .mayOnlyBeAccessedByLayers("guard", "rest", "soap", "stream", "wiring");
+
+    static final ArchRule HANDLERS_SAY_WHO_MAY_CALL_THEM = methods()
+            .that()
+            .areMetaAnnotatedWith(RequestMapping.class)
+            .should()
+            .beAnnotatedWith(Access.class)
+            .as("each handler says who may call it");
 
     static final ArchRule ONLY_THE_WIRING_SEES_LINKS_AND_STORES = noClasses()
             .that()
